@@ -58,8 +58,12 @@ double estimate_seconds(const whirl_study *study, const whirl_batch *batch, int 
     whirl_machine machine;
     if (whirl_analysis_is_traced(batch->analyses) || whirl_analysis_is_resting(batch->analyses)) return (double)NAN;
     if (whirl_study_machine(study, batch, batch->count / 2, &machine).code != WHIRL_OK) return (double)NAN;
-    double seconds = time_motions(&machine, &batch->integrate, chains, cores) * motions / chains * revolutions;
-    if (batch->confirm) {
+    // A single revolution of a machine this large may take minutes.
+    const size_t most_timed = 300;
+    const bool timed = machine.system->dimension <= most_timed;
+    double seconds =
+        timed ? time_motions(&machine, &batch->integrate, chains, cores) * motions / chains * revolutions : (double)NAN;
+    if (batch->confirm && timed) {
         // Twice the steps, or tolerances 16 times smaller by order 8 or 5.
         const double order = strcmp(batch->integrate.method, "rodas5p") == 0 ? 5.0 : 8.0;
         const double weight = whirl_method_is_adaptive(batch->integrate.method) ? pow(16.0, 1.0 / order) : 2.0;

@@ -17,11 +17,16 @@ static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
 
-/// A probe takes so many steps of dop853 at most: in twice as many the motion crawls for another reason.
-static const double most_dop853 = 2.0 * PROBED * 1000.0;
+/// A probe takes so many steps of dop853 at most: in twice as many the motion crawls for another reason; and so many
+/// multiplications, some n^2 a stage: about a second.
+static const double most_dop853 = 2.0 * PROBED * 1000.0, most_products = 3e9;
 
-/// And so many multiplications of rodas5p, whose equations take n^3 a step: about a second.
-static const double most_rodas5p = 4e9;
+/// And so many multiplications of rodas5p, whose equations take n^3 a step: about a second. Where that is too few steps
+/// to tell how many a revolution takes, it takes what is usual.
+static const double most_rodas5p = 4e9, telling_rodas5p = 64.0, usual_rodas5p = 500.0;
+
+/// Coordinates up to which eigenvalues are found in about a second; beyond, the norm bounds them.
+enum { MOST_SOLVED = 400 };
 
 static whirl_status start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
                           double most, whirl_integrator **integrator) {
@@ -44,7 +49,9 @@ static double part_done(const whirl_integrator *integrator) {
 /// crawling; else 0.
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
-    if (search->norm * search->system->period <= safe * crawl || !phase_search_solve(search)) return 0.0;
+    if (search->norm * search->system->period <= safe * crawl) return 0.0;
+    if (search->system->dimension > MOST_SOLVED) return search->norm * search->system->period / safe;
+    if (!phase_search_solve(search)) return 0.0;
     const double steps = phase_search_steps(search, dop853_amplification, crawl);
     return steps > crawl ? steps : 0.0;
 }
@@ -69,12 +76,14 @@ static whirl_status count_rodas5p(phase_search *search, const whirl_integrate_op
                                   double *count) {
     whirl_integrator *integrator;
     *count = INFINITY;
-    const double most = fmax(64.0, most_rodas5p / pow((double)search->system->dimension, 3.0));
+    const double most = fmax(1.0, most_rodas5p / pow((double)search->system->dimension, 3.0));
     const whirl_status status = start(search->system, options, "rodas5p", fmin(most, 1e9), &integrator);
     if (status.code != WHIRL_OK) return status;
     const double settled = carry(integrator, search, COUNTED, false, steps);
     const double before = integrator->method->work(integrator);
-    if (settled >= COUNTED) {
+    if (settled >= 0.0 && most < telling_rodas5p) {
+        *count = before / (double)((stepper *)integrator->workspace)->tried * usual_rodas5p;
+    } else if (settled >= COUNTED) {
         const whirl_motion motion = whirl_integrator_revolve(integrator, search->x, NULL, NULL);
         const double last = integrator->method->work(integrator) - before, part = part_done(integrator);
         if (motion == WHIRL_BOUNDED) *count = part > 0.0 ? last / part : before / settled;
@@ -91,7 +100,9 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
     whirl_integrator *integrator;
     double *block, steps = 0.0;
     *cost = (whirl_method_cost){0.0, (double)NAN};
-    whirl_status status = start(system, options, "dop853", most_dop853, &integrator);
+    const double products = DOP853_STAGES * (double)system->dimension * (double)system->dimension;
+    const double most = fmax(1.0, fmin(most_dop853, most_products / products));
+    whirl_status status = start(system, options, "dop853", most, &integrator);
     if (status.code != WHIRL_OK) return status;
     if (phase_search_begin(&search, system, &block)) {
         memcpy(search.x, from, system->dimension * sizeof *from);
