@@ -8,7 +8,7 @@ import { History } from './model/history';
 import type { Plan } from './model/recompute';
 import { Session, type Change, type SideName } from './model/session';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
-import { troubleOf, type SideModel } from './model/side';
+import type { SideModel } from './model/side';
 import { parameterMeasure, written, type Units } from './model/units';
 import { Watches } from './model/watches';
 import type { MapCardListener } from './view/map_card';
@@ -200,7 +200,7 @@ export class App {
         { lane: 'original', priority: 0 },
       );
       if (outcome.ok) session.originals.set(machine.name, outcome.value);
-      else if (outcome.why !== 'stale' && session.engine) session.sides.a.trouble = troubleOf(outcome);
+      else if (outcome.why !== 'stale' && session.engine) session.sides.a.trouble = outcome.message;
       if (machine !== session.machine) return;
     }
     if (session.unitsAwaited && session.original) session.suitUnits(session.original.lengthScale);

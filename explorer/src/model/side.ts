@@ -52,7 +52,7 @@ export class SideModel {
       return true;
     }
     if (outcome.why !== 'stale') {
-      this.trouble = troubleOf(outcome);
+      this.trouble = outcome.message;
       this.bad = this.outdated = true;
     }
     return false;
@@ -124,7 +124,7 @@ export class SideModel {
       this.stored = false;
       this.outdated = this.bad;
     } else if (outcome.why !== 'stale') {
-      this.trouble = troubleOf(outcome);
+      this.trouble = outcome.message;
       this.outdated = true;
       void this.speak(wish);
     }
@@ -138,16 +138,7 @@ export class SideModel {
     const setting = { text, ...(name ? { name } : {}), assignments: [...assignments, spoken] };
     const told = await this.engine.describe(setting, { lane: `speak-${this.name}`, priority: 0 });
     if (told.ok || told.why === 'stale' || of !== this.choice) return;
-    this.trouble = troubleOf(told);
+    this.trouble = told.message;
     this.listener.changed();
   }
-}
-
-/// The sentence of what went wrong, with the first problem's key where there is one.
-export function troubleOf(outcome: {
-  readonly message: string;
-  readonly problems: readonly { readonly key: string; readonly message: string }[];
-}): string {
-  const first = outcome.problems[0];
-  return first ? `${first.key ? `${first.key}: ` : ''}${first.message}` : outcome.message;
 }

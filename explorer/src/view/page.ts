@@ -242,7 +242,7 @@ export class Page {
       orbit,
       value: side.choice.value,
       busy: side.busy && !result ? 'computing \u2026' : '',
-      trouble: side.trouble,
+      trouble: this.session.inWords(side.trouble),
       how: this.howOf(side, orbit),
       outdated: this.outdatedText(side),
     });
@@ -293,7 +293,7 @@ export class Page {
       side: side.name,
       comparing: session.address.b !== undefined,
       computation: session.address.computation,
-      trouble: side.trouble,
+      trouble: session.inWords(side.trouble),
     });
   }
 }
