@@ -4,6 +4,7 @@ import { needsSpectra } from './data/quantities';
 import { isTyping, releaseFields } from './dom';
 import type { Engine } from './engine/protocol';
 import type { Range } from './figure/chart';
+import { anyFollows } from './model/derived';
 import { History } from './model/history';
 import type { Plan } from './model/recompute';
 import { Session, type Change, type SideName } from './model/session';
@@ -274,15 +275,15 @@ export class App {
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
     if (session.atRest) return;
-    const orbit = session.orbitOf(side.choice);
-    if (orbit) {
-      side.wantOrbit(session.orbitRequest(orbit));
-      return;
-    }
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
     const value = written(side.choice.value * factor, 12);
-    side.want(session.settingOf(side), parameter, settled, `${parameter}=${value}${unit ? ` ${unit}` : ''}`);
+    const setting = session.settingOf(side);
+    const spoken = `${parameter}=${value}${unit ? ` ${unit}` : ''}`;
+    const orbit = session.orbitOf(side.choice);
+    if (orbit) side.wantOrbit(session.orbitRequest(orbit));
+    else side.want(setting, parameter, settled, spoken);
+    if (settled && anyFollows(side.info?.parameters ?? [], parameter)) void side.follow(setting, spoken);
   }
 
   private cursor(name: SideName, value: number, settled: boolean): void {

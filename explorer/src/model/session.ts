@@ -173,14 +173,12 @@ export class Session {
   }
 
   /// The value that a side gives a parameter, in SI.
-  valueOf({ choice, info }: SideModel, name: string): number {
+  valueOf({ choice, info, following }: SideModel, name: string): number {
     if (name === this.address.parameter && Number.isFinite(choice.value)) return choice.value;
     const text = choice.assignments.get(name);
-    if (text !== undefined) {
-      const known = () => info?.parameters.find((parameter) => parameter.name === name)?.value;
-      return plainValue(text, this.unitOf(name)) ?? known() ?? this.ownValue(name);
-    }
-    return this.ownValue(name);
+    const known = info?.parameters.find((parameter) => parameter.name === name);
+    if (text !== undefined) return plainValue(text, this.unitOf(name)) ?? known?.value ?? this.ownValue(name);
+    return known?.expression ? (following.get(name) ?? known.value) : this.ownValue(name);
   }
 
   /// The value that the case gives a parameter, in SI.

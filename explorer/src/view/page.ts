@@ -280,9 +280,10 @@ export class Page {
     if (!original) return;
     const current = side.info ?? original;
     const swept = session.address.parameter;
-    const { value } = side.choice;
     const parameters = current.parameters.map((parameter) =>
-      parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter,
+      parameter.name === swept || parameter.expression
+        ? { ...parameter, value: session.valueOf(side, parameter.name) }
+        : parameter,
     );
     this.settings.show({
       original,
