@@ -52,8 +52,8 @@ export class Page {
     this.motions = el(
       'main',
       {},
-      el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       this.settings.root,
+      el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
     );
     this.root.append(
