@@ -4,11 +4,12 @@ import { needsSpectra } from './data/quantities';
 import { isTyping, releaseFields } from './dom';
 import type { Engine } from './engine/protocol';
 import type { Range } from './figure/chart';
+import { anyFollows } from './model/derived';
 import { History } from './model/history';
 import type { Plan } from './model/recompute';
 import { Session, type Change, type SideName } from './model/session';
 import { assignmentTexts, readAddress, writeAddress, type Address, type Computation } from './model/setting';
-import { troubleOf, type SideModel } from './model/side';
+import type { SideModel } from './model/side';
 import { parameterMeasure, written, type Units } from './model/units';
 import { Watches } from './model/watches';
 import type { MapCardListener } from './view/map_card';
@@ -200,7 +201,7 @@ export class App {
         { lane: 'original', priority: 0 },
       );
       if (outcome.ok) session.originals.set(machine.name, outcome.value);
-      else if (outcome.why !== 'stale' && session.engine) session.sides.a.trouble = troubleOf(outcome);
+      else if (outcome.why !== 'stale' && session.engine) session.sides.a.trouble = outcome.message;
       if (machine !== session.machine) return;
     }
     if (session.unitsAwaited && session.original) session.suitUnits(session.original.lengthScale);
@@ -274,15 +275,15 @@ export class App {
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
     if (session.atRest) return;
-    const orbit = session.orbitOf(side.choice);
-    if (orbit) {
-      side.wantOrbit(session.orbitRequest(orbit));
-      return;
-    }
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
     const value = written(side.choice.value * factor, 12);
-    side.want(session.settingOf(side), parameter, settled, `${parameter}=${value}${unit ? ` ${unit}` : ''}`);
+    const setting = session.settingOf(side);
+    const spoken = `${parameter}=${value}${unit ? ` ${unit}` : ''}`;
+    const orbit = session.orbitOf(side.choice);
+    if (orbit) side.wantOrbit(session.orbitRequest(orbit));
+    else side.want(setting, parameter, settled, spoken);
+    if (settled && anyFollows(side.info?.parameters ?? [], parameter)) void side.follow(setting, spoken);
   }
 
   private cursor(name: SideName, value: number, settled: boolean): void {

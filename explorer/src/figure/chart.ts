@@ -42,7 +42,7 @@ export interface ChartSpec {
   readonly bareX?: boolean;
   /// Ticks of the horizontal axis as they are shown (a full spectrum counts both ways).
   readonly xText?: (value: number, step: number) => string;
-  /// Where ticks of the vertical axis stand, in place of round numbers.
+  /// Where ticks of the vertical axis stand, in place of round numbers, as far as two of them are seen.
   readonly yTicks?: readonly number[];
 }
 
@@ -53,6 +53,10 @@ interface Ticks {
 
 const NO_TICKS: Ticks = { at: [], text: [] };
 
+/// Parts of all heights that are shown.
+const LEAST_PART = 1e-4;
+const MOST_PART = 0.999;
+
 export class Chart implements Figure {
   readonly root: HTMLElement;
   /// Lies over the plotting area: cursors and handlers go there.
@@ -60,7 +64,9 @@ export class Chart implements Figure {
   private plot: uPlot | undefined;
   private data: uPlot.AlignedData;
   private xRange: Range = [0, 1];
-  private yRange: Range = [0, 1];
+  /// Of all that there is, and the part of it that is shown.
+  private whole: Range = [0, 1];
+  private part: Range | undefined;
   private xLabel = '';
   private yLabel = '';
   /// The axes.
@@ -82,17 +88,38 @@ export class Chart implements Figure {
     this.rebuild();
   }
 
-  /// Lines [x, y1, y2, ...] and the ranges to show.
+  /// Lines [x, y1, y2, ...] and the ranges to show; of the vertical one no more than the part that was chosen.
   show(xRange: Range, yRange: Range, data?: uPlot.AlignedData): void {
-    [this.xRange, this.yRange] = [xRange, yRange];
+    [this.xRange, this.whole] = [xRange, yRange];
     if (data) this.data = data;
     const plot = this.plot;
     if (!plot) return;
+    const [low, high] = this.yRange;
     plot.batch(() => {
       if (data) plot.setData(data, false);
       plot.setScale('x', { min: xRange[0], max: xRange[1] });
-      plot.setScale('y', { min: yRange[0], max: yRange[1] });
+      plot.setScale('y', { min: low, max: high });
     });
+  }
+
+  private get yRange(): Range {
+    return this.part ?? this.whole;
+  }
+
+  /// Shows the heights between two places, in CSS pixels from the top of the plotting area; all where that is as much.
+  enlarge(top: number, bottom: number): void {
+    const [low, high] = [this.heightAt(bottom), this.heightAt(top)];
+    const sizeOf = (range: Range) => (range[1] - range[0]) / (this.whole[1] - this.whole[0]);
+    const size = sizeOf([low, high]);
+    if (!(size >= Math.min(LEAST_PART, sizeOf(this.yRange)))) return;
+    this.part = size < MOST_PART ? [low, high] : undefined;
+    this.show(this.xRange, this.whole);
+  }
+
+  /// Shows all heights.
+  fit(): void {
+    this.part = undefined;
+    this.show(this.xRange, this.whole);
   }
 
   redraw(): void {
@@ -123,12 +150,9 @@ export class Chart implements Figure {
     return value >= low && value <= high;
   }
 
-  /// Left edge and width of the plotting area in CSS pixels.
-  get area(): { readonly left: number; readonly width: number } {
-    const ratio = window.devicePixelRatio || 1;
-    return this.plot
-      ? { left: this.plot.bbox.left / ratio, width: this.plot.bbox.width / ratio }
-      : { left: 0, width: 1 };
+  /// Width and height of the plotting area in CSS pixels.
+  get area(): { readonly width: number; readonly height: number } {
+    return this.overlay.getBoundingClientRect();
   }
 
   picture(): Picture {
@@ -320,9 +344,9 @@ export class Chart implements Figure {
     const box = this.root.getBoundingClientRect();
     const length = horizontal ? (plot?.bbox.width ?? 0) / (window.devicePixelRatio || 1) || box.width : box.height;
     const wanted = horizontal ? length / (size * 6.5) : length / (size * 3.2);
-    const { yTicks } = this.spec;
+    const yTicks = this.spec.yTicks?.filter((at) => at >= low && at <= high) ?? [];
     const made =
-      !horizontal && yTicks
+      !horizontal && yTicks.length > 1
         ? { at: yTicks, text: yTicks.map(String) }
         : this.logarithmic[horizontal ? 'x' : 'y']
           ? decades(low, high, wanted)

@@ -5,7 +5,6 @@ import type { MapAxis, ParameterMap } from '../data/parameter_map';
 import type { Engine, Setting } from '../engine/protocol';
 import { plainText } from './map_cut';
 import { coarseToFine } from './recompute';
-import { troubleOf } from './side';
 
 /// Cells along each axis: at least of the finest grid, and at most of the part of the map.
 export const FINE = 64;
@@ -38,6 +37,8 @@ export interface MapRefinementWish {
   readonly revolutions: readonly [number, number];
   /// Motions of the map have more.
   readonly shorter: boolean;
+  /// What was refused, as the reader is told.
+  say(refused: string): string;
 }
 
 export class MapRefinement {
@@ -70,7 +71,7 @@ export class MapRefinement {
     const { revolutions, shorter } = this.wish;
     const grid = this.grids.at(-1);
     const fewer = shorter ? ', fewer than in the run: its verdict has less confidence' : '';
-    if (this.trouble || !grid) return this.trouble && `Finer cells: ${this.trouble}.`;
+    if (this.trouble || !grid) return this.trouble && `Finer cells: ${this.wish.say(this.trouble)}.`;
     const { columns, rows, diagram } = grid;
     return (
       `In the dashed frame: ${columns} by ${rows} cells, ${diagram.known} of them computed in this page, each from ` +
@@ -122,7 +123,7 @@ export class MapRefinement {
       },
       { priority: 6, signal: this.abort.signal },
     );
-    if (!outcome.ok && outcome.why !== 'stale') this.trouble ||= troubleOf(outcome);
+    if (!outcome.ok && outcome.why !== 'stale') this.trouble ||= outcome.message;
   }
 }
 

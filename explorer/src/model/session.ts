@@ -14,9 +14,10 @@ import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { canRefine, MapRefinement, type MapPart } from './map_refinement';
 import { firstValue, plannedRange, sweptParameter } from './original';
 import { assignmentTexts, computationOptions, readAddress, type Address, type Side } from './setting';
-import { SideModel, troubleOf } from './side';
+import { SideModel } from './side';
 import { howOf, Sights, type Sight } from './sights';
 import { unitsFor, unitsOfWords, type Scales } from './units';
+import { inWordsOfPage } from './words';
 
 type Range = readonly [number, number];
 
@@ -153,7 +154,15 @@ export class Session {
     const shorter = transient + record < table.transient + table.record;
     this.refined = new MapRefinement(
       engine,
-      { map, part, setting, unit: this.unitOf(map.y.parameter), revolutions: [transient, record], shorter },
+      {
+        map,
+        part,
+        setting,
+        unit: this.unitOf(map.y.parameter),
+        revolutions: [transient, record],
+        shorter,
+        say: (refused) => this.inWords(refused),
+      },
       () => this.listener.changed('map'),
     );
     this.listener.changed('map');
@@ -164,14 +173,12 @@ export class Session {
   }
 
   /// The value that a side gives a parameter, in SI.
-  valueOf({ choice, info }: SideModel, name: string): number {
+  valueOf({ choice, info, following }: SideModel, name: string): number {
     if (name === this.address.parameter && Number.isFinite(choice.value)) return choice.value;
     const text = choice.assignments.get(name);
-    if (text !== undefined) {
-      const known = () => info?.parameters.find((parameter) => parameter.name === name)?.value;
-      return plainValue(text, this.unitOf(name)) ?? known() ?? this.ownValue(name);
-    }
-    return this.ownValue(name);
+    const known = info?.parameters.find((parameter) => parameter.name === name);
+    if (text !== undefined) return plainValue(text, this.unitOf(name)) ?? known?.value ?? this.ownValue(name);
+    return known?.expression ? (following.get(name) ?? known.value) : this.ownValue(name);
   }
 
   /// The value that the case gives a parameter, in SI.
@@ -329,8 +336,13 @@ export class Session {
     const setting = this.settingOf(this.sides[name]);
     const assignments = [...(setting.assignments ?? []), `${parameter}=${text}`];
     const told = await this.engine?.describe({ ...setting, assignments }, { lane: `speak-${name}`, priority: 0 });
-    if (!told?.ok) return told && told.why !== 'stale' ? troubleOf(told) : undefined;
+    if (!told?.ok) return told && told.why !== 'stale' ? told.message : undefined;
     return told.value.parameters.find((each) => each.name === parameter)?.value;
+  }
+
+  /// What the engine has refused, as the reader is told.
+  inWords(refused: string): string {
+    return inWordsOfPage(refused, this.original?.parameters ?? []);
   }
 
   /// Puts the first cursor where it begins, unless it is somewhere.

@@ -14,6 +14,8 @@ export class SideModel {
   choice: Side = { assignments: new Map(), value: NaN };
   /// The case with the assignments in force.
   info: CaseInfo | undefined;
+  /// The values of its parameters, in SI, where some of them follow from the one along the diagram.
+  following: ReadonlyMap<string, number> = new Map();
   result: MotionResult | undefined;
   /// The result is of a shortened motion.
   preview = false;
@@ -47,15 +49,24 @@ export class SideModel {
     if (!this.engine) return false;
     if (outcome.ok) {
       this.info = outcome.value;
+      this.following = new Map();
       this.trouble = '';
       this.bad = false;
       return true;
     }
     if (outcome.why !== 'stale') {
-      this.trouble = troubleOf(outcome);
+      this.trouble = outcome.message;
       this.bad = this.outdated = true;
     }
     return false;
+  }
+
+  /// Finds what follows from the value along the diagram, which is spoken as an assignment.
+  async follow(setting: Setting, spoken: string): Promise<void> {
+    const told = await this.describeAt(setting, spoken, 'follow');
+    if (!told?.ok) return;
+    this.following = new Map(told.value.parameters.map(({ name, value }) => [name, value]));
+    this.listener.changed();
   }
 
   /// Something was typed that is no setting.
@@ -110,6 +121,7 @@ export class SideModel {
     this.result = undefined;
     this.stored = false;
     this.info = undefined;
+    this.following = new Map();
     this.resultOf = undefined;
     this.trouble = '';
     this.bad = this.outdated = false;
@@ -124,7 +136,7 @@ export class SideModel {
       this.stored = false;
       this.outdated = this.bad;
     } else if (outcome.why !== 'stale') {
-      this.trouble = troubleOf(outcome);
+      this.trouble = outcome.message;
       this.outdated = true;
       void this.speak(wish);
     }
@@ -133,21 +145,18 @@ export class SideModel {
 
   /// What cannot be computed was said in SI: the case says it of the value as the reader sees it.
   private async speak({ request, of, spoken }: Wish): Promise<void> {
-    if (!this.engine || !spoken) return;
-    const { text, name, assignments = [] } = request.setting;
-    const setting = { text, ...(name ? { name } : {}), assignments: [...assignments, spoken] };
-    const told = await this.engine.describe(setting, { lane: `speak-${this.name}`, priority: 0 });
-    if (told.ok || told.why === 'stale' || of !== this.choice) return;
-    this.trouble = troubleOf(told);
+    const told = spoken ? await this.describeAt(request.setting, spoken, 'speak') : undefined;
+    if (!told || told.ok || told.why === 'stale' || of !== this.choice) return;
+    this.trouble = told.message;
     this.listener.changed();
   }
-}
 
-/// The sentence of what went wrong, with the first problem's key where there is one.
-export function troubleOf(outcome: {
-  readonly message: string;
-  readonly problems: readonly { readonly key: string; readonly message: string }[];
-}): string {
-  const first = outcome.problems[0];
-  return first ? `${first.key ? `${first.key}: ` : ''}${first.message}` : outcome.message;
+  private async describeAt(
+    { text, name, assignments = [] }: Setting,
+    spoken: string,
+    lane: string,
+  ): Promise<Outcome<CaseInfo> | undefined> {
+    const setting = { text, ...(name ? { name } : {}), assignments: [...assignments, spoken] };
+    return this.engine?.describe(setting, { lane: `${lane}-${this.name}`, priority: 0 });
+  }
 }

@@ -99,7 +99,7 @@ export class BodeView implements RestChart {
     );
     this.probe.show(probeOf(subject));
     this.response = responseOf(subject);
-    this.stack.show(subject);
+    this.stack.show(subject, subject.station);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
     this.main.setAxes(xLabel, labelled('amplitude', amplitudeMeasure(units, scales).unit));
     this.lower.setAxes(xLabel, 'lag (\u00b0)');

@@ -94,7 +94,7 @@ export class CampbellView implements RestChart {
     const { units, choice } = subject;
     this.damping.value = choice.decrement ? 'decrement' : 'ratio';
     this.reach.value = choice.all ? 'all' : 'near';
-    this.stack.show(subject);
+    this.stack.show(subject, choice.decrement, choice.all);
     const xLabel = labelled(subject.parameter, parameterMeasure(subject.unit, units).unit);
     this.main.setAxes(xLabel, labelled('damped frequency', naturalMeasure(units).unit));
     this.lower.setAxes(xLabel, choice.decrement ? 'log. decrement' : 'damping ratio');

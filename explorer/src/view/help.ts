@@ -11,6 +11,12 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['Page Up, Page Down', 'a twentieth of the range'],
   ['Home, End', 'to the ends of the range'],
   ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same. Finer points are then computed in the view'],
+  [
+    'V, Shift+V',
+    'enlarge and reduce the heights of the upper picture; so do the wheel over its axis, or with Shift, and Shift and ' +
+      'drag, which encloses a rectangle where it goes up or down',
+  ],
+  ['Alt+\u2191, Alt+\u2193', 'move over enlarged heights; a double click, Back and Reset show all of them again'],
   ['Backspace', 'back to the diagram before'],
   ['Ctrl+Z, Ctrl+Shift+Z', 'undo, redo (also Ctrl+Y, and Back and Forward of the browser), wherever the focus is'],
   ['Esc', 'stops what is being computed, closes this help'],
@@ -39,7 +45,8 @@ const POINTS: readonly (readonly [string, string])[] = [
   [
     'Touch',
     'Click or drag: the machine is integrated at exactly that value, first briefly, then as long as the case ' +
-      'says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns.',
+      'says. The mode Range (or Shift and drag) computes the brushed range anew, coarse to fine; Back returns. ' +
+      'Two fingers zoom along the line between them.',
   ],
   [
     'Branches',

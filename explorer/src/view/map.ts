@@ -72,6 +72,7 @@ export class MapView {
       cursor: (value, settled, spot) => this.cursor(value, settled, spot),
       hover: (spot) => this.marks.hover(spot),
       key: (key, many) => this.key(key, many),
+      enlarged: () => this.marks.show(this.branchLines()),
     });
     this.marks = new OrbitMarks(this.main);
     this.root = this.stack.root;
@@ -81,7 +82,7 @@ export class MapView {
   show(subject: MapSubject): void {
     if (subject.diagram !== this.subject?.diagram) this.order = [];
     this.subject = subject;
-    this.stack.show(subject);
+    this.stack.show(subject, subject.quantity, subject.station);
     const { diagram } = subject;
     if (diagram && this.order.length !== diagram.count)
       this.order = Array.from(diagram.values.keys()).sort((a, b) => diagram.values[a]! - diagram.values[b]!);

@@ -27,7 +27,6 @@ export interface MapCardSubject extends MapSubject {
   readonly status: string;
   /// The diagram is not of the present parameters.
   readonly stale: boolean;
-  readonly name: string;
 }
 
 const POINTS: readonly Choice[] = [64, 128, 256, 512, 1024].map((count) => ({
@@ -79,14 +78,17 @@ export class MapCard {
       'What dragging does',
       [
         { value: 'point', text: 'Point', title: 'Drag: the motion at the value under the cursor' },
-        { value: 'range', text: 'Range', title: 'Drag: compute that range anew, finer' },
+        { value: 'range', text: 'Range', title: 'Drag: compute that range anew, finer; up or down: enlarge' },
         { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
       ],
       'point',
       (value) => (this.map.stack.mode = value as Mode),
     );
-    this.back = button('Back', 'Back to the diagram before', () => listener.back());
-    this.reset = button('Reset', 'The whole diagram of the case', () => listener.reset());
+    this.back = button('Back', 'Back to the diagram before', () => this.map.stack.back());
+    this.reset = button('Reset', 'The whole diagram of the case', () => {
+      this.map.stack.fit();
+      listener.reset();
+    });
     this.again = button(
       'Recompute',
       'Recompute the diagram here, with the present parameters',

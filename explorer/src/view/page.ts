@@ -52,8 +52,8 @@ export class Page {
     this.motions = el(
       'main',
       {},
-      el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       this.settings.root,
+      el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
     );
     this.root.append(
@@ -242,7 +242,7 @@ export class Page {
       orbit,
       value: side.choice.value,
       busy: side.busy && !result ? 'computing \u2026' : '',
-      trouble: side.trouble,
+      trouble: this.session.inWords(side.trouble),
       how: this.howOf(side, orbit),
       outdated: this.outdatedText(side),
     });
@@ -280,9 +280,10 @@ export class Page {
     if (!original) return;
     const current = side.info ?? original;
     const swept = session.address.parameter;
-    const { value } = side.choice;
     const parameters = current.parameters.map((parameter) =>
-      parameter.name === swept && Number.isFinite(value) ? { ...parameter, value } : parameter,
+      parameter.name === swept || parameter.expression
+        ? { ...parameter, value: session.valueOf(side, parameter.name) }
+        : parameter,
     );
     this.settings.show({
       original,
@@ -293,7 +294,7 @@ export class Page {
       side: side.name,
       comparing: session.address.b !== undefined,
       computation: session.address.computation,
-      trouble: side.trouble,
+      trouble: session.inWords(side.trouble),
     });
   }
 }

@@ -93,9 +93,13 @@ class Row {
     spellcheck: 'false',
   });
   private readonly unit = el('span', { class: 'unit' });
+  private readonly expression = el('code', { class: 'expression' });
   private readonly meaning = el('p', { class: 'meaning' });
   private readonly reset: HTMLButtonElement;
+  private readonly unlock: HTMLButtonElement;
   private notation: Notation = { unit: '', factor: 1 };
+  /// In SI.
+  private value = NaN;
   /// The field holds a text that was refused.
   private refused = false;
 
@@ -108,14 +112,24 @@ class Row {
     const id = `parameter-${name}`;
     this.field.id = id;
     this.meaning.id = `${id}-meaning`;
+    this.expression.id = `${id}-expression`;
     this.slider.setAttribute('aria-label', `${name}, slider`);
-    this.field.setAttribute('aria-describedby', `${id}-meaning`);
+    this.field.setAttribute('aria-describedby', `${id}-expression ${id}-meaning`);
     this.reset = button(
       '\u21ba',
       `Reset ${name} to the case`,
       () => {
         this.refused = false;
         listener.assigned(name, undefined, true, undefined);
+      },
+      { class: 'icon' },
+    );
+    this.unlock = button(
+      '\u270e',
+      `Set ${name} by hand`,
+      () => {
+        this.assign(this.value * this.notation.factor, true);
+        this.field.focus();
       },
       { class: 'icon' },
     );
@@ -129,13 +143,18 @@ class Row {
       this.field,
       this.unit,
       this.reset,
+      this.unlock,
       this.slider,
+      this.expression,
       this.meaning,
     );
   }
 
   show(now: ParameterInfo, changed: boolean, units: Units, swept: boolean, trouble: string): void {
     this.notation = notationOf(now, units);
+    this.value = now.value;
+    // What follows from other parameters stays so until one asks to set it.
+    this.lock(now.expression && !swept ? now.written : '');
     this.refused &&= trouble !== '';
     markField(this.field, this.refused);
     this.unit.textContent = this.notation.unit;
@@ -149,6 +168,13 @@ class Row {
     this.reset.disabled = !changed && !this.refused;
     this.root.classList.toggle('changed', changed);
     this.root.classList.toggle('swept', swept);
+  }
+
+  /// `expression`: what the value follows from; "" frees it.
+  private lock(expression: string): void {
+    this.expression.textContent = expression;
+    this.field.readOnly = this.slider.hidden = this.reset.hidden = expression !== '';
+    this.unlock.hidden = this.expression.hidden = expression === '';
   }
 
   private slid(settled: boolean): void {

@@ -113,7 +113,7 @@ export class RestView {
     const subject = subjectOf(session, rest);
     const { sight, sights, side } = session;
     this.showHead(subject, side.choice.value);
-    card.show({ ...subject, depth: sights.behind, status: sight.text, name: shortName(session.machine) });
+    card.show({ ...subject, depth: sights.behind, status: sight.text });
     chart.stack.setCursors(rest.diagram.values[subject.point] ?? NaN, NaN);
     this.title.textContent = this.showNumbers(subject);
     this.numbers.setAttribute('aria-label', this.title.textContent);
@@ -250,6 +250,7 @@ function subjectOf(session: Session, rest: AtRest): RestSubject {
   const measure = parameterMeasure(unit, units);
   return {
     ...{ rest, point, parameter, unit, units, station },
+    name: shortName(session.machine),
     range: sight.range,
     info: stations[station]!,
     scales: { ...scales, length: rest.diagram.lengthScales[point] ?? scales.length, speed: rest.speed(point) },

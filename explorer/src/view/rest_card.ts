@@ -11,7 +11,6 @@ import { numbersTable } from './numbers';
 export interface RestCardSubject extends RestSubject {
   readonly depth: number;
   readonly status: string;
-  readonly name: string;
 }
 
 export interface RestCardListener extends StackListener {
@@ -38,14 +37,17 @@ export class RestCard {
       'What dragging does',
       [
         { value: 'point', text: 'Point', title: 'Drag: the numbers at the value under the cursor' },
-        { value: 'range', text: 'Range', title: 'Drag: enlarge that range' },
+        { value: 'range', text: 'Range', title: 'Drag: enlarge that range, or that rectangle' },
         { value: 'pan', text: 'Pan', title: 'Drag: move the view; the wheel zooms' },
       ],
       'point',
       (value) => (stack.mode = value as Mode),
     );
-    this.back = button('Back', 'Back to the view before', () => listener.back());
-    this.reset = button('Reset', 'The whole diagram', () => listener.reset());
+    this.back = button('Back', 'Back to the view before', () => stack.back());
+    this.reset = button('Reset', 'The whole diagram', () => {
+      stack.fit();
+      listener.reset();
+    });
     this.tools = el('div', { class: 'tools' }, modes.root, this.back, this.reset);
     this.critical.setAttribute('aria-label', 'Critical speeds and thresholds of stability');
     const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };

@@ -9,6 +9,8 @@ export type Mode = 'point' | 'range' | 'pan';
 
 /// Along what the charts run.
 export interface Along {
+  /// Of the machine.
+  readonly name: string;
   readonly parameter: string;
   /// SI unit of the parameter.
   readonly unit: string;
@@ -23,6 +25,11 @@ export interface Spot {
   readonly top: number;
 }
 
+/// The same, and the value there, in SI.
+interface Place extends Spot {
+  readonly value: number;
+}
+
 export interface StackListener {
   /// A value was chosen, in SI; `settled` when the pointer let go. `spot`: where on the upper chart the pointer is.
   cursor(value: number, settled: boolean, spot?: Spot): void;
@@ -34,10 +41,41 @@ export interface StackListener {
   brushed(range: Range): void;
   /// The view was zoomed or moved, in SI.
   viewed(range: Range): void;
+  /// Other heights of a chart are shown.
+  enlarged?(): void;
   back(): void;
 }
 
 const KEYBOARD_STEPS = 200;
+/// By which keys zoom.
+const ZOOM = 0.7;
+/// CSS pixels that a drag goes up or down before it means heights, too.
+const UPRIGHT = 24;
+/// Fingers that are nearer are taken to be so far apart.
+const APART = 20;
+
+/// What a drag encloses, from side to side and from top to bottom; undefined: all.
+function enclosed(from: Spot, to: Spot): { readonly across: Range | undefined; readonly up: Range | undefined } {
+  const sorted = (a: number, b: number): Range => [Math.min(a, b), Math.max(a, b)];
+  const upright = Math.abs(to.top - from.top) >= UPRIGHT;
+  const across = !upright || Math.abs(to.left - from.left) >= UPRIGHT;
+  return {
+    across: across ? sorted(from.left, to.left) : undefined,
+    up: upright ? sorted(from.top, to.top) : undefined,
+  };
+}
+
+/// Where two fingers take what was at a place, so that what is under them stays there.
+function pinched(before: readonly [number, number], now: readonly [number, number]): (at: number) => number {
+  const apart = ([a, b]: readonly [number, number]) => Math.max(APART, Math.abs(a - b));
+  const by = apart(before) / apart(now);
+  return (at) => (before[0] + before[1]) / 2 + (at - (now[0] + now[1]) / 2) * by;
+}
+
+/// What a turn of the wheel zooms by.
+function turned(delta: number): number {
+  return Math.exp(Math.max(-80, Math.min(80, delta)) / 300);
+}
 
 /// Even steps over the range.
 export function evenly(value: number, steps: number, [low, high]: Range): number {
@@ -46,8 +84,10 @@ export function evenly(value: number, steps: number, [low, high]: Range): number
 
 export class Stack {
   readonly root: HTMLElement;
-  mode: Mode = 'point';
+  private dragging: Mode = 'point';
   private along: Along | undefined;
+  /// What the heights are of.
+  private heightsOf = '';
   private value = NaN;
   private words = '';
   private readonly cursors: readonly [CursorLine, CursorLine];
@@ -65,14 +105,16 @@ export class Stack {
       main.overlay.append(cursor.upper);
       lower.overlay.append(cursor.lower);
     }
-    main.overlay.append(this.brush);
     main.root.classList.add('map-main');
     lower.root.classList.add('map-exponent');
     // They hold a slider, which a picture would hide from assistive programs.
     for (const chart of [main, lower]) chart.root.setAttribute('role', 'group');
     this.root = el('div', { class: 'map' }, main.root, lower.root);
-    this.listen(main.overlay);
-    this.listen(lower.overlay);
+    for (const chart of [main, lower]) {
+      this.listen(chart);
+      chart.root.addEventListener('wheel', (event) => this.wheel(chart, event), { passive: false });
+      chart.root.addEventListener('dblclick', () => this.fit(chart));
+    }
     // Cursors stand where their values are, however wide the charts become.
     new ResizeObserver(() => this.placeCursors()).observe(main.overlay);
     main.overlay.tabIndex = 0;
@@ -80,8 +122,28 @@ export class Stack {
     main.overlay.addEventListener('keydown', (event) => this.key(event));
   }
 
-  show(along: Along): void {
+  /// What dragging does.
+  set mode(mode: Mode) {
+    this.dragging = this.root.dataset['mode'] = mode;
+  }
+
+  /// `what` the heights say: of something else all of them are shown again.
+  show(along: Along, ...what: readonly (string | number | boolean)[]): void {
+    const of = JSON.stringify([along.name, along.parameter, along.units, what]);
+    if (of !== this.heightsOf) this.fit();
+    this.heightsOf = of;
     this.along = along;
+  }
+
+  /// Shows all heights of a chart, or of both.
+  fit(...charts: readonly Chart[]): void {
+    for (const chart of charts.length > 0 ? charts : [this.main, this.lower]) chart.fit();
+    this.listener.enlarged?.();
+  }
+
+  back(): void {
+    this.fit();
+    this.listener.back();
   }
 
   /// In SI.
@@ -158,94 +220,106 @@ export class Stack {
     );
   }
 
-  private valueAt(overlay: HTMLElement, clientX: number): number {
-    const along = this.along!;
-    const box = overlay.getBoundingClientRect();
-    const part = Math.min(1, Math.max(0, (clientX - box.left) / box.width));
-    return along.range[0] + part * (along.range[1] - along.range[0]);
+  private placeAt(chart: Chart, event: MouseEvent): Place {
+    const box = chart.overlay.getBoundingClientRect();
+    const within = (at: number, size: number) => Math.min(size, Math.max(0, at));
+    const left = within(event.clientX - box.left, box.width);
+    const [low, high] = this.along!.range;
+    return {
+      ...{ left, top: within(event.clientY - box.top, box.height) },
+      value: low + (left / box.width) * (high - low),
+    };
   }
 
-  private spotOf(overlay: HTMLElement, event: PointerEvent): Spot | undefined {
-    if (overlay !== this.main.overlay) return undefined;
-    const box = overlay.getBoundingClientRect();
-    return { left: event.clientX - box.left, top: event.clientY - box.top };
+  private spotOf(chart: Chart, place: Place): Spot | undefined {
+    return chart === this.main ? place : undefined;
   }
 
-  private listen(overlay: HTMLElement): void {
+  private listen(chart: Chart): void {
+    const { overlay } = chart;
     let doing: Mode | undefined;
-    let from = NaN;
-    let last = NaN;
-    let height = NaN;
-    const fingers = new Map<number, number>();
+    let from: Place;
+    let last: Place;
+    const fingers = new Map<number, Spot>();
     overlay.addEventListener('pointerdown', (event) => {
       if (event.button !== 0 || !this.along) return;
       overlay.setPointerCapture(event.pointerId);
       this.main.overlay.focus({ preventScroll: true });
       event.preventDefault();
-      fingers.set(event.pointerId, event.clientX);
+      from = last = this.placeAt(chart, event);
+      fingers.set(event.pointerId, from);
       if (fingers.size > 1) {
         doing = undefined;
         this.brush.hidden = true;
         return;
       }
-      doing = event.shiftKey ? 'range' : this.mode;
-      from = last = this.valueAt(overlay, event.clientX);
-      height = event.clientY;
-      if (doing === 'point') this.listener.cursor(from, false, this.spotOf(overlay, event));
+      doing = event.shiftKey ? 'range' : this.dragging;
+      if (doing === 'point') this.listener.cursor(from.value, false, this.spotOf(chart, from));
     });
     overlay.addEventListener('pointermove', (event) => {
       if (!this.along) return;
-      if (fingers.size === 2 && fingers.has(event.pointerId)) this.pinch(overlay, fingers, event);
+      const place = this.placeAt(chart, event);
+      if (fingers.size === 2 && fingers.has(event.pointerId)) this.pinch(chart, fingers, event.pointerId, place);
       if (!doing) {
-        if (event.buttons === 0 && this.mode === 'point') this.listener.hover?.(this.spotOf(overlay, event));
+        if (event.buttons === 0 && this.dragging === 'point') this.listener.hover?.(this.spotOf(chart, place));
         return;
       }
-      const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point' && (value !== last || event.clientY !== height))
-        this.listener.cursor(value, false, this.spotOf(overlay, event));
-      if (doing === 'range') this.showBrush(from, value);
-      if (doing === 'pan') this.pan(from - value);
-      last = value;
-      height = event.clientY;
+      if (doing === 'point' && (place.left !== last.left || place.top !== last.top))
+        this.listener.cursor(place.value, false, this.spotOf(chart, place));
+      if (doing === 'range') this.showBrush(chart, from, place);
+      if (doing === 'pan') {
+        this.pan(from.value - place.value);
+        this.enlarge(chart, (top) => top + last.top - place.top);
+      }
+      last = place;
     });
     const end = (event: PointerEvent, cancelled: boolean) => {
       fingers.delete(event.pointerId);
       if (!doing || !this.along) return;
-      const value = this.valueAt(overlay, event.clientX);
-      if (doing === 'point')
-        this.listener.cursor(cancelled ? last : value, true, cancelled ? undefined : this.spotOf(overlay, event));
-      if (doing === 'range') this.endBrush(from, value, cancelled);
+      const place = cancelled ? last : this.placeAt(chart, event);
+      if (doing === 'point') this.listener.cursor(place.value, true, cancelled ? undefined : this.spotOf(chart, place));
+      if (doing === 'range') this.endBrush(chart, from, place, cancelled);
       doing = undefined;
     };
     overlay.addEventListener('pointerup', (event) => end(event, false));
     overlay.addEventListener('pointercancel', (event) => end(event, true));
     overlay.addEventListener('pointerleave', () => this.listener.hover?.(undefined));
-    overlay.addEventListener('wheel', (event) => this.wheel(overlay, event), { passive: false });
   }
 
-  /// Two fingers zoom and move: what is under them stays under them.
-  private pinch(overlay: HTMLElement, fingers: Map<number, number>, event: PointerEvent): void {
-    const before = [...fingers.values()];
-    fingers.set(event.pointerId, event.clientX);
-    const now = [...fingers.values()];
-    const apart = (places: readonly number[]) => Math.max(20, Math.abs(places[0]! - places[1]!));
-    const middle = (places: readonly number[]) => this.valueAt(overlay, (places[0]! + places[1]!) / 2);
-    const by = apart(before) / apart(now);
-    const [low, high] = this.along!.range;
-    const [about, to] = [middle(before), middle(now)];
-    const shift = (about - to) * by;
-    this.listener.viewed([about - (about - low) * by + shift, about + (high - about) * by + shift]);
+  /// Two fingers zoom along the line between them, both ways where it is aslant.
+  private pinch(chart: Chart, fingers: Map<number, Spot>, id: number, place: Spot): void {
+    const [a, b] = [...fingers.values()] as [Spot, Spot];
+    fingers.set(id, place);
+    const [c, d] = [...fingers.values()] as [Spot, Spot];
+    const [wide, high] = [Math.abs(a.left - b.left), Math.abs(a.top - b.top)];
+    if (2 * wide >= high) {
+      const to = pinched([a.left, b.left], [c.left, d.left]);
+      const [low, span] = [this.along!.range[0], this.along!.range[1] - this.along!.range[0]];
+      const { width } = chart.area;
+      this.listener.viewed([low + (to(0) / width) * span, low + (to(width) / width) * span]);
+    }
+    if (2 * high >= wide) this.enlarge(chart, pinched([a.top, b.top], [c.top, d.top]));
   }
 
-  private wheel(overlay: HTMLElement, event: WheelEvent): void {
+  private wheel(chart: Chart, event: WheelEvent): void {
     // The page scrolls until the diagram is in use.
     if (!this.along || document.activeElement !== this.main.overlay) return;
+    const onAxis = event.clientX < chart.overlay.getBoundingClientRect().left;
+    if (!onAxis && !chart.overlay.contains(event.target as Node)) return;
     event.preventDefault();
-    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+    const { top, value } = this.placeAt(chart, event);
+    if (event.shiftKey || onAxis) {
+      const by = turned(event.deltaY || event.deltaX); // with Shift browsers turn sideways
+      this.enlarge(chart, (edge) => top + (edge - top) * by);
+    } else if (Math.abs(event.deltaX) > Math.abs(event.deltaY))
       this.pan(((this.along.range[1] - this.along.range[0]) * event.deltaX) / 800);
-      return;
-    }
-    this.zoom(Math.exp(Math.max(-80, Math.min(80, event.deltaY)) / 300), this.valueAt(overlay, event.clientX));
+    else this.zoom(turned(event.deltaY), value);
+  }
+
+  /// Shows the heights at other places of the plotting area: where its top and bottom are to go.
+  private enlarge(chart: Chart, to: (top: number) => number): void {
+    chart.enlarge(to(0), to(chart.area.height));
+    this.listener.enlarged?.();
   }
 
   private zoom(by: number, about: number): void {
@@ -258,30 +332,35 @@ export class Stack {
     this.listener.viewed([low + by, high + by]);
   }
 
-  private showBrush(from: number, to: number): void {
-    const factor = parameterMeasure(this.along!.unit, this.along!.units).factor;
-    const [left, right] = [
-      this.main.placeOf(Math.min(from, to) * factor),
-      this.main.placeOf(Math.max(from, to) * factor),
-    ];
+  private showBrush(chart: Chart, from: Place, to: Place): void {
+    const { width, height } = chart.area;
+    const { across = [0, width], up = [0, height] } = enclosed(from, to);
+    chart.overlay.append(this.brush);
     this.brush.hidden = false;
-    this.brush.style.left = `${left}px`;
-    this.brush.style.width = `${right - left}px`;
+    this.brush.style.left = `${across[0]}px`;
+    this.brush.style.width = `${across[1] - across[0]}px`;
+    this.brush.style.top = `${up[0]}px`;
+    this.brush.style.height = `${up[1] - up[0]}px`;
   }
 
-  private endBrush(from: number, to: number, cancelled: boolean): void {
+  private endBrush(chart: Chart, from: Place, to: Place, cancelled: boolean): void {
     this.brush.hidden = true;
-    const [low, high] = [Math.min(from, to), Math.max(from, to)];
+    if (cancelled) return;
+    const { across, up } = enclosed(from, to);
+    const { height } = chart.area;
+    if (up) this.enlarge(chart, (top) => up[0] + (top / height) * (up[1] - up[0]));
+    const [low, high] = [Math.min(from.value, to.value), Math.max(from.value, to.value)];
     const span = this.along!.range[1] - this.along!.range[0];
-    if (!cancelled && high - low > span * 0.004) this.listener.brushed([low, high]);
+    if (across && high - low > span * 0.004) this.listener.brushed([low, high]);
   }
 
   private key(event: KeyboardEvent): void {
-    const { along } = this;
-    if (!along || event.ctrlKey || event.metaKey || event.altKey) return;
+    const { along, main } = this;
+    if (!along || event.ctrlKey || event.metaKey) return;
     const [low, high] = along.range;
+    const { height } = main.area;
     const many = event.shiftKey ? 10 : 1;
-    if (this.listener.key?.(event.key, many)) {
+    if (!event.altKey && this.listener.key?.(event.key, many)) {
       event.preventDefault();
       return;
     }
@@ -301,11 +380,15 @@ export class Stack {
       PageUp: () => go(now + (high - low) / 20),
       Home: () => go(low),
       End: () => go(high),
-      '+': () => this.zoom(0.7, now),
-      '-': () => this.zoom(1 / 0.7, now),
-      Backspace: () => this.listener.back(),
+      '+': () => this.zoom(ZOOM, now),
+      '-': () => this.zoom(1 / ZOOM, now),
+      v: () => this.enlarge(main, (top) => height / 2 + (top - height / 2) * ZOOM),
+      V: () => this.enlarge(main, (top) => height / 2 + (top - height / 2) / ZOOM),
+      'Alt+ArrowUp': () => this.enlarge(main, (top) => top - height / 10),
+      'Alt+ArrowDown': () => this.enlarge(main, (top) => top + height / 10),
+      Backspace: () => this.back(),
     };
-    const action = actions[event.key];
+    const action = actions[event.altKey ? `Alt+${event.key}` : event.key];
     if (!action) return;
     event.preventDefault();
     action();

@@ -4,7 +4,6 @@ import { caseEdits, commandOf } from '../model/keep';
 import { shortName } from '../model/machine';
 import type { Session } from '../model/session';
 import { assignmentTexts } from '../model/setting';
-import { troubleOf } from '../model/side';
 import { fileName } from './panel';
 
 export interface TakeawayListener {
@@ -33,7 +32,7 @@ export class Takeaway {
     };
     const outcome = await engine.rewrite(setting, edits, { lane: 'rewrite', priority: 0 });
     if (outcome.ok) return outcome.value;
-    if (outcome.why !== 'stale') this.listener.say(troubleOf(outcome));
+    if (outcome.why !== 'stale') this.listener.say(session.inWords(outcome.message));
     return undefined;
   }
 
