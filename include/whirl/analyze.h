@@ -556,6 +556,10 @@ bool whirl_layout_has_verdict(const whirl_layout *layout);
 /// The field of that name, or NULL.
 const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name);
 
+/// Whether the analyses have a field of that name whose numbers stand in rows: also where options leave one row of
+/// them.
+bool whirl_analysis_has_rows(const char *field);
+
 /// Fills `block` [layout->size] with what the chosen analyses say of the record.
 whirl_status whirl_analyze(const whirl_record *record, const whirl_record_options *options, whirl_analysis_set set,
                            const whirl_layout *layout, double *block);

@@ -167,6 +167,10 @@ const char *whirl_table_field_unit(const whirl_table *table, size_t field);    /
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field); ///< One line.
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);  ///< "point", "station" or "contact"
 
+/// Whether a field of that name has rows, however many of them options leave: then one row is an array, too. False of
+/// names that are not known.
+bool whirl_field_has_rows(const char *name);
+
 /// What one unit of a field is in SI, and the name of that in at most `size` bytes ("m"): NaN for lengths where the
 /// parameter changes the scale (whirl_result_length_scale).
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,

@@ -97,8 +97,9 @@ whirl_status whirl_user_system_vary(whirl_user_system *system, const char *param
 whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *analysis);
 
 /// An option of how motions are computed and recorded, as case files have it: "method" "dop853", "rtol" "1e-8",
-/// "transient" "500", "record" "100", "confirm" "yes", and "carry" "up", "down" or "both" of a sweep. WHIRL_BAD_INPUT
-/// with the nearest name.
+/// "transient" "500", "record" "100", "confirm" "yes", and "carry" "up", "down" or "both" of a sweep. Those of branches
+/// have `trace_` before the key that case files have, as in results: "trace_step" "0.02", "trace_longest" "4",
+/// "trace_tori" "yes". WHIRL_BAD_INPUT with the nearest name.
 whirl_status whirl_user_system_set(whirl_user_system *system, const char *option, const char *value);
 
 /// A job of the system, as whirl_job_new gives one of a case.
@@ -111,6 +112,20 @@ whirl_status whirl_user_system_identity(whirl_user_system *system, const char *i
 /// The result before any point is computed, for a journal (whirl_case_outline). WHIRL_BAD_INPUT where the system has no
 /// identity: a journal of other functions would pass for its own.
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
+
+/// Follows branches of periodic orbits, stable or not, over a parameter between two bounds, in the place of motions:
+/// the table "branch", as a case's part `branch` has it. They begin where motions settle at the values at [count],
+/// which are copied, or at `from` where count is 0; the last call counts. With the option "trace_rest" "yes" they are
+/// branches of equilibria, and of the orbits that begin at their Hopf points, of a system that nothing drives in time:
+/// the first is looked for from the start. WHIRL_BAD_INPUT for another name, bounds that are equal or not finite, and
+/// values that lie beyond them; the run has it where parameters vary or analyses are chosen besides, and where no orbit
+/// is found.
+whirl_status whirl_user_system_branch(whirl_user_system *system, const char *parameter, double from, double to,
+                                      const double *at, size_t count);
+
+/// Follows besides, in the table "curves", the special points of the branches over a second parameter, from its value
+/// to both bounds. WHIRL_BAD_INPUT as above, and where the value does not lie between them.
+whirl_status whirl_user_system_curves(whirl_user_system *system, const char *parameter, double from, double to);
 
 #ifdef __cplusplus
 }

@@ -101,6 +101,18 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
     return whirl_layout_new(&system, &integrate, &options, ~0u, layout);
 }
 
+bool whirl_analysis_has_rows(const char *field) {
+    for (size_t a = 0; analysis_plans[a]; a++) {
+        const char *analysis = whirl_analyses()[a].name;
+        const size_t length = strlen(analysis);
+        if (strncmp(field, analysis, length) != 0 || field[length] != '/') continue;
+        for (size_t f = 0; f < analysis_plans[a]->field_count; f++)
+            if (strcmp(analysis_plans[a]->fields[f].quantity, field + length + 1) == 0)
+                return analysis_plans[a]->fields[f].rows != NULL;
+    }
+    return false;
+}
+
 static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
     const analysis_plan *plan = analysis_plans[analysis];
     block_view view = {.block = block};

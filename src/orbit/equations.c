@@ -65,9 +65,17 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
-void equations_scale(const orbit_equations *e, double span, double *scale) {
+/// What the size of a branch's orbits counts as, at least: of an equilibrium that passes through zero, which is where
+/// many lie, and of an orbit whose section does.
+static double least_size(const orbit_equations *e) {
+    return (shooting_rests(e->s) ? 0.1 : 0.01) * e->largest;
+}
+
+void equations_scale(orbit_equations *e, double span, double *scale) {
     const size_t nodes = e->s->count * e->s->kept_count, n = equations_count(e);
-    const double size = shooting_size(e->s, e->nodes);
+    const double own = shooting_size(e->s, e->nodes), size = fmax(own, least_size(e));
+    e->largest = fmax(e->largest, own);
+    if (shooting_rests(e->s)) e->steepest = fmax(e->steepest, rest_rate(e->s));
     for (size_t i = 0; i < nodes; i++) scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
     for (size_t i = nodes; i < n; i++) scale[i] = e->s->period;
     if (e->family) scale[n] = span;
@@ -222,10 +230,10 @@ bool equations_evaluate(void *context, const double *u, double *value, double *d
 
 double equations_size(void *context, const double *u, const double *value) {
     const orbit_equations *e = context;
-    if (shooting_rests(e->s)) return rest_size(e->s, e->nodes, value);
-    const double size = shooting_size(e->s, e->nodes);
+    const double size = fmax(shooting_size(e->s, e->nodes), least_size(e));
     double largest = 0.0;
     (void)u;
+    if (shooting_rests(e->s)) return rest_size(e->s, value, size, fmax(rest_rate(e->s), 0.1 * e->steepest));
     for (size_t i = 0; i < e->s->count * e->s->kept_count; i++) largest = fmax(largest, fabs(value[i]));
     return size > 0.0 ? largest / size : largest;
 }

@@ -15,7 +15,9 @@ typedef struct orbit_equations {
     double value;
     double reach; ///< from which derivatives by the parameter are taken, in its unit
     shooting *s;
-    double *nodes; ///< [segments][dimension] of the last evaluation
+    double largest;  ///< size of nodes that equations_scale has seen
+    double steepest; ///< rate of an equilibrium's Jacobian, likewise
+    double *nodes;   ///< [segments][dimension] of the last evaluation
     /// [dimension] The first node is where the orbit is nearest to `at`, where its slope is `flow`.
     double *at, *flow;
     double *work; ///< [dimension + 2 segments dimension] workspace
@@ -42,9 +44,9 @@ double equations_period(const orbit_equations *e, const double *u);
 void equations_take(const orbit_equations *e, const double *nodes, double *u);
 void equations_put(orbit_equations *e, const double *u);
 
-/// What counts as 1 in lengths along a branch: of nodes, on average, the orbit's own size; its period; the span of the
-/// parameter. scale [unknowns]
-void equations_scale(const orbit_equations *e, double span, double *scale);
+/// What counts as 1 in lengths along a branch: of nodes, on average, the orbit's own size, but no less than a part of
+/// the largest so far, for a branch may pass through zero; its period; the span of the parameter. scale [unknowns]
+void equations_scale(orbit_equations *e, double span, double *scale);
 
 /// Lets the first node be where the orbit is nearest to x.
 void equations_begin_at(orbit_equations *e, const double *x);
@@ -53,7 +55,8 @@ void equations_begin_at(orbit_equations *e, const double *x);
 /// is not bounded, or there is no machine.
 bool equations_evaluate(void *e, const double *u, double *value, double *derivative);
 
-/// By how much the segments of the last evaluation fail to meet, over the largest coordinate of its nodes.
+/// By how much the segments of the last evaluation fail to meet, over the largest coordinate of its nodes, or the same
+/// part of the largest so far.
 double equations_size(void *e, const double *u, const double *value);
 
 #endif

@@ -238,11 +238,12 @@ static double compute(forms *f, whirl_special kind, number root, double *work, n
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
-/// The coefficient by the longest differences whose halves give the same.
+/// The coefficient by the longest differences whose halves give the same. What lies at zero tells no size of its own.
 static double settle(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+    const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
     double before = NAN;
     for (int k = 0; k <= MOST_HALVINGS; k++) {
-        f->step = ldexp(reach, -k) * shooting_size(f->s, f->orbit->nodes);
+        f->step = ldexp(reach, -k) * (own > nothing ? own : 1.0);
         f->failed = false;
         const double found = compute(f, kind, root, work, vectors);
         if (fabs(found - before) <= agreement * fabs(found)) return before;

@@ -25,14 +25,19 @@ bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives
     return good;
 }
 
-double rest_size(const shooting *s, const double *node, const double *slope) {
+double rest_rate(const shooting *s) {
     const size_t n = s->kept_count;
-    double largest = 0.0, row = 0.0, size = shooting_size(s, node);
+    double rate = 0.0;
     for (size_t i = 0; i < n; i++) {
         double sum = 0.0;
         for (size_t k = 0; k < n; k++) sum += fabs(s->matrices[i * n + k]);
-        row = fmax(row, sum);
-        largest = fmax(largest, fabs(slope[i]));
+        rate = fmax(rate, sum);
     }
-    return size * row > 0.0 ? largest / (size * row) : largest;
+    return rate;
+}
+
+double rest_size(const shooting *s, const double *slope, double size, double rate) {
+    double largest = 0.0;
+    for (size_t i = 0; i < s->kept_count; i++) largest = fmax(largest, fabs(slope[i]));
+    return size * rate > 0.0 ? largest / (size * rate) : largest;
 }

@@ -8,7 +8,10 @@
 /// its Jacobian and the volume its trace. False where it is not finite.
 bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives);
 
-/// The largest of the slope, over what the Jacobian makes of the node's largest coordinate.
-double rest_size(const shooting *s, const double *node, const double *slope);
+/// The largest sum of a row of the Jacobian.
+double rest_rate(const shooting *s);
+
+/// The largest of the slope [kept], over what a Jacobian of that rate makes of a coordinate of that size.
+double rest_size(const shooting *s, const double *slope, double size, double rate);
 
 #endif

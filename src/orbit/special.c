@@ -42,6 +42,19 @@ static bool changes(const follower *f, const test *t, const waypoint *a, const w
     return (value_of(f, t, a) < 0.0) != (value_of(f, t, b) < 0.0);
 }
 
+/// The point at a place along the tangent.
+static whirl_status look(follower *f, const waypoint *from, const waypoint *to, double at, double *trial, waypoint *p) {
+    follower_predict(f, from, to, from, at, trial);
+    const double *across = follower_across(f, from, to, from, trial + f->curve.count + 1);
+    return follower_find(f, trial, across, from->tangent, p);
+}
+
+/// A place within the bracket a little aside: just where branches cross no direction is found, for there are two.
+static double aside(const bracket *r, double at) {
+    const double farther = fabs(r->b - at) > fabs(r->a - at) ? r->b : r->a;
+    return at + 1e-3 * (farther - at);
+}
+
 /// Closes in on the change of sign; *at is where along its tangent, p the point there. Not
 /// found: p has no orbit.
 static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
@@ -56,8 +69,11 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
     const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
     for (int k = 0; k < MOST_LOOKS; k++) {
         *at = bracket_next(&r);
-        follower_predict(f, from, to, from, *at, trial);
-        status = follower_find(f, trial, follower_across(f, from, to, from, trial + all), from->tangent, p);
+        status = look(f, from, to, *at, trial, p);
+        if (status.code == WHIRL_OK && !p->orbit && t->kind == WHIRL_BRANCHING) {
+            *at = aside(&r, *at);
+            status = look(f, from, to, *at, trial, p);
+        }
         if (status.code != WHIRL_OK || !p->orbit) break;
         last = value_of(f, t, p);
         bracket_tell(&r, *at, last);

@@ -197,6 +197,10 @@ const char *whirl_table_field_extent(const whirl_table *table, size_t field) {
     return found ? extents[found->extent] : NULL;
 }
 
+bool whirl_field_has_rows(const char *name) {
+    return whirl_analysis_has_rows(name);
+}
+
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size) {
     const whirl_field *found = field_at(table, field);
@@ -290,6 +294,10 @@ const char *whirl_table_option(const whirl_table *table, size_t index, char *tex
     if (!member) {
         object = &table->record;
         member = named_member(whirl_record_members(), &index);
+    }
+    if (!member && whirl_analysis_is_traced(table->analyses)) {
+        object = &table->record.trace;
+        member = named_member(whirl_trace_members(), &index);
     }
     if (!member) return NULL;
     whirl_member_text(member, object, value);

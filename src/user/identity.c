@@ -65,11 +65,15 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
     static const struct {
         const char *name;
         void (*put)(const whirl_user_system *system, FILE *out);
-    } facts[] = {{"equations: form", put_form}, {"equations: start", put_start}};
+        bool always;
+    } facts[] = {{"equations: form", put_form, true},
+                 {"equations: start", put_start, true},
+                 {"equations: branches", user_tell_branches, false}};
     whirl_status status = add(result, "equations", system->identity ? system->identity : "functions of the user's own");
     for (size_t i = 0; i < sizeof facts / sizeof *facts && status.code == WHIRL_OK; i++) {
         char *text = NULL;
         size_t size;
+        if (!facts[i].always && !system->branches.wanted) continue;
         FILE *out = open_memstream(&text, &size);
         if (out) facts[i].put(system, out);
         if (!out || fclose(out) != 0 || !text)

@@ -20,7 +20,8 @@ static whirl_status machine_at(const void *family, const whirl_batch *batch, dou
     const double varied[USER_AXES] = {value, batch->second_value, batch->third_value};
     double parameters[USER_MOST_PARAMETERS] = {0};
     for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
-    for (size_t i = 0; i < system->axis_count && i < USER_AXES; i++) parameters[system->axes[i].parameter] = varied[i];
+    for (size_t i = 0; i < system->axis_count && i < USER_AXES; i++)
+        if (i != 1 || *batch->second) parameters[system->axes[i].parameter] = varied[i];
     return user_machine(system, parameters, machine);
 }
 
@@ -92,21 +93,15 @@ static whirl_carry carry_of(const whirl_user_system *system) {
     return system->carry == WHIRL_CARRY_REVERSE && falls ? WHIRL_CARRY_FORWARD : system->carry;
 }
 
-/// Freed by its values alone.
-static whirl_status prepare(const whirl_user_system *system, prepared *p) {
+/// The one batch of motions, at all values.
+static whirl_status prepare_points(prepared *p) {
     static const char *const usual[] = {"poincare", "regime", "lyapunov", "orbit"};
     static const char *const names[] = {"response", "sweep", "map", "map"};
-    *p = (prepared){.system = *system, .station = first_station(system)};
+    const whirl_user_system *system = &p->system;
     whirl_batch *batch = &p->study.batches[0];
-    whirl_status status = check(system);
-    if (status.code != WHIRL_OK) return status;
-    if (system->station_count == 0) {
-        p->system.stations = &p->station;
-        p->system.station_count = 1;
-    }
     *batch = system->options;
     snprintf(batch->name, sizeof batch->name, "%s", names[system->axis_count]);
-    status = fill_values(p, batch);
+    whirl_status status = fill_values(p, batch);
     if (status.code != WHIRL_OK) return status;
     name_axes(p, batch);
     batch->carry = carry_of(system);
@@ -118,12 +113,31 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     whirl_analysis_needs(batch->analyses, &batch->record);
     p->system.smooth = system->kinked || batch->record.growth == WHIRL_GROWTH_ALL;
     p->study.batch_count = 1;
-    p->study.machine = machine_at;
-    p->study.family = &p->system;
     return status;
 }
 
+/// Freed by its values alone.
+static whirl_status prepare(const whirl_user_system *system, prepared *p) {
+    *p = (prepared){.system = *system, .station = first_station(system)};
+    whirl_status status = check(system);
+    if (status.code != WHIRL_OK) return status;
+    if (system->station_count == 0) {
+        p->system.stations = &p->station;
+        p->system.station_count = 1;
+    }
+    p->study.machine = machine_at;
+    p->study.family = &p->system;
+    return system->branches.wanted ? user_prepare_branches(&p->system, &p->study) : prepare_points(p);
+}
+
 // ---------------------------------------------------------------- a result
+
+/// Which parameter of a table the period follows.
+static void name_clock(const whirl_user_system *system, whirl_table *table) {
+    const char *const names[USER_AXES] = {table->parameter, table->second, table->third};
+    for (size_t i = 0; i < system->axis_count; i++)
+        if (system->axes[i].parameter == system->speed && *names[i]) table->clock_of = (int)i + 1;
+}
 
 static whirl_status describe(const whirl_user_system *system, whirl_result *result) {
     double values[USER_MOST_PARAMETERS], period;
@@ -143,30 +157,9 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     memcpy(result->stations, system->stations, system->station_count * sizeof *result->stations);
     result->parameter_count = system->parameter_count;
     result->station_count = system->station_count;
-    for (size_t i = 0; i < system->axis_count && result->table_count > 0; i++)
-        if (system->axes[i].parameter == system->speed) result->tables[0].clock_of = (int)i + 1;
+    for (size_t k = 0; k < result->table_count; k++) name_clock(system, &result->tables[k]);
     status = user_add_equations(system, result);
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
-}
-
-/// Velocities in sections are those by the user's own time again.
-static whirl_status restore_velocities(const whirl_user_system *system, whirl_table *table) {
-    const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
-    double parameters[USER_MOST_PARAMETERS] = {0}, common, period;
-    if (!section || section->columns != 4 || system->displacements == 0 || !table->blocks) return whirl_ok();
-    for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
-    whirl_status status = user_period(system, parameters, &common);
-    for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
-        const double varied[USER_AXES] = {table->values[i], whirl_table_second(table, i), whirl_table_third(table, i)};
-        double *numbers = table->blocks + i * table->layout.size + section->offset;
-        for (size_t k = 0; k < system->axis_count && k < USER_AXES; k++)
-            parameters[system->axes[k].parameter] = varied[k];
-        if (!whirl_table_done(table, i)) continue;
-        status = user_period(system, parameters, &period);
-        for (size_t n = 0; n < section->repeat * section->rows; n++)
-            for (size_t k = 2; k < 4; k++) numbers[4 * n + k] /= period / common;
-    }
-    return status;
 }
 
 /// What became of the functions: a result of slopes that failed is none.
@@ -183,7 +176,8 @@ static whirl_status outcome(const whirl_user_system *system, whirl_status status
                             atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
     if (*result && code == 0) {
         whirl_status described = describe(system, *result);
-        if (described.code == WHIRL_OK) described = restore_velocities(system, &(*result)->tables[0]);
+        for (size_t i = 0; i < (*result)->table_count && described.code == WHIRL_OK; i++)
+            described = user_restore(system, &(*result)->tables[i]);
         if (described.code == WHIRL_OK) return status;
         status = described;
     }
@@ -198,6 +192,7 @@ static whirl_status run(const void *subject, const whirl_run_options *options, w
     whirl_status status = prepare(subject, &p);
     atomic_store(&p.system.failure->code, 0);
     atomic_store(&p.system.failure->told, 0);
+    if (status.code == WHIRL_OK) status = user_check_rest(&p.study);
     if (status.code == WHIRL_OK) {
         status = whirl_study_run(&p.study, options, result);
         status = outcome(&p.system, status, result);

@@ -37,6 +37,7 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
 void whirl_user_system_free(whirl_user_system *system) {
     if (!system) return;
     for (size_t i = 0; i < system->axis_count; i++) free(system->axes[i].values);
+    free(system->branches.at);
     free(system->identity);
     free(system->start);
     free(system->parameters);
@@ -91,8 +92,7 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
     return whirl_ok();
 }
 
-/// The index of a parameter, or which name is nearest.
-static whirl_status require_parameter(const whirl_user_system *system, const char *name, size_t *index) {
+whirl_status user_require_parameter(const whirl_user_system *system, const char *name, size_t *index) {
     const char *names[USER_MOST_PARAMETERS];
     *index = find_parameter(system, name);
     if (*index < system->parameter_count) return whirl_ok();
@@ -178,7 +178,7 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period) 
 
 whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter) {
     size_t index;
-    const whirl_status status = require_parameter(system, parameter, &index);
+    const whirl_status status = user_require_parameter(system, parameter, &index);
     if (status.code == WHIRL_OK) system->speed = index;
     return status;
 }
@@ -200,7 +200,7 @@ whirl_status user_period(const whirl_user_system *system, const double *paramete
 whirl_status whirl_user_system_vary(whirl_user_system *system, const char *parameter, const double *values,
                                     size_t count) {
     size_t index;
-    const whirl_status status = require_parameter(system, parameter, &index);
+    const whirl_status status = user_require_parameter(system, parameter, &index);
     if (status.code != WHIRL_OK) return status;
     if (system->axis_count == USER_AXES)
         return whirl_fail(WHIRL_BAD_INPUT, "%s is a fourth parameter that varies, expected at most three", parameter);
@@ -277,6 +277,7 @@ whirl_status whirl_user_system_set(whirl_user_system *system, const char *option
         void *object;
     } groups[] = {{whirl_integrate_members(), &system->integrate},
                   {whirl_record_members(), &system->record},
+                  {whirl_trace_members(), &system->record.trace},
                   {whirl_batch_members(), &system->options}};
     const char *names[128] = {"carry"};
     size_t count = 1;

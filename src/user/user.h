@@ -5,6 +5,7 @@
 #include <limits.h>
 #include <stdatomic.h>
 #include <stdbool.h>
+#include <stdio.h>
 
 #include "lanes.h"
 #include "whirl/study.h"
@@ -20,6 +21,17 @@ typedef struct user_axis {
     size_t parameter, count;
     double *values; ///< [count]
 } user_axis;
+
+/// Branches that are followed in the place of motions, and curves of their special points.
+typedef struct user_branches {
+    bool wanted, curves; ///< whether there are any
+    size_t parameter;    ///< over which branches go
+    double bounds[2];    ///< between which
+    size_t count;        ///< of `at`
+    double *at;          ///< [count] values at which they begin; none: at the first bound
+    size_t second;       ///< parameter of curves
+    double second_bounds[2];
+} user_branches;
 
 /// A slope that jumps where its derivative was asked for, in place of what a function gave.
 enum { USER_JUMP = INT_MIN };
@@ -49,6 +61,7 @@ struct whirl_user_system {
     size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or beyond: `period` counts
     bool kinked, smooth; ///< of slopes; `smooth`: a derivative is followed that knows of no jump
     user_axis axes[USER_AXES];
+    user_branches branches;
     whirl_carry carry;
     whirl_analysis_set analyses;
     whirl_integrate_options integrate;
@@ -59,6 +72,23 @@ struct whirl_user_system {
 
 /// Facts of a result that tell the equations from others.
 whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result);
+
+/// The index of a parameter. WHIRL_BAD_INPUT with the nearest name.
+whirl_status user_require_parameter(const whirl_user_system *system, const char *name, size_t *index);
+
+/// Makes a copy of a system, which borrows all of the user's, and its study those of its branches: both last as long as
+/// the system. WHIRL_BAD_INPUT where something else is asked for besides.
+whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study);
+
+/// Refuses equilibria of a system that something drives in time. Errors as those of machines.
+whirl_status user_check_rest(const whirl_study *study);
+
+/// Writes which branches and curves are followed.
+void user_tell_branches(const whirl_user_system *system, FILE *out);
+
+/// Puts the numbers of a table, which are by the common time, in the user's own: velocities. Frequencies and periods of
+/// branches become those by the angle of a revolution, 2 pi. Errors as user_period.
+whirl_status user_restore(const whirl_user_system *system, whirl_table *table);
 
 /// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);

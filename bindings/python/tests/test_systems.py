@@ -1,6 +1,7 @@
 """Systems of one's own: every way to give the slopes leads to the closed form, and what goes wrong is said."""
 
 import functools
+import importlib.util
 import os
 import shutil
 import threading
@@ -235,6 +236,12 @@ def test_the_documentation_is_true():
     assert names["motion"]["response"].verdicts[0] == "P-5"
     assert len(names["result"]["sweep"].values) == 64 and len(names["fine"]["sweep"].values) == 512
     assert {"P-1", "P-2", "chaotic"} <= set(names["fine"]["sweep"].verdicts)
+    assert (names["branch"]["trace/special"] == 3).sum() == 2
+    rests = names["rests"]
+    hopf = rests["trace/special"] == 5
+    assert hopf.sum() == 2 and np.abs(rests.values[hopf] - 470 / 19).max() < 1e-8
+    rate = (rests["trace/angle"] * rests.clock)[hopf]
+    assert np.abs(rate - np.sqrt(8 / 3 * (470 / 19 + 10))).max() < 1e-8
 
 
 def test_functions_may_keep_what_they_were_given():
@@ -247,6 +254,28 @@ def test_functions_may_keep_what_they_were_given():
     System(slopes, [0.25], {}, period=2 * np.pi).response(method="dop853", transient=1, record=2, analyze="poincare")
     assert len(kept) > 50 and all(np.array_equal(x, copy) for _, x, copy in kept)
     assert len({float(x[0]) for _, x, _ in kept}) > 50
+
+
+def test_a_single_row_keeps_its_dimension(tmp_path):
+    """One recorded revolution: the section of every point has one row, in memory, in files and in xarray."""
+    system = System(oscillator, [0.3, 0], PARAMETERS, speed="omega", stations={"a": (0, 1), "b": (1, 0)})
+    options = {**OPTIONS, "transient": 0, "record": 1, "analyze": "poincare", "progress": False}
+    for vary, points in (({}, (1,)), ({"F": [0.1, 0.2]}, (2,)), ({"F": [0.1, 0.2], "omega": [1.0, 1.1, 1.2]}, (3, 2))):
+        result = system.run(vary, **options)
+        (table,) = result.tables.values()
+        section = table["poincare/section"]
+        assert section.shape == (*points, 2, 1, 4)
+        assert table.fields["poincare/section"].dimensions == ("station", "row", "column")
+        assert np.array_equal(section[..., 0, 0, :2], section[..., 1, 0, 1::-1])
+        result.save(tmp_path / "one.h5")
+        (again,) = whirl.open(tmp_path / "one.h5").tables.values()
+        assert np.array_equal(again["poincare/section"], section)
+        if importlib.util.find_spec("xarray"):
+            for each in (table, again):
+                data = each.to_xarray()["poincare/section"]
+                assert data.dims[-3:] == ("station", "poincare/section row", "poincare/section column")
+                assert np.array_equal(data.values, section)
+        (tmp_path / "one.h5").unlink()
 
 
 # ---------------------------------------------------------------- journals know their equations again

@@ -214,6 +214,8 @@ class FileTable:
         return [self._field(_word(name)) for name in self.group.attrs["fields"]]
 
     def _field(self, name):
+        from ._library import lib, word_bytes
+
         about = self.group[name].attrs
         return dict(
             name=name,
@@ -223,6 +225,7 @@ class FileTable:
             repeat=int(about["repeat"]),
             rows=int(about["rows"]),
             columns=int(about["columns"]),
+            has_rows=int(about["rows"]) != 1 or lib.whirl_field_has_rows(word_bytes(name)),
             si_factor=float(about["SI_factor"]),
             si_unit=_word(about["SI_unit"]),
             column_names=[_word(column) for column in about.get("column_names", [])],
@@ -236,7 +239,7 @@ class FileTable:
         return self.group["verdict/name"]
 
     def numbers(self, _index, field):
-        return self.group[field.name][()]
+        return field._shaped(self.group[field.name][()], len(self.shape))
 
     def words(self):
         if "verdict" not in self.group:

@@ -53,6 +53,9 @@ whirl_status whirl_user_system_vary(whirl_user_system *system, const char *param
                                     size_t count);
 whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *analysis);
 whirl_status whirl_user_system_set(whirl_user_system *system, const char *option, const char *value);
+whirl_status whirl_user_system_branch(whirl_user_system *system, const char *parameter, double from, double to,
+                                      const double *at, size_t count);
+whirl_status whirl_user_system_curves(whirl_user_system *system, const char *parameter, double from, double to);
 whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity);
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job);
 whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_result **outline);
@@ -107,6 +110,7 @@ const char *whirl_table_field_name(const whirl_table *table, size_t field);
 const char *whirl_table_field_unit(const whirl_table *table, size_t field);
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field);
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);
+bool whirl_field_has_rows(const char *name);
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size);
 const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);

@@ -211,6 +211,7 @@ class MemoryTable:
             repeat=shape[0],
             rows=shape[1],
             columns=shape[2],
+            has_rows=shape[1] != 1 or lib.whirl_field_has_rows(lib.whirl_table_field_name(self.handle, i)),
             si_factor=factor,
             si_unit=text(si),
             column_names=_column_names(meaning, shape[2]),
@@ -229,12 +230,8 @@ class MemoryTable:
         else:
             strides = (8 * stride[0], 8 * rows * columns, 8 * columns, 8)
             lent = _lend(self.result, first, every, strides)
-        left = tuple(
-            size
-            for size, named in ((repeat, field.extent != "point"), (rows, rows != 1), (columns, columns != 1))
-            if named
-        )
-        return self._pick(lent.reshape((self._count, *left)))
+        sizes = {field.extent: repeat, "row": rows, "column": columns}
+        return self._pick(lent.reshape((self._count, *(sizes[name] for name in field.dimensions))))
 
     def words(self):
         name, reason = ffi.new("char[400]"), ffi.new("char[400]")

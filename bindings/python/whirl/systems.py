@@ -116,6 +116,14 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     return CFunction(ctypes.CDLL(str(library)), name, folder, identity)
 
 
+# Options of branches, which the library knows with this before them, as results have them.
+_TRACE = "trace_"
+_OF_BRANCHES = (
+    *("rest", "revolutions", "longest", "switches", "segments", "points", "step", "rtol"),
+    *("tori", "torus_nodes", "torus_points", "torus_step", "torus_accuracy"),
+)
+
+
 def _count(number, what):
     """A whole number from 0 on."""
     whole = -1 if isinstance(number, (bool, np.bool_)) else number
@@ -175,6 +183,39 @@ def _followed(result):
             raise errors.NumericalFailure(words)
         warnings.warn(words, stacklevel=3)
     return result
+
+
+def _numbers(values):
+    """An array of numbers, and where it lies."""
+    values = np.ascontiguousarray(values, dtype=float).ravel()
+    return values, ffi.cast("double *", values.ctypes.data)
+
+
+class _Study:
+    """What is to be found out about a system."""
+
+    def __init__(self, vary=None, analyze=(), options=None, branch=None, curves=None):
+        self.vary, self.options = vary or {}, options or {}
+        self.analyze = [analyze] if isinstance(analyze, str) else analyze
+        self.branch, self.curves = branch, curves
+
+    def put(self, handle):
+        """Tells the library."""
+        for name, values in self.vary.items():
+            values, pointer = _numbers(values)
+            check(lib.whirl_user_system_vary(handle, word_bytes(name), pointer, len(values)))
+        if self.branch is not None:
+            name, first, last, at = self.branch
+            at, pointer = _numbers(at)
+            check(lib.whirl_user_system_branch(handle, word_bytes(name), float(first), float(last), pointer, len(at)))
+        if self.curves is not None:
+            name, first, last = self.curves
+            check(lib.whirl_user_system_curves(handle, word_bytes(name), float(first), float(last)))
+        for name in self.analyze:
+            check(lib.whirl_user_system_analyze(handle, word_bytes(name)))
+        for name, value in self.options.items():
+            word = ("no", "yes")[bool(value)] if isinstance(value, (bool, np.bool_)) else value
+            check(lib.whirl_user_system_set(handle, word_bytes(name), word_bytes(str(word))))
 
 
 class System:
@@ -256,7 +297,7 @@ class System:
         for name in self.parameters if _address(rates) is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
                 raise errors.BadInput(f"a parameter is called '{name}', which p cannot have as an attribute in Python")
-        self._build({}, [], {})  # what is wrong is said here
+        self._build(_Study())  # what is wrong is said here
 
     # ---------------------------------------------------------------- functions
 
@@ -344,7 +385,7 @@ class System:
 
     # ---------------------------------------------------------------- runs
 
-    def _build(self, vary, analyze, options):
+    def _build(self, study):
         """The library's system, with what it borrows: (handle, functions, raised)."""
         out, raised = ffi.new("whirl_user_system **"), {}
         check(lib.whirl_user_system_new(word_bytes(self.title), len(self.start), out))
@@ -368,15 +409,7 @@ class System:
             check(lib.whirl_user_system_kinked(handle))
         if self.identity is not None:
             check(lib.whirl_user_system_identity(handle, word_bytes(self.identity)))
-        for name, values in vary.items():
-            values = np.ascontiguousarray(values, dtype=float).ravel()
-            pointer = ffi.cast("double *", values.ctypes.data)
-            check(lib.whirl_user_system_vary(handle, word_bytes(name), pointer, len(values)))
-        for name in [analyze] if isinstance(analyze, str) else analyze:
-            check(lib.whirl_user_system_analyze(handle, word_bytes(name)))
-        for name, value in options.items():
-            word = ("no", "yes")[bool(value)] if isinstance(value, (bool, np.bool_)) else value
-            check(lib.whirl_user_system_set(handle, word_bytes(name), word_bytes(str(word))))
+        study.put(handle)
         return handle, self._put_functions(handle, raised), raised
 
     def run(
@@ -415,12 +448,63 @@ class System:
         BadInput, OutOfMemory, FileFailure, NumericalFailure
             With the library's sentence; what a Python callable raises comes through.
         """
-        return _followed(self._run(vary or {}, analyze, threads, progress, journal, resume, options))
+        return _followed(self._run(_Study(vary or {}, analyze, options), threads, progress, journal, resume))
 
-    def _run(self, vary, analyze, threads, progress, journal, resume, options):
+    def branch(
+        self,
+        parameter: str,
+        from_: float,
+        to: float,
+        at: ArrayLike = (),
+        *,
+        rest: bool = False,
+        curves: tuple[str, float, float] | None = None,
+        threads: int | None = None,
+        progress: bool | Callable[[str, float, float, float, float], object] | None = None,
+        journal: str | os.PathLike | None = None,
+        resume: bool = False,
+        **options: str | float | bool,
+    ) -> Result:
+        """Follows periodic orbits, stable or not, over a parameter, and finds where and why they change: at folds,
+        crossings, period doublings, Neimark-Sacker and Hopf points.
+
+        Parameters
+        ----------
+        parameter : str
+            What varies, between the bounds ``from_`` and ``to``.
+        at : sequence of float
+            Values at which a motion is let settle, and a branch begins in both directions: ``from_`` without it.
+        rest : bool
+            Follows equilibria in their place, and the orbits that begin at Hopf points, of a system that nothing drives
+            in time. The first is looked for from ``start``.
+        curves : (str, float, float), optional
+            A second parameter with bounds around its value, over which the special points are followed.
+        options
+            Those of a case's ``branch``: ``step=0.02``, ``longest=4``, ``switches=1``, ``rtol=1e-12``, ``tori=True``,
+            ...; and ``transient``, ``record`` and ``method`` of the motions that settle.
+        threads, progress, journal, resume
+            As for :meth:`run`.
+
+        Returns
+        -------
+        Result
+            With the table "branch", a row for every point, and "curves" and "tori" where they are followed.
+
+        Raises
+        ------
+        BadInput, OutOfMemory, FileFailure, NumericalFailure
+            With the library's sentence; what a Python callable raises comes through.
+        """
+        named = {_TRACE + name if name in _OF_BRANCHES else name: value for name, value in options.items()}
+        if rest:
+            named[_TRACE + "rest"] = True
+        study = _Study(options=named, branch=(parameter, from_, to, at), curves=curves)
+        return self._run(study, threads, progress, journal, resume)
+
+    def _run(self, study, threads, progress, journal, resume):
         if threads is None:
             threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
-        handle, functions, raised = self._build(vary, analyze, options)
+        handle, functions, raised = self._build(study)
         if journal is not None:
             check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))
         try:

@@ -36,6 +36,7 @@ class Field:
     repeat: int  #: how many of these there are
     rows: int  #: of each; 1 for plain numbers
     columns: int  #: of each row
+    has_rows: bool  #: whether rows are a dimension, as those of a section are, also where one revolution leaves one
     si_factor: float  #: times a number gives SI; NaN for lengths where the parameter changes the scale
     si_unit: str  #: the name of that unit
     column_names: list[str]  #: "x", "y", ...; empty where columns have no names
@@ -43,8 +44,15 @@ class Field:
     @property
     def dimensions(self) -> tuple[str, ...]:
         """Names of the dimensions behind those of the points."""
-        sizes = (self.extent, self.extent != "point"), ("row", self.rows != 1), ("column", self.columns != 1)
+        sizes = (self.extent, self.extent != "point"), ("row", self.has_rows), ("column", self.columns != 1)
         return tuple(name for name, there in sizes if there)
+
+    def _shaped(self, numbers: np.ndarray, points: int) -> np.ndarray:
+        """Numbers as files have them, behind so many dimensions of points: there a single row is left out."""
+        if not self.has_rows or self.rows != 1:
+            return numbers
+        before = points + (self.extent != "point")
+        return numbers.reshape(numbers.shape[:before] + (1,) + numbers.shape[before:])
 
 
 def _fixed(numbers):
@@ -332,7 +340,7 @@ class Table(Mapping):
             import dask.array as da
         except ImportError:
             return self[name]
-        return da.from_array(dataset(field))
+        return field._shaped(da.from_array(dataset(field)), len(self.shape))
 
     def _lazy_verdicts(self):
         dataset = getattr(self._source, "verdict_dataset", None)

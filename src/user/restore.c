@@ -1,0 +1,85 @@
+// Results in the user's own units again: machines of a study share one time, and its velocities.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "user.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+/// Fields of a table that hang on the time, NULL where it has none.
+typedef struct timed_fields {
+    const whirl_field *section, *nodes;
+    const whirl_field *period, *rates[4]; ///< of points of branches
+} timed_fields;
+
+/// The field that the analyses of motions, orbits or tori have, of which a table has one.
+static const whirl_field *field_of_any(const whirl_layout *layout, const char *quantity) {
+    static const char *const analyses[] = {"poincare", "trace", "torus"};
+    const whirl_field *found = NULL;
+    char name[WHIRL_NAME_SIZE];
+    for (size_t i = 0; i < sizeof analyses / sizeof *analyses && !found; i++) {
+        snprintf(name, sizeof name, "%s/%s", analyses[i], quantity);
+        found = whirl_layout_field(layout, name);
+    }
+    return found;
+}
+
+static timed_fields fields_of(const whirl_layout *layout) {
+    static const char *const rates[] = {"trace/largest", "trace/multipliers", "trace/volume", "trace/angle"};
+    timed_fields f = {.section = field_of_any(layout, "section"),
+                      .nodes = field_of_any(layout, "nodes"),
+                      .period = whirl_layout_field(layout, "trace/period")};
+    for (size_t i = 0; i < sizeof rates / sizeof *rates; i++) f.rates[i] = whirl_layout_field(layout, rates[i]);
+    return f;
+}
+
+/// Of x, y, vx and vy the last two.
+static void restore_section(const whirl_field *section, double scale, double *block) {
+    double *numbers = block + section->offset;
+    for (size_t n = 0; n < section->repeat * section->rows && section->columns == 4; n++)
+        for (size_t k = 2; k < 4; k++) numbers[4 * n + k] /= scale;
+}
+
+/// Of whole states, one after the other.
+static void restore_nodes(const whirl_user_system *system, const whirl_field *nodes, double scale, double *block) {
+    const size_t d = system->displacements, n = system->dimension;
+    for (size_t i = 0; i < nodes->rows; i++)
+        if (i % n >= d && i % n < 2 * d) block[nodes->offset + i] /= scale;
+}
+
+/// The period of a point of a branch, and what an equilibrium has per unit of time: `angle` is that of a unit.
+static void restore_times(const timed_fields *f, double angle, double *block) {
+    const bool rests = block[f->period->offset] == 0.0;
+    block[f->period->offset] *= angle;
+    for (size_t i = 0; i < 4 && rests; i++)
+        for (size_t k = 0; f->rates[i] && k < f->rates[i]->rows * f->rates[i]->columns; k++)
+            block[f->rates[i]->offset + k] /= angle;
+}
+
+/// The parameters of a point, in the place of those of the system as it stands.
+static void take_parameters(const whirl_user_system *system, const whirl_table *table, size_t i, double *parameters) {
+    const double varied[USER_AXES] = {table->values[i], whirl_table_second(table, i), whirl_table_third(table, i)};
+    const char *const names[USER_AXES] = {table->parameter, table->second, table->third};
+    for (size_t k = 0; k < system->axis_count && k < USER_AXES; k++)
+        if (*names[k]) parameters[system->axes[k].parameter] = varied[k];
+}
+
+whirl_status user_restore(const whirl_user_system *system, whirl_table *table) {
+    const timed_fields f = fields_of(&table->layout);
+    const bool velocities = system->displacements > 0 && (f.section || f.nodes);
+    double parameters[USER_MOST_PARAMETERS], common, period;
+    for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
+    whirl_status status = user_period(system, parameters, &common);
+    if (!table->blocks || (!velocities && !f.period)) return status;
+    for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
+        double *block = table->blocks + i * table->layout.size;
+        if (!whirl_table_done(table, i)) continue;
+        take_parameters(system, table, i, parameters);
+        status = user_period(system, parameters, &period);
+        if (velocities && f.section) restore_section(f.section, period / common, block);
+        if (velocities && f.nodes) restore_nodes(system, f.nodes, period / common, block);
+        if (f.period) restore_times(&f, two_pi / common, block);
+    }
+    return status;
+}
