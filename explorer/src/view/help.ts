@@ -13,8 +13,8 @@ const KEYS: readonly (readonly [string, string])[] = [
   ['+ \u2212', 'zoom in and out about the cursor; the wheel does the same. Finer points are then computed in the view'],
   [
     'V, Shift+V',
-    'enlarge and reduce the heights of the upper picture; so do the wheel over its axis, or with Shift, and Shift and ' +
-      'drag, which encloses a rectangle where it goes up or down',
+    'enlarge and reduce the heights of the upper picture; so do the wheel over its axis, or with Shift, and Shift ' +
+      'and drag, which encloses a rectangle where it goes up or down',
   ],
   ['Alt+\u2191, Alt+\u2193', 'move over enlarged heights; a double click, Back and Reset show all of them again'],
   ['Backspace', 'back to the diagram before'],
