@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "phases.h"
+#include "summary_doubts.h"
 #include "summary_starts.h"
 #include "summary_tori.h"
 #include "whirl/shown.h"
@@ -17,7 +18,6 @@ static const char *plural(double count) {
     return count == 1 ? "" : "s";
 }
 
-/// The number of a field of one column, NaN when the table has none.
 static bool has_verdicts(const whirl_table *table) {
     return whirl_layout_field(&table->layout, "regime/confidence") != NULL;
 }
@@ -465,29 +465,6 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
         printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
 }
 
-/// "undetermined at 3 points, first at 6400 rpm: still settling ...", and what would tell them.
-static void print_doubts(const whirl_result *result, const whirl_table *table) {
-    whirl_doubt doubts[WHIRL_REMEDIES];
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
-    const size_t count = has_verdicts(table) ? whirl_table_doubts(table, doubts) : 0;
-    bool remedied = false;
-    for (size_t i = 0; i < count; i++) {
-        const whirl_doubt *doubt = &doubts[i];
-        whirl_verdict verdict = whirl_table_verdict(table, doubt->first);
-        char text[WHIRL_MESSAGE_SIZE];
-        printf("  undetermined at %zu point%s", doubt->points, plural((double)doubt->points));
-        if (table->parameter[0])
-            printf(", first at %.6g%s%s", table->values[doubt->first] / unit.size, *unit.name ? " " : "", unit.name);
-        whirl_verdict_reason(&verdict, text, sizeof text);
-        printf(": %s", text);
-        verdict.advice.factor = doubt->factor;
-        whirl_verdict_advice(&verdict, text, sizeof text);
-        printf(*text ? "; to settle it, %s\n" : "\n", text);
-        remedied = remedied || (*text && doubt->remedy != WHIRL_OTHER_START);
-    }
-    if (remedied) puts("  whirl run --refine does these points again so");
-}
-
 static bool is_basin(const whirl_table *table) {
     return strcmp(table->name, "basin") == 0;
 }
@@ -583,7 +560,7 @@ static whirl_status print_tables(const whirl_result *result) {
             print_list(result, table);
         else
             print_counts(result, table);
-        if (planned > 1) print_doubts(result, table);
+        if (planned > 1) summarize_doubts(result, table);
         status = print_attractors(table);
         if (status.code == WHIRL_OK) status = summarize_starts(result, table);
         print_refinement(table->source ? table->source : table);

@@ -5,8 +5,7 @@
 #include "whirl/result.h"
 
 /// Of a table of a view (whirl_result_by_attractor): attractors with their shares, where several exist side by side,
-/// and what the starts may have missed. Nothing for other tables.
-/// WHIRL_NO_MEMORY.
+/// and what the starts may have missed. Nothing for other tables. WHIRL_NO_MEMORY.
 whirl_status summarize_starts(const whirl_result *view, const whirl_table *table);
 
 /// "attractor 2, 25 % +- 11 %" of a point of such a table, after `before`; nothing for other tables.

@@ -1,0 +1,30 @@
+#include "summary_doubts.h"
+
+#include <stdio.h>
+
+/// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
+static void print_doubt(const whirl_result *result, const whirl_table *table, const whirl_doubt *doubt) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    whirl_verdict verdict = whirl_table_verdict(table, doubt->first);
+    char text[WHIRL_MESSAGE_SIZE];
+    printf("  undetermined at %zu point%s", doubt->points, doubt->points == 1 ? "" : "s");
+    if (table->parameter[0])
+        printf(", first at %.6g%s%s", table->values[doubt->first] / unit.size, *unit.name ? " " : "", unit.name);
+    whirl_verdict_reason(&verdict, text, sizeof text);
+    printf(": %s", text);
+    verdict.advice.factor = doubt->factor;
+    whirl_verdict_advice(&verdict, text, sizeof text);
+    if (*text) printf("; to settle it, %s", text);
+    putchar('\n');
+}
+
+void summarize_doubts(const whirl_result *result, const whirl_table *table) {
+    whirl_doubt doubts[WHIRL_REMEDIES];
+    const size_t count = whirl_layout_has_verdict(&table->layout) ? whirl_table_doubts(table, doubts) : 0;
+    bool remedied = false;
+    for (size_t i = 0; i < count; i++) {
+        print_doubt(result, table, &doubts[i]);
+        remedied = remedied || (doubts[i].remedy != WHIRL_NO_REMEDY && doubts[i].remedy != WHIRL_OTHER_START);
+    }
+    if (remedied) puts("  whirl run --refine does these points again so");
+}
