@@ -144,14 +144,15 @@ static void print_time(double seconds, bool settle, int cores) {
 }
 
 /// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
-static void tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch) {
+static whirl_status tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch) {
     const bool traced = whirl_analysis_is_traced(batch->analyses);
     const double *const axes[] = {traced ? batch->bounds : batch->values, batch->second_values, batch->third_values};
     const char *const names[] = {batch->parameter, batch->second, batch->third};
     const size_t last = traced ? 1 : batch->count - 1;
     const int cores = available_cores();
-    const double seconds = estimate_seconds(study, batch, cores);
-    if (!axes[0] && isnan(seconds)) return;
+    double seconds;
+    const whirl_status status = estimate_seconds(study, batch, cores, &seconds);
+    if (status.code != WHIRL_OK || (!axes[0] && isnan(seconds))) return status;
     printf("  %s: ", batch->name);
     for (size_t i = 0; i < 3 && axes[i]; i++) {
         if (i > 0) fputs(", ", stdout);
@@ -160,6 +161,7 @@ static void tell_extent(const whirl_result *told, const whirl_study *study, cons
     if (axes[0] && !isnan(seconds)) fputs("; ", stdout);
     if (!isnan(seconds)) print_time(seconds, batch->record.settle, cores);
     putchar('\n');
+    return whirl_ok();
 }
 
 /// Says how far a study goes, where the steps of a sweep do not meet its end, and what a result of the case would warn
@@ -168,9 +170,9 @@ static whirl_status tell_result(const char *path, const whirl_case *object, cons
     const whirl_batch *const batch = &study->batches[0];
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    const whirl_status status = whirl_case_describe_result(object, told);
+    whirl_status status = whirl_case_describe_result(object, told);
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
-        tell_extent(told, study, &study->batches[i]);
+        status = tell_extent(told, study, &study->batches[i]);
     if (status.code == WHIRL_OK && batch->values) summarize_end(told, batch->parameter, batch->values[0]);
     for (size_t i = 0; *whirl_result_warning(told, i); i++)
         fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));

@@ -13,17 +13,27 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
+/// Notes that memory ran out, which is no reason to leave an estimate out in silence.
+static void note_memory(whirl_status *status, whirl_status made) {
+    if (made.code == WHIRL_NO_MEMORY) *status = made;
+}
+
 /// Seconds of a revolution of so many copies of a machine side by side; NaN where it cannot be told.
-static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes) {
+static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes,
+                         whirl_status *status) {
     enum { MOST = 50 };
     const double enough = 0.02;
     whirl_ensemble *ensemble;
     const whirl_status made = whirl_ensemble_takes(machine->system, how)
                                   ? whirl_ensemble_new(machine->system, how, lanes, &ensemble)
                                   : whirl_ensemble_alone(machine->system, how, lanes, 0, &ensemble);
+    note_memory(status, made);
     if (made.code != WHIRL_OK) return (double)NAN;
-    for (size_t i = 0; i < lanes; i++)
-        if (whirl_ensemble_load(ensemble, i, machine->system, machine->start).code != WHIRL_OK) lanes = i;
+    for (size_t i = 0; i < lanes; i++) {
+        const whirl_status loaded = whirl_ensemble_load(ensemble, i, machine->system, machine->start);
+        note_memory(status, loaded);
+        if (loaded.code != WHIRL_OK) lanes = i;
+    }
     const double begun = now();
     double passed = 0.0;
     int done = 0;
@@ -38,16 +48,16 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
 
 /// Seconds of a revolution of each of `motions` motions on so many cores, as many side by side as is usual. One that
 /// takes long is not tried in lanes: they gain less where a machine is large.
-static double time_motions(const whirl_machine *machine, const whirl_integrate_options *how, double motions,
-                           int cores) {
+static double time_motions(const whirl_machine *machine, const whirl_integrate_options *how, double motions, int cores,
+                           whirl_status *status) {
     const double usual = 32.0, long_one = 0.01, threads = fmin(motions, cores);
     const double lanes = fmin(ceil(motions / threads), usual);
-    const double one = time_lanes(machine, how, 1);
-    const double all = lanes > 1.0 && one < long_one ? time_lanes(machine, how, (size_t)lanes) : one * lanes;
+    const double one = time_lanes(machine, how, 1, status);
+    const double all = lanes > 1.0 && one < long_one ? time_lanes(machine, how, (size_t)lanes, status) : one * lanes;
     return all * motions / (lanes * threads);
 }
 
-double estimate_seconds(const whirl_study *study, const whirl_batch *batch, int cores) {
+whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds) {
     const double points = (double)batch->count, starts = batch->starts > 1 ? (double)batch->starts : 1.0;
     const bool both = batch->carry == WHIRL_CARRY_BOTH, carried = batch->carry != WHIRL_CARRY_NONE;
     const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
@@ -56,19 +66,21 @@ double estimate_seconds(const whirl_study *study, const whirl_batch *batch, int 
     const bool twin = batch->record.growth == WHIRL_GROWTH_LARGEST;
     const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;
-    if (whirl_analysis_is_traced(batch->analyses) || whirl_analysis_is_resting(batch->analyses)) return (double)NAN;
-    if (whirl_study_machine(study, batch, batch->count / 2, &machine).code != WHIRL_OK) return (double)NAN;
+    *seconds = (double)NAN;
+    if (whirl_analysis_is_traced(batch->analyses) || whirl_analysis_is_resting(batch->analyses)) return whirl_ok();
+    whirl_status status = whirl_study_machine(study, batch, batch->count / 2, &machine);
+    if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     // A single revolution of a machine this large may take minutes.
     const size_t most_timed = 300;
     const bool timed = machine.system->dimension <= most_timed;
-    double seconds =
-        timed ? time_motions(&machine, &batch->integrate, chains, cores) * motions / chains * revolutions : (double)NAN;
-    if (batch->confirm && timed) {
+    if (timed)
+        *seconds = time_motions(&machine, &batch->integrate, chains, cores, &status) * motions / chains * revolutions;
+    if (timed && batch->confirm) {
         // Twice the steps, or tolerances 16 times smaller by order 8 or 5.
         const double order = strcmp(batch->integrate.method, "rodas5p") == 0 ? 5.0 : 8.0;
         const double weight = whirl_method_is_adaptive(batch->integrate.method) ? pow(16.0, 1.0 / order) : 2.0;
-        seconds += weight * revolutions * time_motions(&machine, &batch->integrate, motions, cores);
+        *seconds += weight * revolutions * time_motions(&machine, &batch->integrate, motions, cores, &status);
     }
     if (machine.release) machine.release(machine.owner);
-    return seconds;
+    return status;
 }

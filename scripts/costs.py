@@ -15,8 +15,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
 SHARED = 4
-# The first that anyone tries, and what holds the sources together: always.
-ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page")
+# The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
+ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
+                    r"unit\.analyze\.test_locked|cli\.resume-after-interrupt-carry")
 TOGETHER = re.compile(r"determinism\.compilers|portability\.musl")
 
 

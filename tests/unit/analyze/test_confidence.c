@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "confidence.h"
 #include "whirl/analyze.h"
 
 static whirl_verdict verdict_of(whirl_regime regime, int period, whirl_confidence agreement) {
@@ -158,10 +159,106 @@ static void in_words(void **state) {
     assert_string_equal(whirl_confidence_name(WHIRL_HIGH), "high");
 }
 
+// ---------------------------------------------------------------- every condition of HIGH, one at a time
+
+static whirl_confidence weighed(whirl_verdict v, const evidence *e) {
+    const whirl_record record = {.revolutions = 1000.0};
+    v.round = 1.0;
+    weigh_verdict(&v, e, &record);
+    return v.agreement;
+}
+
+/// A motion on a stable orbit is P-k for sure; not where the orbit hardly draws in, or where its returns are hardly
+/// apart.
+static void on_an_orbit(void **state) {
+    (void)state;
+    const whirl_verdict sure = {.regime = WHIRL_PERIODIC,
+                                .period = 1,
+                                .orbit = WHIRL_ORBIT_STABLE,
+                                .orbit_period = 1,
+                                .recurrence = 1e-8,
+                                .recurrence_period = 1,
+                                .orbit_distance = 1e-8,
+                                .orbit_modulus = 0.5};
+    evidence e = {.size = 1.0, .rounding = 1e-14, .returns.separation = 1.0};
+    whirl_verdict v = sure;
+    assert_int_equal(weighed(v, &e), WHIRL_HIGH);
+    v.orbit_modulus = 1.0 - 1e-7;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    v = sure;
+    v.orbit_distance = 1e-4;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    e.returns.separation = 1e-7;
+    assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
+}
+
+/// Without an orbit returns and exponent must be clear, and other returns far.
+static void by_returns(void **state) {
+    (void)state;
+    const whirl_verdict v = {.regime = WHIRL_PERIODIC,
+                             .period = 1,
+                             .recurrence = 1e-8,
+                             .recurrence_period = 1,
+                             .exponent = {.value = -0.1, .error = 1e-4}};
+    evidence e = {.size = 1.0, .rounding = 1e-14, .returns.separation = 1.0};
+    assert_int_equal(weighed(v, &e), WHIRL_HIGH);
+    e.returns.separation = 1e-6;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    // Returns that shrink by 0.99 a revolution, where the exponent says 0.905.
+    double shrinking[40];
+    e.returns.separation = 1.0;
+    for (int n = 0; n < 40; n++) shrinking[n] = 1e-3 * pow(0.99, n);
+    e.points = (struct section){40, 1, shrinking};
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+}
+
+/// Chaos is sure where it is strong, steady, irregular and watched for long.
+static void in_chaos(void **state) {
+    (void)state;
+    enum { COUNT = 1000 };
+    double growth[COUNT];
+    const whirl_verdict sure = {
+        .regime = WHIRL_CHAOTIC, .chaos = 0.95, .regularity = 1.0, .exponent = {.value = 0.1, .error = 1e-3}};
+    for (int i = 0; i < COUNT; i++) growth[i] = 0.1 + (i % 2 ? 0.1 : -0.1);
+    evidence e = {.size = 1.0, .growth = growth, .growth_count = COUNT, .points.count = 600};
+    whirl_verdict v = sure;
+    assert_int_equal(weighed(v, &e), WHIRL_HIGH);
+    v.regularity = 3.5;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    v = sure;
+    v.chaos = 0.7;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    v = sure;
+    v.exponent.value = 0.009;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    e.points.count = 499;
+    assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
+    e.points.count = 600;
+    for (int i = COUNT / 2; i < COUNT; i++) growth[i] += 0.2;
+    assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
+}
+
+/// An equilibrium is sure where it draws in what is so near, and disturbances are seen to die out.
+static void at_rest(void **state) {
+    (void)state;
+    double growth[1000];
+    whirl_verdict v = {
+        .regime = WHIRL_PERIODIC, .period = 1, .rests = true, .rest_distance = 1e-6, .exponent = {.value = -0.05}};
+    for (int i = 0; i < 1000; i++) growth[i] = -0.05 + (i % 2 ? 1e-4 : -1e-4);
+    evidence e = {.size = 1.0, .growth = growth, .growth_count = 1000, .points.count = 600};
+    assert_int_equal(weighed(v, &e), WHIRL_HIGH);
+    v.rest_distance = 1e-3;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+    v.rest_distance = 1e-6;
+    e.growth_count = 0;
+    assert_int_equal(weighed(v, &e), WHIRL_FAIR);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(two_tolerances),     cmocka_unit_test(followed), cmocka_unit_test(tighter),
-        cmocka_unit_test(advice_is_followed), cmocka_unit_test(in_words),
+        cmocka_unit_test(advice_is_followed), cmocka_unit_test(in_words), cmocka_unit_test(on_an_orbit),
+        cmocka_unit_test(by_returns),         cmocka_unit_test(in_chaos), cmocka_unit_test(at_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
