@@ -46,7 +46,7 @@ static void note(looks *to, look one) {
 /// The parameter at the end: it is even in how far orbits are apart, for those on the other side are the same ones.
 /// By the polynomial in the square of that (Neville).
 static double value_at_end(const looks *l) {
-    double value[NEAREST], square[NEAREST];
+    double value[NEAREST] = {NAN}, square[NEAREST] = {NAN};
     int count = 0;
     for (int i = 0; i < l->count; i++) {
         square[count] = l->list[i].apart * l->list[i].apart;
