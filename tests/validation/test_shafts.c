@@ -413,18 +413,18 @@ static void check_free(const char *what, const char *text, double lowest, double
 /// free shaft has cosh(k L) cos(k L) = 1, k L = 4.730040745 (Rao 2007, 11.5); spinning discs' tilt together goes round
 /// at I_p/I_d times the speed, beside two tilts that rest.
 static void rigid_body_modes_are_told_apart(void **state) {
-    static const char *const reduced[] = {"no", "yes"};
+    static const char *const reduced[] = {"reduce: no", "modes: 16"};
     const double area = pi / 4.0 * 0.08 * 0.08, ei = 2.11e11 * pi / 64.0 * pow(0.08, 4.0);
     (void)state;
     for (int i = 0; i < 2; i++) {
         char text[1024];
         snprintf(text, sizeof text,
-                 "  speed: 1\n  shafts: {main: {reduce: %s, shear: none, rotary_inertia: no}}\n"
+                 "  speed: 1\n  shafts: {main: {%s, shear: none, rotary_inertia: no}}\n"
                  "  stations: {a: {position: 0}, b: {position: 1}}\n"
                  "  elements:\n    - segment: {length: 1, outer: 0.08, elements: 16}\n",
                  reduced[i]);
-        check_free(words("free shaft, reduce: %s", reduced[i]), text,
-                   pow(4.730040745, 2.0) * sqrt(ei / (7810.0 * area)), 1e-5);
+        // The elements err by (k h)^4/1440 = 5.3e-6 (Leung 1978), so many component modes by little more.
+        check_free(words("free shaft, %s", reduced[i]), text, pow(4.730040745, 2.0) * sqrt(ei / (7810.0 * area)), 1e-5);
     }
     check_free("coupled discs",
                "  speed: 1000 rpm\n  stations: {a: {mass: 3, diametral: 0.02, polar: 0.01}, b: {mass: 3, diametral: "
