@@ -18,10 +18,6 @@ static const char *plural(double count) {
     return count == 1 ? "" : "s";
 }
 
-static bool has_verdicts(const whirl_table *table) {
-    return whirl_layout_field(&table->layout, "regime/confidence") != NULL;
-}
-
 static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++)
         if (whirl_table_number(table, point, "rub/share", i) > 0) return true;
@@ -130,7 +126,7 @@ static void print_point(const whirl_result *result, const whirl_table *table, si
         return;
     }
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    if (has_verdicts(table))
+    if (whirl_layout_has_verdict(&table->layout))
         print_verdict(table->name, &verdict);
     else
         printf("%s: no verdict, as the analyses have no regime\n", table->name);
@@ -336,9 +332,9 @@ static void print_list(const whirl_result *result, const whirl_table *table) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         char name[VERDICT_SIZE] = "";
-        if (has_verdicts(table)) whirl_verdict_name(&verdict, name, sizeof name);
+        if (whirl_layout_has_verdict(&table->layout)) whirl_verdict_name(&verdict, name, sizeof name);
         printf("  %10.6g %s%s%-26s", table->values[point] / unit.size, unit.name, *unit.name ? "  " : " ", name);
-        printf(" %-5s", has_verdicts(table) ? whirl_confidence_name(verdict.confidence) : "");
+        printf(" %-5s", whirl_layout_has_verdict(&table->layout) ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             printf(" exponent %8.4f +- %-7.1g", verdict.exponent.value,
                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
@@ -451,17 +447,17 @@ static void print_counts(const whirl_result *result, const whirl_table *table) {
         if (!whirl_table_done(table, point)) continue;
         const size_t weight = weight_of(weights, point);
         const whirl_verdict verdict = whirl_table_verdict(table, point);
-        if (has_verdicts(table)) count_verdict(&tally, &verdict, weight);
+        if (whirl_layout_has_verdict(&table->layout)) count_verdict(&tally, &verdict, weight);
         rubbing += rubs(result, table, point) ? weight : 0;
         failed += verdict.exponents_failed ? weight : 0;
         sure[verdict.confidence] += weight;
     }
     free(weights);
-    const bool listed = !has_verdicts(table) || (table->row == 0 && print_windows(result, table));
+    const bool listed = !whirl_layout_has_verdict(&table->layout) || (table->row == 0 && print_windows(result, table));
     for (size_t i = 0; i < tally.count && !listed; i++) printf("  %6zu  %s\n", tally.of[i], tally.names[i]);
     if (result->contact_count > 0) printf("  %6zu  with rub\n", rubbing);
     if (failed > 0) printf("  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);
-    if (has_verdicts(table))
+    if (whirl_layout_has_verdict(&table->layout))
         printf("  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR], sure[WHIRL_LOW]);
 }
 

@@ -5,15 +5,13 @@
 /// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
 static void print_doubt(const whirl_result *result, const whirl_table *table, const whirl_doubt *doubt) {
     const whirl_unit unit = whirl_result_unit(result, table->parameter);
-    whirl_verdict verdict = whirl_table_verdict(table, doubt->first);
     char text[WHIRL_MESSAGE_SIZE];
     printf("  undetermined at %zu point%s", doubt->points, doubt->points == 1 ? "" : "s");
     if (table->parameter[0])
         printf(", first at %.6g%s%s", table->values[doubt->first] / unit.size, *unit.name ? " " : "", unit.name);
-    whirl_verdict_reason(&verdict, text, sizeof text);
+    whirl_verdict_reason(&doubt->verdict, text, sizeof text);
     printf(": %s", text);
-    verdict.advice.factor = doubt->factor;
-    whirl_verdict_advice(&verdict, text, sizeof text);
+    whirl_verdict_advice(&doubt->verdict, text, sizeof text);
     if (*text) printf("; to settle it, %s", text);
     putchar('\n');
 }
@@ -24,7 +22,8 @@ void summarize_doubts(const whirl_result *result, const whirl_table *table) {
     bool remedied = false;
     for (size_t i = 0; i < count; i++) {
         print_doubt(result, table, &doubts[i]);
-        remedied = remedied || (doubts[i].remedy != WHIRL_NO_REMEDY && doubts[i].remedy != WHIRL_OTHER_START);
+        const whirl_remedy remedy = doubts[i].verdict.advice.remedy;
+        remedied = remedied || (remedy != WHIRL_NO_REMEDY && remedy != WHIRL_OTHER_START);
     }
     if (remedied) puts("  whirl run --refine does these points again so");
 }

@@ -159,9 +159,8 @@ whirl_verdict whirl_table_verdict(const whirl_table *table, size_t point);
 
 /// Undetermined motions of a table that the same remedy would tell.
 typedef struct whirl_doubt {
-    whirl_remedy remedy;  ///< which
-    double factor;        ///< of it, the largest that one of them needs
-    size_t points, first; ///< how many there are, and the first of them
+    size_t points, first;  ///< how many there are, and the first of them
+    whirl_verdict verdict; ///< of the first, but that its advice has the largest factor that one of them needs
 } whirl_doubt;
 
 /// Why motions of a table are undetermined, doubts [WHIRL_REMEDIES], in the order of the remedies; gives how many.

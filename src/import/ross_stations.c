@@ -54,13 +54,17 @@ static ross_station *station_of(ross_rotor *rotor, long node, const char *tag) {
     return added;
 }
 
+static void add_weight(ross_station *at, double mass, double diametral, double polar) {
+    at->mass[0] += mass;
+    at->mass[1] += mass;
+    at->diametral += diametral;
+    at->polar += polar;
+}
+
 static void collect_ends(ross_rotor *rotor, const ross_coupling *coupling) {
     for (int end = 0; end < 2; end++) {
         ross_station *const at = station_of(rotor, coupling->node + end, coupling->end_tag[end]);
-        at->mass[0] += coupling->mass[end];
-        at->mass[1] += coupling->mass[end];
-        at->diametral += coupling->diametral[end];
-        at->polar += coupling->polar[end];
+        add_weight(at, coupling->mass[end], coupling->diametral[end], coupling->polar[end]);
     }
 }
 
@@ -68,10 +72,7 @@ static void collect(ross_rotor *rotor) {
     for (size_t i = 0; i < rotor->disc_count; i++) {
         const ross_disc *const disc = &rotor->discs[i];
         ross_station *const at = station_of(rotor, disc->node, disc->tag);
-        at->mass[0] += disc->mass;
-        at->mass[1] += disc->mass;
-        at->diametral += disc->diametral;
-        at->polar += disc->polar;
+        add_weight(at, disc->mass, disc->diametral, disc->polar);
     }
     for (size_t i = 0; i < rotor->point_count; i++) {
         const ross_point *const point = &rotor->points[i];

@@ -110,14 +110,13 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
 // ---------------------------------------------------------------- solving
 
 /// How many independent displacements no force answers: what the rank of the Jacobian [n][n] lacks, in coordinates of
-/// like sizes. Each has the eigenvalue 0 twice, as a place and as a rate, or, with damping, once. copy [n][n] and work
-/// [n] are workspace.
-static bool count_free(size_t n, const double *jacobian, double *copy, double *work, size_t *count) {
+/// like sizes. Each has the eigenvalue 0 twice, as a place and as a rate, or, with damping, once. The Jacobian is lost;
+/// work [n]. False without memory.
+static bool count_free(size_t n, double *jacobian, double *work, size_t *count) {
     size_t rank;
-    memcpy(copy, jacobian, n * n * sizeof *copy);
     memset(work, 0, n * sizeof *work);
-    matrix_balance(n, copy, NULL);
-    if (!matrix_solve_shortest(n, copy, zero_part, work, &rank)) return false;
+    matrix_balance(n, jacobian, NULL);
+    if (!matrix_solve_shortest(n, jacobian, zero_part, work, &rank)) return false;
     *count = n - rank;
     return true;
 }
@@ -125,23 +124,26 @@ static bool count_free(size_t n, const double *jacobian, double *copy, double *w
 /// Of the Jacobian, or of the monodromy matrix over a period > 0.
 static whirl_status solve(const mean_system *m, double *matrix, double period, const double *rest, whirl_modes **out) {
     const size_t n = m->count;
-    double *numbers = calloc(2 * n + 2 * n * n + 1, sizeof *numbers);
+    double *numbers = calloc(2 * n + 3 * n * n + 1, sizeof *numbers);
     root *roots = calloc(2 * n + 1, sizeof *roots);
-    double *real = numbers, *imaginary = numbers ? numbers + n : NULL;
+    double *real = numbers, *imaginary = numbers ? numbers + n : NULL,
+           *copy = numbers ? numbers + 2 * n * (n + 1) : NULL;
     const bool room = numbers && roots;
+    if (room) memcpy(copy, matrix, n * n * sizeof *copy);
     errno = 0;
-    size_t unheld = 0;
-    const bool solved = room && (period > 0.0 || count_free(n, matrix, numbers + 2 * n, real, &unheld)) &&
-                        matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
+    const bool solved = room && matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
     for (size_t i = 0; i < n && solved; i++) {
         if (period > 0.0) take_logarithm(&real[i], &imaginary[i], period);
         roots[i] = (root){real[i], imaginary[i], i};
     }
     whirl_modes *modes = solved ? sort_out(m, roots, period, numbers + 2 * n) : NULL;
-    if (modes) {
-        modes->free = unheld;
-        memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
+    // All but free motions are sorted out.
+    const bool frees = modes && 2 * modes->count + modes->real_count < n;
+    if (frees && !count_free(n, copy, real, &modes->free)) {
+        whirl_modes_free(modes);
+        modes = NULL;
     }
+    if (modes) memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
     free(numbers);
     free(roots);
     *out = modes;

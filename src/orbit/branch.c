@@ -181,11 +181,7 @@ static whirl_status follow(follower *f, walk *w, double value, int direction) {
         else
             status = go_on(f, w, &ended);
     }
-    if (whirl_integrate_stopped(&f->options->orbit.integrate)) {
-        f->branch->end = WHIRL_END_STOPPED;
-        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok();
-    }
-    return status;
+    return branch_finish(f->branch, f->options, status);
 }
 
 whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *start, double value, int direction,

@@ -148,6 +148,12 @@ whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, co
     return whirl_ok();
 }
 
+whirl_status branch_finish(whirl_branch *b, const whirl_branch_options *options, whirl_status status) {
+    if (!whirl_integrate_stopped(&options->orbit.integrate)) return status;
+    b->end = WHIRL_END_STOPPED;
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
 void whirl_branch_free(whirl_branch *branch) {
     if (!branch) return;
     for (size_t i = 0; i < branch->count; i++) whirl_orbit_free(branch->points[i].orbit);

@@ -58,4 +58,8 @@ double follower_length(const follower *f, const waypoint *a, const waypoint *b, 
 /// Adds a point to a branch, which then owns the orbit; its end is WHIRL_END_STOPPED where that was asked for.
 whirl_status branch_add(whirl_branch *branch, const whirl_branch_options *options, const whirl_branch_point *point);
 
+/// The status that following a branch comes to: where motions were stopped on the way that is its end, and what else
+/// was found wrong since means nothing, but for memory.
+whirl_status branch_finish(whirl_branch *branch, const whirl_branch_options *options, whirl_status status);
+
 #endif

@@ -243,11 +243,7 @@ static whirl_status follow(walk *w, const whirl_branch_point *start, int directi
         else
             status = go_on(w, &ended);
     }
-    if (w->branch && whirl_integrate_stopped(&w->options->orbit.integrate)) {
-        w->branch->end = WHIRL_END_STOPPED;
-        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok();
-    }
-    return status;
+    return w->branch ? branch_finish(w->branch, w->options, status) : status;
 }
 
 whirl_status whirl_curve_follow(const whirl_plane *plane, const whirl_branch_point *start, double second, int direction,

@@ -49,18 +49,17 @@ static void write_doubts(const page *to, size_t index, const whirl_table *table)
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
     const size_t count = whirl_table_doubts(table, doubts);
     for (size_t i = 0; i < count; i++) {
-        whirl_verdict verdict = whirl_table_verdict(table, doubts[i].first);
+        const whirl_verdict *const verdict = &doubts[i].verdict;
         char text[1024];
         fputs("<p>", to->stream);
         html_printf(to->stream, "Undetermined at %zu point%s", doubts[i].points, doubts[i].points == 1 ? "" : "s");
         if (table->parameter[0])
             html_printf(to->stream, ", first at %.6g %s", table->values[doubts[i].first] / unit.size, unit.name);
-        whirl_verdict_reason(&verdict, text, sizeof text);
+        whirl_verdict_reason(verdict, text, sizeof text);
         html_printf(to->stream, ": %s.", text);
-        verdict.advice.factor = doubts[i].factor;
-        whirl_verdict_advice(&verdict, text, sizeof text);
+        whirl_verdict_advice(verdict, text, sizeof text);
         if (*text) html_printf(to->stream, " To settle it, %s", text);
-        if (*text && doubts[i].remedy != WHIRL_OTHER_START)
+        if (*text && verdict->advice.remedy != WHIRL_OTHER_START)
             fputs("; <code>whirl run --refine</code> does so", to->stream);
         fputs(*text ? ".</p>\n" : "</p>\n", to->stream);
     }

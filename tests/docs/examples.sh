@@ -41,7 +41,7 @@ fail() {
 # Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand; of chapters, or needed by them.
 extract() { # DOCUMENT FOLDER [FIRST-CHAPTER LAST-CHAPTER]
     awk -v folder="$2" -v first="${3:-0}" -v last="${4:-99}" '
-        /^## [0-9]+\. /   { chapter = substr($2, 1) + 0 }
+        /^## [0-9]+\. /   { chapter = $2 + 0 }
         /^```/ && !inside { inside = 1; language = substr($0, 4); sub(/ .*/, "", language); begun = 0
                             file = sprintf("%s/%03d.%s", folder, ++count, language); next }
         /^```$/ && inside { inside = 0; close(file); next }
