@@ -83,6 +83,16 @@ export async function settled(page, side = 'a') {
   return page.textContent(`.pane-${side} .verdict`);
 }
 
+/// Drags over the upper picture of a card in its mode Range, from one share of its width to another.
+export async function brush(page, from, to, card = '.map-card') {
+  const box = await (await page.$(`${card} .map-main .overlay`)).boundingBox();
+  await page.click(`${card} .segments button[value="range"]`);
+  await page.mouse.move(box.x + box.width * from, box.y + 50);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width * to, box.y + 60, { steps: 5 });
+  await page.mouse.up();
+}
+
 /// Presses an item of a panel's menu and gives what is downloaded, as text, with its name.
 export async function saved(page, panel, kind) {
   await page.waitForTimeout(120); // Chromium drops what a page saves beyond ten files a second.

@@ -1,7 +1,7 @@
 // What the explorer computes as one asks for it, in a real Chromium.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
+import { brush, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
 
 let address;
 before(() => {
@@ -13,12 +13,7 @@ test('a brushed range is computed anew, and Back returns', async () => {
   const { page, complaints, close } = await open(address);
   await settled(page);
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
-  const box = await (await page.$('.map-main .overlay')).boundingBox();
-  await page.click('.map-card .segments button[value="range"]');
-  await page.mouse.move(box.x + box.width * 0.7, box.y + 50);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.8, box.y + 60, { steps: 5 });
-  await page.mouse.up();
+  await brush(page, 0.7, 0.8);
   await page.waitForFunction(() =>
     /Computed here, quick: 64 points/.test(document.querySelector('.status').textContent),
   );

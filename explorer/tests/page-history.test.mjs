@@ -1,7 +1,7 @@
 // Undo, redo and the browser's Back and Forward.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
+import { brush, CASE, closeBrowser, makePage, open, settled } from './browser.mjs';
 
 let address;
 before(() => {
@@ -105,12 +105,7 @@ test('the way back knows diagrams, comparisons and parameters of the diagram', a
   await hashHas(page, 'units=');
   await page.selectOption('select[aria-label="Points of a new diagram"]', '64');
   await page.selectOption('select[aria-label="How well a new diagram is computed"]', 'draft');
-  const box = await (await page.$('.map-main .overlay')).boundingBox();
-  await page.click('.map-card .segments button[value="range"]');
-  await page.mouse.move(box.x + box.width * 0.7, box.y + 50);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.8, box.y + 60, { steps: 5 });
-  await page.mouse.up();
+  await brush(page, 0.7, 0.8);
   await page.waitForFunction(() =>
     /Computed here, draft: 64 points/.test(document.querySelector('.status').textContent),
   );

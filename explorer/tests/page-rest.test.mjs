@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+import { brush, closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
 
 const FAN = `whirl: 1
 title: An overhung fan
@@ -180,12 +180,7 @@ test('keys go from computed point to computed point; the address holds what is l
 test('a range is enlarged, and left again', async () => {
   const { page, complaints, close } = await opened(modes);
   const overlay = '.rest .map-card:not([hidden]) .map-main .overlay';
-  const box = await (await page.$(overlay)).boundingBox();
-  await page.click('.rest .map-card:not([hidden]) .segments button[value="range"]');
-  await page.mouse.move(box.x + box.width * 0.25, box.y + 50);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.5, box.y + 60, { steps: 4 });
-  await page.mouse.up();
+  await brush(page, 0.25, 0.5, '.rest .map-card:not([hidden])');
   const highest = (most) =>
     page.waitForFunction(
       ([where, limit]) => Math.abs(Number(document.querySelector(where).getAttribute('aria-valuemax')) - limit) < 40,

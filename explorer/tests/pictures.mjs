@@ -4,7 +4,7 @@
 // gallery). Written to OUT as PNG at three widths, light and dark.
 import { join, resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { closeBrowser, open, settled } from './browser.mjs';
+import { brush, closeBrowser, open, settled } from './browser.mjs';
 
 const [file, out] = process.argv.slice(2);
 const address = pathToFileURL(resolve(file)).href;
@@ -32,13 +32,8 @@ const watch = async (page) => {
   await page.click('.pane-a .play');
   await page.waitForTimeout(4000);
 };
-const brush = async (page) => {
-  const box = await (await page.$('.map-main .overlay')).boundingBox();
-  await page.click('.map-card .segments button[value="range"]');
-  await page.mouse.move(box.x + box.width * 0.33, box.y + 50);
-  await page.mouse.down();
-  await page.mouse.move(box.x + box.width * 0.46, box.y + 60, { steps: 5 });
-  await page.mouse.up();
+const brushed = async (page) => {
+  await brush(page, 0.33, 0.46);
   await page.waitForSelector('.map-card progress:not([hidden])');
   await page.waitForFunction(() => document.querySelector('.map-card progress').hidden, undefined, {
     timeout: 300_000,
@@ -59,7 +54,7 @@ async function motions() {
     );
   await picture('help', '#at=0.35', SIZES[1], 'light', (page) => page.click('button[aria-label="Help"]'));
   await picture('watch', '#at=0.35', SIZES[1], 'dark', watch);
-  await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brush);
+  await picture('range', '#at=0.44&q=y&st=journal', SIZES[1], 'light', brushed);
 }
 
 async function linear() {

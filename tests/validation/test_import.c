@@ -12,9 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/import.h"
-#include "whirl/linear.h"
+#include "support_import.h"
 #include "whirl/rotor.h"
 
 static const char rotors[] = WHIRL_CASES "/../tests/rotors/";
@@ -38,32 +36,7 @@ static char *import_full(const char *name) {
     whirl_imported imported;
     snprintf(path, sizeof path, "%s%s", rotors, name);
     require_ok(whirl_import_load(path, &imported));
-    char *const text = malloc(imported.length + 1);
-    memcpy(text, imported.text, imported.length + 1);
-    whirl_imported_free(&imported);
-    return replace(text, "shear: ", "shear: ", "reduce: no, ");
-}
-
-static whirl_case *parse(const char *text) {
-    whirl_problems problems = {0};
-    whirl_case *object;
-    require_ok(whirl_case_parse(text, strlen(text), "imported", &problems, &object));
-    whirl_problems_free(&problems);
-    return object;
-}
-
-/// At a speed in rad/s; *clock is that by which the modes are in rad/s.
-static whirl_modes *modes_at(const whirl_case *object, double speed, double *clock) {
-    whirl_rotor *rotor;
-    whirl_modes *modes;
-    require_ok(whirl_case_rotor(object, "speed", speed, &rotor));
-    const whirl_system *const system = whirl_rotor_system(rotor);
-    double *const start = calloc(system->dimension, sizeof *start);
-    require_ok(whirl_modes_new(system, start, &modes));
-    *clock = whirl_rotor_clock(rotor);
-    free(start);
-    whirl_rotor_free(rotor);
-    return modes;
+    return whole_case(&imported);
 }
 
 /// Two discs on anisotropic bearings (Friswell et al. 2010, example 5.9.2), by ROSS 2.3 with consistent mass.
@@ -76,7 +49,7 @@ static void test_two_discs(void **state) {
         {4000.0, {"91.6290532", "96.4083778", "267.6424154", "303.2078393", "671.5163186", "810.5345949"}},
     };
     char *const text = import_full("two-discs.toml");
-    whirl_case *const object = parse(text);
+    whirl_case *const object = parse_case(text);
     (void)state;
     for (size_t i = 0; i < 2; i++) {
         double clock;
@@ -114,7 +87,7 @@ static whirl_case *on_springs(double stiffness) {
              "    - bearing: {at: bearing_0, kxx: %.17g N/m}\n    - bearing: {at: bearing_1, kxx: %.17g N/m}\n",
              stiffness, stiffness);
     char *const text = replace(import_full("ross/compressor.toml"), "    - bearing:", "\nstudy:", springs);
-    whirl_case *const object = parse(text);
+    whirl_case *const object = parse_case(text);
     free(text);
     return object;
 }
@@ -174,7 +147,7 @@ static double *jacobian_with(size_t edits, const char *line, size_t from, size_t
     }
     fclose(file);
     require_ok(whirl_import_parse(text, strlen(text), "two-discs", &imported));
-    whirl_case *const object = parse(imported.text);
+    whirl_case *const object = parse_case(imported.text);
     whirl_rotor *rotor;
     require_ok(whirl_case_rotor(object, "speed", 400.0, &rotor));
     const whirl_system *const system = whirl_rotor_system(rotor);

@@ -12,10 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/import.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "support_import.h"
 
 static const double pi = 3.14159265358979323846, speed = 300.0;
 
@@ -179,22 +176,6 @@ static double complex eigenvalue_near(const pencil *of, double complex lambda) {
 
 // ---------------------------------------------------------------- the imported case
 
-/// `text` with every `from` replaced by `to`; at least one is there. Frees it.
-static char *replace_all(char *text, const char *from, const char *to) {
-    size_t count = 0;
-    for (const char *c = text; (c = strstr(c, from)); c += strlen(from)) count++;
-    assert_true(count > 0);
-    char *const made = calloc(strlen(text) + count * strlen(to) + 1, 1);
-    const char *rest = text;
-    for (const char *c; (c = strstr(rest, from)); rest = c + strlen(from)) {
-        strncat(made, rest, (size_t)(c - rest));
-        strcat(made, to);
-    }
-    strcat(made, rest);
-    free(text);
-    return made;
-}
-
 static char *read_rotor(const char *more) {
     FILE *const file = fopen(WHIRL_CASES "/../tests/rotors/coupled.toml", "r");
     char *const text = calloc(1, 1 << 16);
@@ -204,28 +185,19 @@ static char *read_rotor(const char *more) {
     return strcat(text, more);
 }
 
-/// All modes of the whole model, no reduced one, in rad/s.
-static size_t modes_of(const char *rotor_text, double complex found[MOST]) {
+/// All modes, in rad/s.
+static size_t all_modes(const char *rotor, double complex found[MOST]) {
     whirl_imported imported;
-    whirl_case *object;
-    whirl_rotor *rotor;
-    whirl_modes *modes;
-    require_ok(whirl_import_parse(rotor_text, strlen(rotor_text), "coupled.toml", &imported));
-    char *const text = replace_all(strdup(imported.text), "shear: cowper}", "shear: cowper, reduce: no}");
-    require_ok(whirl_case_parse(text, strlen(text), "imported", NULL, &object));
-    require_ok(whirl_case_rotor(object, "speed", speed, &rotor));
-    const whirl_system *const system = whirl_rotor_system(rotor);
-    double *const start = calloc(system->dimension, sizeof *start);
-    require_ok(whirl_modes_new(system, start, &modes));
+    double clock;
+    require_ok(whirl_import_parse(rotor, strlen(rotor), "coupled.toml", &imported));
+    char *const text = whole_case(&imported);
+    whirl_case *const object = parse_case(text);
+    whirl_modes *const modes = modes_at(object, speed, &clock);
     const size_t count = modes->count;
     assert_true(count <= MOST && modes->real_count == 0 && modes->free == 0);
-    for (size_t i = 0; i < count; i++)
-        found[i] = whirl_rotor_clock(rotor) * (modes->modes[i].real + I * modes->modes[i].imaginary);
+    for (size_t i = 0; i < count; i++) found[i] = clock * (modes->modes[i].real + I * modes->modes[i].imaginary);
     whirl_modes_free(modes);
-    whirl_rotor_free(rotor);
     whirl_case_free(object);
-    whirl_imported_free(&imported);
-    free(start);
     free(text);
     return count;
 }
@@ -234,7 +206,7 @@ static size_t modes_of(const char *rotor_text, double complex found[MOST]) {
 static void check_modes(const char *what, const char *text, const pencil *of) {
     double complex found[MOST], exact[MOST];
     double worst = 0.0;
-    const size_t count = modes_of(text, found);
+    const size_t count = all_modes(text, found);
     check_within("Import", words("%s: modes", what), (double)of->size, (double)count, 0.0);
     for (size_t i = 0; i < count; i++) {
         exact[i] = eigenvalue_near(of, found[i]);

@@ -11,10 +11,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/import.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "support_import.h"
 
 // ROSS's frequencies are those of its own element (ross/shaft_element.py of version 2.3.0, commit 631a249), run by
 // itself, its matrices put together and their eigenvalues taken by LAPACK.
@@ -52,27 +49,18 @@ static char *file_of(const machine *of) {
     return text;
 }
 
-/// The frequencies in rad/s of the first two modes of the whole model, no reduced one.
+/// The frequencies in rad/s of the first two modes.
 static void frequencies(const machine *of, double speed, double found[2]) {
     whirl_imported imported;
-    whirl_case *object;
-    whirl_rotor *rotor;
-    whirl_modes *modes;
+    double clock;
     char *const file = file_of(of);
     require_ok(whirl_import_parse(file, strlen(file), "rotor.toml", &imported));
-    char *const text = calloc(imported.length + 32, 1), *const place = strstr(imported.text, "shear: ");
-    assert_non_null(place);
-    snprintf(text, imported.length + 32, "%.*sreduce: no, %s", (int)(place - imported.text), imported.text, place);
-    require_ok(whirl_case_parse(text, strlen(text), "imported", NULL, &object));
-    require_ok(whirl_case_rotor(object, "speed", speed, &rotor));
-    double *const start = calloc(whirl_rotor_system(rotor)->dimension, sizeof *start);
-    require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
-    for (size_t i = 0; i < 2; i++) found[i] = whirl_rotor_clock(rotor) * modes->modes[i].imaginary;
+    char *const text = whole_case(&imported);
+    whirl_case *const object = parse_case(text);
+    whirl_modes *const modes = modes_at(object, speed, &clock);
+    for (size_t i = 0; i < 2; i++) found[i] = clock * modes->modes[i].imaginary;
     whirl_modes_free(modes);
-    whirl_rotor_free(rotor);
     whirl_case_free(object);
-    whirl_imported_free(&imported);
-    free(start);
     free(text);
     free(file);
 }

@@ -10,18 +10,10 @@
 
 #include <cmocka.h>
 
+#include "near.h"
 #include "whirl/whirl.h"
 
 static const double two_pi = 6.283185307179586476925;
-
-static void good(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static void refused(whirl_status status, const char *words) {
-    assert_int_equal(status.code, WHIRL_BAD_INPUT);
-    if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
-}
 
 static void near(double found, double expected, double most) {
     if (!(fabs(found - expected) <= most))
@@ -349,20 +341,11 @@ static void tori_begin_at_neimark_sacker_points(void **state) {
 
 // ---------------------------------------------------------------- a speed that varies
 
-static const double zeta = 0.04;
-
 /// x'' + 2 zeta x' + x = cos(omega t)
 static int oscillator(double t, const double *x, const double *p, double *dxdt, void *context) {
     (void)context;
     dxdt[0] = x[1];
     dxdt[1] = cos(p[0] * t) - 2.0 * zeta * x[1] - x[0];
-    return 0;
-}
-
-static int derivative(double t, const double *x, const double *p, const double *dx, double *ddxdt, void *context) {
-    (void)t, (void)x, (void)p, (void)context;
-    ddxdt[0] = dx[1];
-    ddxdt[1] = -2.0 * zeta * dx[1] - dx[0];
     return 0;
 }
 

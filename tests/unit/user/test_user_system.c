@@ -10,11 +10,12 @@
 
 #include <cmocka.h>
 
+#include "near.h"
 #include "whirl/whirl.h"
 
 enum { SPEEDS = 9 };
 
-static const double zeta = 0.04, two_pi = 6.283185307179586476925;
+static const double two_pi = 6.283185307179586476925;
 
 /// x'' + 2 zeta x' + x = F cos(omega t), parameters omega and F.
 static int oscillator(double t, const double *x, const double *p, double *dxdt, void *context) {
@@ -32,22 +33,6 @@ static int oscillators(size_t count, size_t row, const double *t, const double *
         dxdt[row + i] = p[row + i] * cos(p[i] * t[i]) - 2.0 * zeta * x[row + i] - x[i];
     }
     return 0;
-}
-
-static int derivative(double t, const double *x, const double *p, const double *dx, double *ddxdt, void *context) {
-    (void)t, (void)x, (void)p, (void)context;
-    ddxdt[0] = dx[1];
-    ddxdt[1] = -2.0 * zeta * dx[1] - dx[0];
-    return 0;
-}
-
-static void good(whirl_status status) {
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-}
-
-static void refused(whirl_status status, const char *words) {
-    assert_int_equal(status.code, WHIRL_BAD_INPUT);
-    if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
 }
 
 /// A sweep of the speed: tight tolerances, so that closed forms are met to many digits.
