@@ -54,7 +54,8 @@ static void write_doubts(const page *to, size_t index, const whirl_table *table)
         fputs("<p>", to->stream);
         html_printf(to->stream, "Undetermined at %zu point%s", doubts[i].points, doubts[i].points == 1 ? "" : "s");
         if (table->parameter[0])
-            html_printf(to->stream, ", first at %.6g %s", table->values[doubts[i].first] / unit.size, unit.name);
+            html_printf(to->stream, ", first at %.6g%s%s", table->values[doubts[i].first] / unit.size,
+                        *unit.name ? " " : "", unit.name);
         whirl_verdict_reason(verdict, text, sizeof text);
         html_printf(to->stream, ": %s.", text);
         whirl_verdict_advice(verdict, text, sizeof text);
