@@ -153,6 +153,7 @@ typedef struct whirl_record {
     size_t dimension, probe_count, contact_count; ///< of the system
     const whirl_probe *probes;                    ///< of the system; borrowed
     const double *turns;                          ///< of the system; borrowed. Sections hold 0 for what turns
+    const double *angles;                         ///< of the system; borrowed
     size_t repeats;                               ///< of the system
     double period;                                ///< of the system
     whirl_motion motion;                          ///< whether it stayed within its bounds
@@ -161,6 +162,7 @@ typedef struct whirl_record {
 
     size_t section_count; ///< revolutions watched
     double *section;      ///< [section_count][dimension] states at the ends of the watched revolutions, oldest first
+    double *points;       ///< room for them with angles on circles; NULL where there are none
     size_t record_count;  ///< of these the last ones, which are the record
 
     size_t growth_count; ///< 0 when no disturbance was followed
@@ -387,15 +389,16 @@ typedef struct whirl_verdict {
 /// Judges the motion. See docs/theory.md, "Verdicts".
 whirl_verdict whirl_judge(const whirl_record *record);
 
-/// Looks for what draws motions in among the states that a chaotic motion goes through: stable equilibria near its
-/// section, and stable orbits that motions from 32 starts in the box of its record come near to within 200 revolutions.
+/// Looks for what draws motions in where a chaotic motion goes: stable equilibria near its section, and stable orbits
+/// that motions from 32 starts, near states of its section by a tenth of the size of its box, come to within 200
+/// revolutions.
 /// *refuge as whirl_verdict has it. WHIRL_BAD_INPUT where the system gives no Jacobian; WHIRL_NO_MEMORY.
 whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record *record, int *refuge);
 
 /// Compares with the verdict on the same motion at another tolerance (whirl_integrate_tighter), which settles the
-/// confidence: high needs the same regime (and period) from both, and of chaos that no refuge was found from there;
-/// where they differ it is low.
+/// confidence: high needs the same regime (and period) from both, and of chaos that a refuge was looked for from there
+/// and none was found; where they differ it is low.
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
 /// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.

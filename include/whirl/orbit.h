@@ -129,6 +129,8 @@ typedef struct whirl_collect_options {
     whirl_orbit_options orbit; ///< how each is found
     size_t starts;             ///< motions that are followed
     const double *low, *high;  ///< [dimension] of the box that the starts fill evenly; borrowed
+    size_t around_count;       ///< states that take turns as the origin of the box; 0: it stands where it is
+    const double *around;      ///< [around_count][dimension]; borrowed
     size_t settle;             ///< revolutions before an orbit is looked for, for the first time
     size_t most_revolutions;   ///< after which a motion is given up
     size_t longest;            ///< most revolutions of an orbit, 1 to WHIRL_MAX_ORBIT

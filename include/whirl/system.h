@@ -118,6 +118,12 @@ typedef struct whirl_system {
     const void *model; ///< handed to every function; borrowed
 
     const whirl_lanes *lanes; ///< NULL for systems that are not rotors; borrowed
+
+    /// Optional: [dimension] the period of coordinates that are angles which the state drives (that of a pendulum), 0
+    /// of all others; borrowed. Slopes have that period in them. They are brought to within half a period of 0 at the
+    /// end of every revolution, and states that differ by whole periods are the same: a pendulum that goes round and
+    /// round moves periodically. Of a coordinate that `turns` it is 0.
+    const double *angles;
 } whirl_system;
 
 /// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.

@@ -55,6 +55,12 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
 /// Starts coordinate `index` from a value.
 whirl_status whirl_user_system_start(whirl_user_system *system, size_t index, double value);
 
+/// Says that a coordinate is an angle, of a pendulum say, whose turn is `period`: the slopes have that period in it,
+/// and it counts modulo a turn. It is brought to within half a turn of 0 at the end of every revolution, and a motion
+/// that goes round and round and comes back in all else is periodic. An angle that turns at a constant rate is time.
+/// WHIRL_BAD_INPUT for no such coordinate, and for a period that is not above 0.
+whirl_status whirl_user_system_angle(whirl_user_system *system, size_t index, double period);
+
 /// A pair of coordinates that is looked at together, by their indices: sections, orbits and spectra are of these. For a
 /// single coordinate y = x; a phase plane has its velocity as y. `vx` and `vy` index their velocities, or themselves.
 /// Without any station there is one of the first two coordinates.

@@ -108,8 +108,11 @@ void approach_archive(approach *a, archive *to) {
 
 static double distance(const approach *a, const double *x, const double *y) {
     double sum = 0.0;
-    for (size_t i = 0; i < a->system->dimension; i++)
-        if (!turns_on(a->system->turns, i)) sum += (x[i] - (y ? y[i] : 0.0)) * (x[i] - (y ? y[i] : 0.0));
+    for (size_t i = 0; i < a->system->dimension; i++) {
+        if (turns_on(a->system->turns, i)) continue;
+        const double away = y ? short_way(a->system->angles, i, x[i] - y[i]) : x[i];
+        sum += away * away;
+    }
     return sqrt(sum);
 }
 

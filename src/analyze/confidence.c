@@ -238,8 +238,9 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     if (verdict->regime == WHIRL_UNDETERMINED) return;
     if (other->regime == verdict->regime && other->period == verdict->period) {
         verdict->confidence = joint_confidence(verdict, other);
-        if (verdict->confidence == WHIRL_HIGH && verdict->refuge != 0) {
-            verdict->confidence = WHIRL_FAIR;
+        const bool lasts = verdict->regime != WHIRL_CHAOTIC || (verdict->sought && verdict->refuge == 0);
+        if (verdict->refuge != 0 || (verdict->confidence == WHIRL_HIGH && !lasts)) {
+            verdict->confidence = verdict->refuge != 0 ? WHIRL_LOW : WHIRL_FAIR;
             verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};
             return;
         }

@@ -3,10 +3,11 @@
 #include <math.h>
 
 #include "lyapunov.h"
+#include "record_block.h"
 #include "turns.h"
 
 evidence evidence_gather(const whirl_record *record) {
-    evidence e = {.points = {record->section_count, record->dimension, record->section},
+    evidence e = {.points = record_points(record),
                   .size = motion_size(record),
                   .rounding = motion_rounding(record),
                   .exponent = whirl_lyapunov_largest(record),

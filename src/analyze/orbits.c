@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "section.h"
+#include "record_block.h"
 
 /// What a revolution with a disturbance costs more than one without.
 static const double disturbed = 0.5;
@@ -22,7 +22,7 @@ bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k,
 }
 
 size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options) {
-    const section points = {record->section_count, record->dimension, record->section};
+    const section points = record_points(record);
     const recurrence returns =
         recurrence_find(&points, record->record_count, motion_size(record), recurrence_tolerance);
     const size_t k = (size_t)returns.period, repeats = record->turns ? record->repeats : 1;

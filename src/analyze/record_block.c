@@ -19,14 +19,16 @@ int record_skip(const whirl_record_options *options, int revolution, size_t peri
 
 /// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
 typedef struct sizes {
-    size_t section, growth, growths, waveform, multipliers, dimension, probes, contacts;
+    size_t section, points, growth, growths, waveform, multipliers, dimension, probes, contacts;
 } sizes;
 
 static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
                      const whirl_record_options *options) {
     const size_t watch = (size_t)whirl_record_watch(options);
     const size_t samples = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
+    const size_t angles = turns_count(system->angles, system->dimension);
     return (sizes){.section = watch * system->dimension,
+                   .points = angles > 0 ? watch * (system->dimension + angles) : 0,
                    .growth = options->growth != WHIRL_GROWTH_NONE ? watch : 0,
                    .growths = options->growth == WHIRL_GROWTH_ALL ? watch : 0,
                    .waveform = options->waveform ? 2 * system->probe_count * (size_t)options->record * samples : 0,
@@ -44,6 +46,7 @@ static double *cut(double **block, size_t count) {
 
 static void lay_out(whirl_record *record, double *block, const sizes *size) {
     record->section = cut(&block, size->section);
+    if (size->points > 0) record->points = cut(&block, size->points);
     record->growth = cut(&block, size->growth);
     if (size->growths > 0) {
         record->growths = cut(&block, size->growths * size->dimension);
@@ -70,8 +73,8 @@ static size_t observed(size_t dimension, size_t probes, size_t contacts) {
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options) {
     const sizes size = measure(system, integrate, options);
-    const size_t numbers = size.section + size.growth + size.growths * (size.dimension + 1) + size.waveform +
-                           size.multipliers + observed(size.dimension, size.probes, size.contacts);
+    const size_t numbers = size.section + size.points + size.growth + size.growths * (size.dimension + 1) +
+                           size.waveform + size.multipliers + observed(size.dimension, size.probes, size.contacts);
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
     lay_out(record, (double *)(record + 1), &size);
@@ -80,6 +83,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     record->contact_count = system->contact_count;
     record->probes = system->probes;
     record->turns = system->turns;
+    record->angles = system->angles;
     record->repeats = system->repeats;
     record->period = system->period;
     record->steps = (whirl_step_quality){(double)NAN, (double)NAN, 1.0};
@@ -154,6 +158,21 @@ void record_repeat_orbit(whirl_record *record, const whirl_record_options *optio
 
 void whirl_record_free(whirl_record *record) {
     free(record);
+}
+
+section record_points(const whirl_record *record) {
+    const double two_pi = 6.283185307179586476925;
+    const size_t d = record->dimension, wide = d + turns_count(record->angles, d);
+    const double *x = record->section;
+    double *to = record->points;
+    if (!to) return (section){record->section_count, d, x};
+    for (size_t n = 0; n < record->section_count; n++)
+        for (size_t i = 0; i < d; i++, x++) {
+            const double radius = turns_on(record->angles, i) ? record->angles[i] / two_pi : 0.0;
+            *to++ = radius > 0.0 ? radius * cos(*x / radius) : *x;
+            if (radius > 0.0) *to++ = radius * sin(*x / radius);
+        }
+    return (section){record->section_count, wide, record->points};
 }
 
 void record_close_turns(whirl_record *record) {

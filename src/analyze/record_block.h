@@ -3,6 +3,7 @@
 #define ANALYZE_RECORD_BLOCK_H
 
 #include "archive.h"
+#include "section.h"
 #include "whirl/analyze.h"
 
 /// Where a motion that has settled on P-`period` after `revolution` revolutions goes on: it leaves out what is left of
@@ -20,6 +21,11 @@ void record_begin_orbit(whirl_record *record, const whirl_record_options *option
 /// Fills the rest of them, before means are scaled, with these revolutions again and again, and growths by the
 /// largest multiplier of record->orbit.
 void record_repeat_orbit(whirl_record *record, const whirl_record_options *options);
+
+/// What the section holds so far: where coordinates are angles, with the points of circles in their places, whose arcs
+/// are as long as the angles' differences. States that differ by whole turns are the same there. Valid until the next
+/// call.
+section record_points(const whirl_record *record);
 
 /// Coordinates that turn on and on have no size and no place in the section, once the record is complete.
 void record_close_turns(whirl_record *record);

@@ -164,13 +164,13 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
     m->disturbances = m->x + 2 * r->dimension;
-    m->twin = twin_of(r->integrate, r->dimension, task->system->turns, m->x + r->dimension);
+    m->twin = twin_of(r->integrate, task->system, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
     if (m->record && r->beside > 0) record_place_disturbances(m->record, r->beside, m->disturbances);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     m->first_recorded = r->options->transient;
     if (m->record && follows(r, m)) twin_begin(&m->twin, m->x);
-    if (r->options->settle) m->settling = settling_new(r->dimension, task->system->turns);
+    if (r->options->settle) m->settling = settling_new(task->system);
     // Of all exponents the smallest are lost in the rounding of a matrix: they are followed to the end.
     const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
     if (approaches) m->approach = approach_new(task->system, r->integrate, r->options);

@@ -7,9 +7,11 @@
 
 #include "whirl/analyze.h"
 
-/// Whether x [dimension] is in the box of the record, or by a tenth of it outside.
+/// How far from the motion something counts as near, over the size of its box.
+static const double margin = 0.1;
+
+/// Whether x [dimension] is in the box of the record, or near it.
 static bool is_within(const whirl_record *record, const double *x) {
-    const double margin = 0.1;
     for (size_t i = 0; i < record->dimension; i++) {
         const double reach = margin * (record->high[i] - record->low[i]);
         if (!(x[i] >= record->low[i] - reach && x[i] <= record->high[i] + reach)) return false;
@@ -49,11 +51,16 @@ static whirl_status seek_rest(const whirl_system *system, const whirl_record *re
     return status;
 }
 
+/// Starts for orbits: near states of the section, the last of many.
+enum { STARTS = 32 };
+
 /// Orbits are followed by the motion's own method, or as well as tells a stable one.
-static whirl_collect_options how_to_seek(const whirl_integrate_options *integrate, const whirl_record *record) {
+static whirl_collect_options how_to_seek(const whirl_integrate_options *integrate, const double *low,
+                                         const double *high, const double *around) {
     const whirl_method *method;
-    whirl_collect_options options = whirl_collect_default(record->low, record->high);
-    options.starts = 32;
+    whirl_collect_options options = whirl_collect_default(low, high);
+    options.starts = options.around_count = STARTS;
+    options.around = around;
     options.settle = 40;
     options.most_revolutions = 200;
     options.longest = 16;
@@ -67,6 +74,29 @@ static whirl_collect_options how_to_seek(const whirl_integrate_options *integrat
     return options;
 }
 
+/// Looks for a stable orbit that motions lead to from near states of the section.
+static whirl_status seek_orbits(const whirl_system *system, const whirl_integrate_options *integrate,
+                                const whirl_record *record, int *refuge) {
+    const size_t d = record->dimension, apart = record->section_count / STARTS;
+    double *low = malloc(2 * d * sizeof *low), *around = malloc(STARTS * d * sizeof *around);
+    whirl_status status = low && around ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits");
+    whirl_collection *found = NULL;
+    for (size_t i = 0; i < d && status.code == WHIRL_OK; i++) {
+        low[d + i] = margin * (record->high[i] - record->low[i]);
+        low[i] = -low[d + i];
+    }
+    for (size_t k = 0; k < STARTS && status.code == WHIRL_OK; k++)
+        memcpy(around + k * d, record->section + (record->section_count - 1 - k * apart) * d, d * sizeof *around);
+    const whirl_collect_options options = how_to_seek(integrate, low, low + d, around);
+    if (status.code == WHIRL_OK) status = whirl_orbit_collect(system, &options, &found);
+    for (size_t i = 0; status.code == WHIRL_OK && i < found->count; i++)
+        if (*refuge == 0 || (int)found->orbits[i]->revolutions < *refuge) *refuge = (int)found->orbits[i]->revolutions;
+    whirl_collection_free(found);
+    free(around);
+    free(low);
+    return status;
+}
+
 whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record *record, int *refuge) {
     *refuge = 0;
@@ -74,14 +104,6 @@ whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integra
         return whirl_fail(WHIRL_BAD_INPUT,
                           "a refuge of chaos is looked for by the Jacobian of a bounded motion without "
                           "turning phases");
-    whirl_status status = seek_rest(system, record, refuge);
-    if (status.code != WHIRL_OK || *refuge != 0) return status;
-    const whirl_collect_options options = how_to_seek(integrate, record);
-    whirl_collection *found;
-    status = whirl_orbit_collect(system, &options, &found);
-    if (status.code != WHIRL_OK) return status;
-    for (size_t i = 0; i < found->count; i++)
-        if (*refuge == 0 || (int)found->orbits[i]->revolutions < *refuge) *refuge = (int)found->orbits[i]->revolutions;
-    whirl_collection_free(found);
-    return status;
+    const whirl_status status = seek_rest(system, record, refuge);
+    return status.code != WHIRL_OK || *refuge != 0 ? status : seek_orbits(system, integrate, record, refuge);
 }

@@ -265,7 +265,7 @@ static void store_verdict(const whirl_layout *layout, double *block, const whirl
 whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
                                      const whirl_integrate_options *integrate, const whirl_record *record) {
     whirl_verdict verdict = whirl_block_verdict(layout, block);
-    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement != WHIRL_HIGH) return whirl_ok();
+    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement < WHIRL_FAIR) return whirl_ok();
     const whirl_status status = whirl_record_refuge(system, integrate, record, &verdict.refuge);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     verdict.sought = true;

@@ -12,17 +12,18 @@ enum { KEPT = WHIRL_MAX_PERIOD + 1, CALM = 32 };
 static const double tolerance = 1e-11;
 
 struct settling {
-    size_t dimension, count; ///< states taken
-    const double *turns;     ///< as whirl_system has them; what turns has no part in returns
-    size_t returns[KEPT];    ///< [k] revolutions in a row that returned after k
-    double states[];         ///< [KEPT][dimension], in turn
+    size_t dimension, count;      ///< states taken
+    const double *turns, *angles; ///< as whirl_system has them; what turns has no part in returns
+    size_t returns[KEPT];         ///< [k] revolutions in a row that returned after k
+    double states[];              ///< [KEPT][dimension], in turn
 };
 
-settling *settling_new(size_t dimension, const double *turns) {
-    settling *s = calloc(1, sizeof *s + KEPT * dimension * sizeof(double));
+settling *settling_new(const whirl_system *system) {
+    settling *s = calloc(1, sizeof *s + KEPT * system->dimension * sizeof(double));
     if (!s) return NULL;
-    s->dimension = dimension;
-    s->turns = turns;
+    s->dimension = system->dimension;
+    s->turns = system->turns;
+    s->angles = system->angles;
     return s;
 }
 
@@ -42,8 +43,10 @@ const double *settling_state(const settling *s, size_t back) {
 
 static bool close_to(const settling *s, const double *a, const double *b, double square) {
     double sum = 0.0;
-    for (size_t i = 0; i < s->dimension && sum <= square; i++)
-        if (!turns_on(s->turns, i)) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    for (size_t i = 0; i < s->dimension && sum <= square; i++) {
+        const double away = turns_on(s->turns, i) ? 0.0 : short_way(s->angles, i, a[i] - b[i]);
+        sum += away * away;
+    }
     return sum <= square;
 }
 

@@ -6,13 +6,14 @@
 #include <stddef.h>
 
 #include "archive.h"
+#include "whirl/system.h"
 
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;
 
-/// `turns` as whirl_system has them, borrowed: what turns has no part in returns. NULL without memory. Freed by
+/// Of motions of the system, which is borrowed: what turns has no part in returns. NULL without memory. Freed by
 /// settling_free.
-settling *settling_new(size_t dimension, const double *turns);
+settling *settling_new(const whirl_system *system);
 void settling_free(settling *settling);
 
 /// Goes over its state.

@@ -48,7 +48,7 @@ void shot_monodromy(const shot *s, double *matrix, double *room) {
 
 static void difference(const shot *s, const double *a, const double *b, double *out) {
     for (size_t i = 0; i < s->dimension; i++)
-        if (!turns_on(s->system->turns, i)) *out++ = a[i] - b[i];
+        if (!turns_on(s->system->turns, i)) *out++ = short_way(s->system->angles, i, a[i] - b[i]);
 }
 
 void shot_difference(const shot *s, const double *x, double *out) {
@@ -57,8 +57,11 @@ void shot_difference(const shot *s, const double *x, double *out) {
 
 double shot_distance(const shot *s, const double *x) {
     double sum = 0.0;
-    for (size_t i = 0; i < s->dimension; i++)
-        if (!turns_on(s->system->turns, i)) sum += (x[i] - s->nodes[i]) * (x[i] - s->nodes[i]);
+    for (size_t i = 0; i < s->dimension; i++) {
+        if (turns_on(s->system->turns, i)) continue;
+        const double away = short_way(s->system->angles, i, x[i] - s->nodes[i]);
+        sum += away * away;
+    }
     return sqrt(sum);
 }
 
@@ -210,7 +213,8 @@ static void shorten(shot *s, double tolerance) {
     for (size_t j = repeats; 2 * j <= s->revolutions; j += repeats) {
         double away = 0.0;
         for (size_t i = 0; i < d; i++)
-            if (!turns_on(s->system->turns, i)) away = fmax(away, fabs(s->nodes[j * d + i] - s->nodes[i]));
+            if (!turns_on(s->system->turns, i))
+                away = fmax(away, fabs(short_way(s->system->angles, i, s->nodes[j * d + i] - s->nodes[i])));
         if (s->revolutions % j != 0 || away > same) continue;
         s->volume *= (double)j / (double)s->revolutions;
         s->revolutions = j;

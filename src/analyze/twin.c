@@ -26,12 +26,13 @@ static void twin_place(trajectory_twin *twin, const double *x) {
         twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);
 }
 
-trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, const double *turns, double *x) {
+trajectory_twin twin_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x) {
     const whirl_method *method;
     const bool known = whirl_method_find(integrate->method, &method).code == WHIRL_OK;
     const bool apart = known && method->adaptive && !method->follows;
-    return (trajectory_twin){.dimension = dimension,
-                             .turns = turns,
+    return (trajectory_twin){.dimension = system->dimension,
+                             .turns = system->turns,
+                             .angles = system->angles,
                              .share = apart ? fmin(fmax(share_in_tolerances * integrate->rtol, least_share), most_share)
                                             : least_share,
                              .least = apart ? share_in_tolerances * integrate->atol : 0.0,
@@ -50,7 +51,7 @@ void twin_begin(trajectory_twin *twin, const double *x) {
 double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
     double distance = 0.0;
     for (size_t i = 0; i < twin->dimension; i++) {
-        const double d = turns_on(twin->turns, i) ? 0.0 : twin->x[i] - x[i];
+        const double d = turns_on(twin->turns, i) ? 0.0 : short_way(twin->angles, i, twin->x[i] - x[i]);
         distance += d * d;
     }
     distance = sqrt(distance);
@@ -63,6 +64,6 @@ double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
     }
     const double factor = twin->distance / distance;
     for (size_t i = 0; i < twin->dimension; i++)
-        twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + factor * (twin->x[i] - x[i]);
+        twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + factor * short_way(twin->angles, i, twin->x[i] - x[i]);
     return log(distance / before);
 }

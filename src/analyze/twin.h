@@ -10,7 +10,7 @@
 /// A second trajectory close to the first, drawn back to its distance after every revolution (Benettin et al. 1980).
 typedef struct trajectory_twin {
     size_t dimension;
-    const double *turns; ///< as whirl_system has them: such coordinates are not disturbed
+    const double *turns, *angles; ///< as whirl_system has them: what turns is not disturbed
     double share;        ///< of the state's size (twin_share)
     double least;        ///< distance, in the state's units
     double distance;
@@ -21,7 +21,7 @@ typedef struct trajectory_twin {
 /// function of the state: twin and motion err alike. CVODE's orders and steps have a history, each motion errs on its
 /// own, and the twin stands 10^4 tolerances off, so that what they err by is a small part of the distance. (All others
 /// would lose by it: a distance d adds errors of the order of d.)
-trajectory_twin twin_of(const whirl_integrate_options *integrate, size_t dimension, const double *turns, double *x);
+trajectory_twin twin_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x);
 
 /// Places the twin beside the state x.
 void twin_begin(trajectory_twin *twin, const double *x);

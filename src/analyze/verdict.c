@@ -44,15 +44,18 @@ static whirl_estimate returning_exponent(const evidence *e) {
     return estimate_regular_mean(e->growth + before, e->returns.window, period);
 }
 
-/// Whether disturbances die out alike in both halves.
+/// Whether disturbances die out alike in both halves, and by so much in all that those of a drift that slows down would
+/// not: where the distance to a lock that is almost there shrinks as x' = -a x^2, their rate r = 2 a x falls by
+/// 1/(1 + r t/2).
 static bool dies_out_evenly(const evidence *e, size_t period) {
-    const double share = 0.2;
+    const double share = 0.2, folds = 2.0;
     const size_t half = e->growth_count / 2;
     if (half < 2 * period) return false;
     const whirl_estimate early = estimate_regular_mean(e->growth, half, period),
                          late = estimate_regular_mean(e->growth + e->growth_count - half, half, period);
     // No share of their errors, which are large where a rate changes.
-    return is_negative(early) && is_negative(late) && fabs(early.value - late.value) <= share * fabs(late.value);
+    return is_negative(early) && is_negative(late) && fabs(early.value - late.value) <= share * fabs(late.value) &&
+           -late.value * (double)e->growth_count >= folds;
 }
 
 /// P-k: the motion returns, disturbances die out, and the k points stand clearly further apart than they still have to
@@ -61,16 +64,18 @@ static bool dies_out_evenly(const evidence *e, size_t period) {
 ///
 /// A motion that does not return as well yet is P-k, too, where a map that shortens all distances by so much cannot
 /// lead it further than this part of its size (Banach's fixed point), over which the map is the same: it shortens them
-/// alike in both halves of what was watched.
+/// alike in both halves of what was watched. That is asked, too, of one that returns and has far to go: past a lock
+/// that is almost there, drifts slow down as if they settled, and distances shorten less and less.
 static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     const double nearest = 1e-4;
     if (e->growth_count == 0) return e->returns.distance <= blind_tolerance;
     if (!(e->returns.distance <= nearest) || !is_negative(exponent)) return false;
     const double slowest = exponent.value + sigmas * exponent.error;
     const double left_to_go = e->returns.distance / -expm1(slowest * e->returns.period);
-    if (e->returns.distance <= recurrence_tolerance) return e->returns.separation > 10.0 * left_to_go;
-    return left_to_go <= nearest && e->returns.separation > 100.0 * left_to_go &&
-           dies_out_evenly(e, (size_t)e->returns.period);
+    const bool evenly = dies_out_evenly(e, (size_t)e->returns.period);
+    if (e->returns.distance <= recurrence_tolerance)
+        return e->returns.separation > 10.0 * left_to_go && (left_to_go <= nearest || evenly);
+    return left_to_go <= nearest && e->returns.separation > 100.0 * left_to_go && evenly;
 }
 
 /// Whether disturbances still grow, or at least do not clearly die out, in the last revolutions: a motion that was

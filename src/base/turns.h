@@ -1,4 +1,4 @@
-/// Parts of a state that are angles: whirl_system.turns says what one turn of each is, 0 of what is no angle.
+/// Parts of a state that are angles: whirl_system.turns and .angles say what one turn of each is, 0 of what is none.
 #ifndef BASE_TURNS_H
 #define BASE_TURNS_H
 
@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Whether part i of a state is an angle; `turns` may be NULL, where none is.
+/// Whether part i of a state is such an angle; `turns` may be NULL, where none is.
 static inline bool turns_on(const double *turns, size_t i) {
     return turns && turns[i] > 0.0;
 }
@@ -21,6 +21,11 @@ static inline size_t turns_count(const double *turns, size_t n) {
 /// An angle brought back into its first turn.
 static inline double in_first_turn(double angle, double turn) {
     return angle - turn * floor(angle / turn);
+}
+
+/// A difference of two values of part i: of an angle (whirl_system.angles, which may be NULL) the short way round.
+static inline double short_way(const double *angles, size_t i, double difference) {
+    return turns_on(angles, i) ? remainder(difference, angles[i]) : difference;
 }
 
 #endif

@@ -583,15 +583,16 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     if (lanes.tangents > 0) end_disturbances(e, count);
 }
 
-/// Brings angles back into their first turn.
+/// Brings angles back into their first turn, those that the state drives to within half a turn of 0.
 static void wrap(whirl_ensemble *e, size_t count) {
-    const double *turns = e->system->turns;
+    const double *turns = e->system->turns, *angles = e->system->angles;
     const size_t degrees = e->lanes.degrees;
-    for (size_t i = degrees; i < e->system->dimension; i++)
-        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++) {
-            double *at = &e->lanes.v[(i - degrees) * e->lane_count + lane];
-            *at = in_first_turn(*at, turns[i]);
-        }
+    for (size_t i = 0; i < e->system->dimension; i++) {
+        double *row = i < degrees ? e->lanes.q + i * e->lane_count : e->lanes.v + (i - degrees) * e->lane_count;
+        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++)
+            row[lane] = in_first_turn(row[lane], turns[i]);
+        for (size_t lane = 0; turns_on(angles, i) && lane < count; lane++) row[lane] = remainder(row[lane], angles[i]);
+    }
 }
 
 /// Whether disturbances that go along stay orthonormal, and their growth is wanted.

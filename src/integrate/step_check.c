@@ -54,7 +54,8 @@ static void compare_ends(const whirl_system *system, const double *x, const doub
     for (size_t i = 0; i < system->dimension; i++) {
         if (turns_on(system->turns, i)) continue;
         reach = fmax(reach, fabs(x[i]));
-        if (end) square += (x[i] - end[i]) * (x[i] - end[i]);
+        const double away = end ? short_way(system->angles, i, x[i] - end[i]) : 0.0;
+        square += away * away;
     }
     check->reach = motion == WHIRL_DIVERGED ? INFINITY : reach;
     if (end) check->error = motion == WHIRL_DIVERGED ? INFINITY : sqrt(square);

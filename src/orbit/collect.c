@@ -51,6 +51,8 @@ static void place_start(const collector *c, double g, size_t index, double *x) {
         share /= g;
         const double u = modf(0.5 + share * (double)(index + 1), &whole);
         x[i] = c->options->low[i] + u * (c->options->high[i] - c->options->low[i]);
+        if (c->options->around_count > 0)
+            x[i] += c->options->around[index % c->options->around_count * c->system->dimension + i];
     }
 }
 

@@ -8,7 +8,7 @@ double states_distance(const whirl_system *system, const double *a, const double
     double away = 0.0, size = 0.0;
     for (size_t i = 0; i < system->dimension; i++) {
         if (turns_on(system->turns, i)) continue;
-        away = fmax(away, fabs(a[i] - b[i]));
+        away = fmax(away, fabs(short_way(system->angles, i, a[i] - b[i])));
         size = fmax(size, fabs(a[i]));
     }
     return size > 0.0 ? away / size : away;

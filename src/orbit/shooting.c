@@ -359,7 +359,10 @@ void shooting_gap(const shooting *s, const double *nodes, double *gap) {
     const size_t d = s->dimension, n = s->kept_count;
     for (size_t j = 0; j < s->count; j++) {
         const double *next = nodes + (j + 1) % s->count * d;
-        for (size_t i = 0; i < n; i++) gap[j * n + i] = s->ends[j * d + s->kept[i]] - next[s->kept[i]];
+        for (size_t i = 0; i < n; i++) {
+            const double away = s->ends[j * d + s->kept[i]] - next[s->kept[i]];
+            gap[j * n + i] = short_way(s->system->angles, s->kept[i], away);
+        }
     }
 }
 

@@ -42,6 +42,10 @@ static void put_form(const whirl_user_system *system, FILE *out) {
     char number[NUMBER_SIZE];
     fprintf(out, "%zu coordinates, %zu of them displacements", system->dimension, system->displacements);
     fprintf(out, "%s%s", system->kinked ? ", with kinks" : "", system->tangent ? ", with a derivative" : "");
+    for (size_t i = 0; system->angles && i < system->dimension; i++) {
+        number_text(system->angles[i], number);
+        if (system->angles[i] > 0.0) fprintf(out, "; number %zu an angle of turns of %s", i, number);
+    }
     number_text(system->period, number);
     if (system->speed < system->parameter_count)
         fprintf(out, "; a revolution of 2 pi/%s", system->parameters[system->speed].name);

@@ -437,6 +437,7 @@ static whirl_status make(member *own, const double *parameters) {
                                  .forcing = time_alone,
                                  .rhs = rhs,
                                  .kinked = from->kinked,
+                                 .angles = from->angles,
                                  .tangent = tangent,
                                  .probe_count = from->station_count,
                                  .probes = from->stations,

@@ -40,6 +40,7 @@ void whirl_user_system_free(whirl_user_system *system) {
     free(system->branches.at);
     free(system->identity);
     free(system->start);
+    free(system->angles);
     free(system->parameters);
     free(system->stations);
     free(system->failure);
@@ -115,6 +116,17 @@ whirl_status whirl_user_system_start(whirl_user_system *system, size_t index, do
     if (!isfinite(value))
         return whirl_fail(WHIRL_BAD_INPUT, "coordinate %zu starts from %g, expected a finite number", index, value);
     system->start[index] = value;
+    return whirl_ok();
+}
+
+whirl_status whirl_user_system_angle(whirl_user_system *system, size_t index, double period) {
+    const whirl_status status = check_index(system, index);
+    if (status.code != WHIRL_OK) return status;
+    if (!(period > 0.0) || !isfinite(period))
+        return whirl_fail(WHIRL_BAD_INPUT, "a turn of coordinate %zu is %g, expected a number above 0", index, period);
+    if (!system->angles) system->angles = calloc(system->dimension, sizeof *system->angles);
+    if (!system->angles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for angles");
+    system->angles[index] = period;
     return whirl_ok();
 }
 

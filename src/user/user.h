@@ -49,7 +49,8 @@ struct whirl_user_system {
     char title[256];
     char *identity; ///< of its functions; NULL: not known
     size_t dimension, displacements;
-    double *start; ///< [dimension]
+    double *start;  ///< [dimension]
+    double *angles; ///< [dimension] periods of angles, 0 of what is none; NULL: there are none
     size_t parameter_count, station_count, axis_count;
     whirl_parameter *parameters; ///< [parameter_count]
     whirl_probe *stations;       ///< [station_count]

@@ -31,12 +31,14 @@ typedef struct known_family {
 /// The verdict, confirmed with twice the steps: 100 revolutions recorded, 650 watched, by RK4.
 whirl_verdict judge_known(const known_motion *motion, int steps);
 
-/// Judges the family, as sweeps do: 100 revolutions recorded, 650 watched. Fails when a verdict is wrong, or a motion
-/// that is no trap stays undetermined. Without WHIRL_SOAK in the environment every `stride`-th motion only;
-/// with it, undetermined motions are judged again as the advice says, which must not lead to a wrong verdict either.
+/// Judges the family, as sweeps do: 100 revolutions recorded, 650 watched. Fails when a verdict is wrong with high
+/// confidence, or a motion that is no trap stays undetermined or is another by low confidence. Without WHIRL_SOAK in
+/// the environment every `stride`-th motion only; with it, undetermined motions are judged again as the advice says,
+/// which must not lead to a wrong verdict either.
 void check_family(const known_family *family, size_t stride);
 
-/// Prints how many motions of all families were judged right; fails for less than `least` (for all of them: in a soak).
+/// Prints how many motions of all families were judged right; fails for more than 0.5 % that are wrong with fair
+/// confidence, and for less than `least` right ones (of all of them: in a soak).
 void check_known_total(const char *what, int least);
 
 #endif

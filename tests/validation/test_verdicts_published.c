@@ -124,17 +124,20 @@ static void pendulum_rhs(const void *model, double t, const double *forcing, con
     dxdt[1] = m[1] * cos(m[2] * t) - m[0] * x[1] - sin(x[0]);
 }
 
-/// Baker and Gollub, "Chaotic dynamics" (1990): f = .9 swings, 1.07 swings with twice the period, 1.15 tumbles (D1).
+/// Baker and Gollub, "Chaotic dynamics" (1990): f = .9 swings, 1.07 swings with twice the period, 1.15 tumbles
+/// (D1); 1.35 goes round once a period, 1.45 with twice, 1.47 with four times the period; 1.5 tumbles.
 static bool make_pendulum(size_t index, known_motion *m) {
     static const struct {
         double force;
         const char *regime;
-    } rows[] = {{0.5, "P-1"}, {0.9, "P-1"}, {1.07, "P-2"}, {1.15, "chaotic"}};
+    } rows[] = {{0.5, "P-1"},  {0.9, "P-1"},  {1.07, "P-2"}, {1.15, "chaotic"},
+                {1.35, "P-1"}, {1.45, "P-2"}, {1.47, "P-4"}, {1.5, "chaotic"}};
+    static const double turns[] = {6.283185307179586476925, 0.0};
     if (index >= COUNT_OF(rows)) return false;
     m->p[0] = 0.5;
     m->p[1] = rows[index].force;
     m->p[2] = 2.0 / 3.0;
-    m->system = (whirl_system){.dimension = 2, .period = two_pi / m->p[2], .rhs = pendulum_rhs};
+    m->system = (whirl_system){.dimension = 2, .period = two_pi / m->p[2], .rhs = pendulum_rhs, .angles = turns};
     m->start[0] = 0.2;
     snprintf(m->label, sizeof m->label, "f = %g", m->p[1]);
     expect(m, rows[index].regime);

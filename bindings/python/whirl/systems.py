@@ -243,6 +243,10 @@ class System:
     stations : mapping of str to pairs, optional
         Pairs of coordinates that are looked at together: ``{"disc": (0, 1)}``. The first two without it. Of one
         displacement alone there is no second one: it is looked at twice, so that radii are sqrt(2) times as large.
+    angles : mapping of int to float, optional
+        Coordinates that are angles, with what a turn of each is: ``{0: 2 * numpy.pi}``. They count modulo a turn, in
+        which slopes have to have that period, and stand within half a turn of 0 in sections: a pendulum that goes round
+        and round is then known to move periodically.
     tangent : optional
         The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
@@ -269,6 +273,7 @@ class System:
         lanes: bool = False,
         displacements: int = 0,
         stations: Mapping[str, Sequence[int]] | None = None,
+        angles: Mapping[int, float] | None = None,
         tangent: Callable | CFunction | int | Any = None,
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
@@ -281,6 +286,7 @@ class System:
         self.parameters = {str(name): float(value) for name, value in (parameters or {}).items()}
         self.speed, self.period, self.lanes = speed, period, bool(lanes)
         self.displacements = _count(displacements, "displacements")
+        self.angles = {_count(index, "an angle"): float(turn) for index, turn in (angles or {}).items()}
         self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
         self.identity = None if identity is None else str(identity)
@@ -397,6 +403,8 @@ class System:
         for index, value in enumerate(self.start):
             check(lib.whirl_user_system_start(handle, index, value))
         check(lib.whirl_user_system_oscillates(handle, self.displacements))
+        for index, turn in self.angles.items():
+            check(lib.whirl_user_system_angle(handle, index, turn))
         for name, pair in self.stations.items():
             x, y = _pair(name, pair)
             velocities = (x + self.displacements, y + self.displacements)

@@ -12,7 +12,7 @@
 /// Revolutions until 1e-6 (1 + 2^-n), beside a phase that turns by `rate`, counts as settled; 1000 where it never does.
 static int revolutions(double rate) {
     const double turns[2] = {0.0, 6.283185307179586476925};
-    settling *s = settling_new(2, turns);
+    settling *s = settling_new(&(whirl_system){.dimension = 2, .turns = turns});
     int n = 0;
     assert_non_null(s);
     for (; n < 1000; n++) {

@@ -299,7 +299,7 @@ static void expect_of_3(const char *table, const char *line, const char *message
 }
 
 /// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation.
-static void test_version_3(void **state) {
+static void ross3(void **state) {
     (void)state;
     expect_of_3("speed = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]", "        speeds: [0, 100, 400]\n", NULL);
     expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 2e6], [3e6, 3e6] ]",
@@ -509,7 +509,7 @@ int main(void) {
         cmocka_unit_test(test_names),        cmocka_unit_test(test_json),
         cmocka_unit_test(test_long_tables),  cmocka_unit_test(test_deep_and_large),
         cmocka_unit_test(test_broken_bytes), cmocka_unit_test(test_strange_numbers),
-        cmocka_unit_test(test_no_machine),   cmocka_unit_test(test_version_3),
+        cmocka_unit_test(test_no_machine),   cmocka_unit_test(ross3),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
