@@ -170,10 +170,18 @@ static whirl_verdict resting_verdict(const evidence *e, const whirl_record_rest 
     return v;
 }
 
+/// Whether averages over both halves agree as they do on smooth tori alone, of whatever dimension, and nothing slows
+/// down.
+static bool is_smooth(const whirl_verdict *v) {
+    const double digits = 8.0, trend = 0.1;
+    return v->regularity >= digits && v->chaos <= regular_walk && fabs(log(v->recurrence_trend)) <= trend;
+}
+
 /// What a phase forces that fits no revolution, and disturbances die out, is a torus of at least that phase and the
 /// shaft's. Else closed curves are looked for; without them it stays open, but for a torus of three frequencies: its
-/// section is a surface, and two exponents are zero. What goes round a single curve that is not smooth may be such a
-/// torus, unless a second exponent is clearly below zero: then it is not counted. Several that are visited in turn are.
+/// section is a surface, and two exponents are zero, or averages agree as on nothing else. What goes round a single
+/// curve that is not smooth may be such a torus, unless a second exponent is clearly below zero: then it is not
+/// counted. Several that are visited in turn are.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -196,7 +204,8 @@ static whirl_verdict regular_verdict(const evidence *e) {
         verdict.regime = WHIRL_QUASI_PERIODIC;
         verdict.curves = 0;
         verdict.frequencies = 3;
-    } else if (verdict.curves == 1) {
+    } else if (verdict.curves == 1 || (verdict.curves == 0 && is_smooth(&verdict))) {
+        verdict.regime = WHIRL_QUASI_PERIODIC;
         verdict.curves = 0;
         verdict.frequencies = 0;
     }

@@ -13,9 +13,11 @@ static const int first_length = 3;
 /// Neighbours on either side that are looked at, and the points that a batch must have for its neighbours to count.
 enum { REACH = 2, FEWEST_NEIGHBOURS = 16 };
 
+/// Chaos that nothing but a refuge speaks against goes on, until a copy of it has ended there.
 static bool is_chaotic(const whirl_table *table, size_t slot) {
-    const whirl_verdict verdict = whirl_table_verdict(table, slot);
-    return verdict.regime == WHIRL_CHAOTIC && verdict.confidence > WHIRL_LOW;
+    const whirl_verdict v = whirl_table_verdict(table, slot);
+    const bool ended = v.followed > 0.0 && v.later_regime != WHIRL_CHAOTIC && v.later_regime != WHIRL_UNDETERMINED;
+    return v.regime == WHIRL_CHAOTIC && (v.confidence > WHIRL_LOW || (v.refuge != 0 && !ended));
 }
 
 /// Whether chaos ends close to the point, as far as its sweep tells.

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
@@ -347,33 +348,15 @@ static double oscillator_divergence(const void *model, double t, const double *f
     return -((const oscillator *)model)->damping;
 }
 
-static void lorenz_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    (void)model, (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (28.0 - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
-
-static void lorenz_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                           size_t count, const double *dx, double *ddxdt) {
-    (void)model, (void)t, (void)forcing, (void)sides;
-    for (size_t k = 0; k < count; k++, dx += 3, ddxdt += 3) {
-        ddxdt[0] = 10.0 * (dx[1] - dx[0]);
-        ddxdt[1] = dx[0] * (28.0 - x[2]) - x[0] * dx[2] - dx[1];
-        ddxdt[2] = dx[0] * x[1] + x[0] * dx[1] - 8.0 / 3.0 * dx[2];
-    }
-}
-
-static double lorenz_divergence(const void *model, double t, const double *forcing, const double *x,
-                                const double *sides) {
-    (void)model, (void)t, (void)forcing, (void)x, (void)sides;
-    return -41.0 / 3.0;
-}
-
 static void d1_lorenz(void **unused) {
     (void)unused;
-    const whirl_system lorenz = {
-        .dimension = 3, .period = 1.0, .rhs = lorenz_rhs, .tangent = lorenz_tangent, .divergence = lorenz_divergence};
+    static const double r = 28.0;
+    const whirl_system lorenz = {.dimension = 3,
+                                 .period = 1.0,
+                                 .rhs = lorenz_rhs,
+                                 .tangent = lorenz_tangent,
+                                 .divergence = lorenz_divergence,
+                                 .model = &r};
     const double start[3] = {1.0, 1.0, 20.0};
     whirl_estimate exponents[3];
     double exact;

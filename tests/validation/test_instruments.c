@@ -9,6 +9,7 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "support_cases.h"
 #include "support_check.h"
 #include "support_flow.h"
@@ -57,14 +58,6 @@ static whirl_system make_oscillator(const oscillator *o) {
                           .model = o};
 }
 
-/// Lorenz's equations with sigma = 10, r = 28, b = 8/3; one unit of time stands for a revolution.
-static void lorenz_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    (void)model, (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (28.0 - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
-
 static void lorenz_jacobian(const void *parameters, double t, const double *x, double *jacobian) {
     const double matrix[9] = {-10.0, 10.0, 0.0, 28.0 - x[2], -1.0, -x[0], x[1], x[0], -8.0 / 3.0};
     (void)parameters, (void)t;
@@ -72,8 +65,10 @@ static void lorenz_jacobian(const void *parameters, double t, const double *x, d
 }
 
 static const whirl_probe lorenz_probe = {"x", 0, 1, 0, 1, 0.0, 0.0, 0, 0.0};
+static const double lorenz_r = 28.0;
+/// One unit of time stands for a revolution.
 static const whirl_system lorenz = {
-    .dimension = 3, .period = 1.0, .rhs = lorenz_rhs, .probe_count = 1, .probes = &lorenz_probe};
+    .dimension = 3, .period = 1.0, .rhs = lorenz_rhs, .probe_count = 1, .probes = &lorenz_probe, .model = &lorenz_r};
 
 /// A flow with its printed exponent and error.
 typedef struct d1_row {

@@ -12,28 +12,10 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "support_check.h"
 #include "support_rotor.h"
 #include "whirl/study.h"
-
-static void lorenz_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    const double r = *(const double *)model;
-    (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (r - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
-
-static void lorenz_tangent(const void *model, double t, const double *forcing, const double *x, const double *sides,
-                           size_t count, const double *dx, double *out) {
-    const double r = *(const double *)model;
-    (void)t, (void)forcing, (void)sides;
-    for (; count > 0; count--, dx += 3, out += 3) {
-        out[0] = 10.0 * (dx[1] - dx[0]);
-        out[1] = dx[0] * (r - x[2]) - x[0] * dx[2] - dx[1];
-        out[2] = dx[0] * x[1] + x[0] * dx[1] - 8.0 / 3.0 * dx[2];
-    }
-}
 
 static void ueda_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)forcing;

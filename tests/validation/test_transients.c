@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "support_check.h"
 #include "support_rotor.h"
 #include "whirl/study.h"
@@ -33,14 +34,6 @@ static double spread(double value, double factor) {
     return fmod(0.5 + value * factor, 1.0);
 }
 
-static void lorenz_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    const double *p = model;
-    (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (p[0] - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
-
 /// Between r = 22 and 24 chaos ends at an equilibrium, the later the closer to 24.06 (Sparrow 1982).
 static member *lorenz(double value) {
     static const whirl_probe probe = {.name = "x"};
@@ -48,8 +41,13 @@ static member *lorenz(double value) {
     assert_non_null(m);
     m->p[0] = 22.0 + 2.0 * spread(value, 0.7548776662466927);
     for (int i = 0; i < 3; i++) m->start[i] = 1.0 + 9.0 * spread(value, 0.5698402909980532 + 0.1 * i);
-    m->system = (whirl_system){
-        .dimension = 3, .period = 1.0, .rhs = lorenz_rhs, .model = m->p, .probe_count = 1, .probes = &probe};
+    m->system = (whirl_system){.dimension = 3,
+                               .period = 1.0,
+                               .rhs = lorenz_rhs,
+                               .tangent = lorenz_tangent,
+                               .model = m->p,
+                               .probe_count = 1,
+                               .probes = &probe};
     return m;
 }
 

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "support_flow.h"
 #include "support_known.h"
 
@@ -203,14 +204,6 @@ static bool make_sprott(size_t index, known_motion *m) {
 }
 
 // ---------------------------------------------------------------- Lorenz and Rossler
-
-static void lorenz_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    const double *m = model; // r
-    (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (m[0] - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
 
 /// Sparrow, "The Lorenz equations" (1982): equilibria attract all up to r = 24.06 (with chaos on the way from 13.926),
 /// chaos from there to about 30 and again, closed orbits in 99.52 < r < 100.8, 145 < r < 166 and for r > 214.4.

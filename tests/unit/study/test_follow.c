@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "lorenz.h"
 #include "memory_keeper.h"
 #include "sweep_study.h"
 
@@ -18,21 +19,19 @@ typedef struct lorenz {
     whirl_system system;
 } lorenz;
 
-static void slope(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    (void)t, (void)forcing;
-    dxdt[0] = 10.0 * (x[1] - x[0]);
-    dxdt[1] = x[0] * (((const lorenz *)model)->r - x[2]) - x[1];
-    dxdt[2] = x[0] * x[1] - 8.0 / 3.0 * x[2];
-}
-
 static whirl_status make_lorenz(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {
     static const whirl_probe probe = {.name = "convection"};
     (void)family, (void)batch;
     lorenz *own = malloc(sizeof *own);
     assert_non_null(own);
     *own = (lorenz){.r = value, .start = {1.0, 1.0, 20.0}};
-    own->system =
-        (whirl_system){.dimension = 3, .period = 1, .rhs = slope, .probe_count = 1, .probes = &probe, .model = own};
+    own->system = (whirl_system){.dimension = 3,
+                                 .period = 1,
+                                 .rhs = lorenz_rhs,
+                                 .tangent = lorenz_tangent,
+                                 .probe_count = 1,
+                                 .probes = &probe,
+                                 .model = own};
     *out = (whirl_machine){.system = &own->system, .start = own->start, .owner = own, .release = free};
     return whirl_ok();
 }
