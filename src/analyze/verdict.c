@@ -170,11 +170,12 @@ static whirl_verdict resting_verdict(const evidence *e, const whirl_record_rest 
     return v;
 }
 
-/// Whether averages over both halves agree as they do on smooth tori alone, of whatever dimension, and nothing slows
-/// down.
+/// Whether averages over both halves agree as they do on smooth tori alone, of whatever dimension, nothing slows down,
+/// and the motion stays clear of where it was: what all but returns may do so, or drift past a lock.
 static bool is_smooth(const whirl_verdict *v) {
-    const double digits = 8.0, trend = 0.1;
-    return v->regularity >= digits && v->chaos <= regular_walk && fabs(log(v->recurrence_trend)) <= trend;
+    const double digits = 8.0, trend = 0.1, clear = 0.01;
+    return v->regularity >= digits && v->chaos <= regular_walk && v->recurrence > clear &&
+           fabs(log(v->recurrence_trend)) <= trend;
 }
 
 /// What a phase forces that fits no revolution, and disturbances die out, is a torus of at least that phase and the

@@ -248,6 +248,10 @@ static void write_verdicts(const point_page *to) {
     for (size_t i = 0; i < to->table->count; i++)
         if (whirl_table_done(to->table, i)) write_verdict(to, i);
     end_table(to);
+    fputs("<p class=\"soft small\">Two exponents of a point are of the same motion: in the table the mean over all "
+          "watched revolutions, with an error as chaos has it; under Why that of the evidence, which is weighted where "
+          "the motion is regular and then sharper.</p>\n",
+          to->stream);
 }
 
 // ---------------------------------------------------------------- size and sense
@@ -332,8 +336,7 @@ static void write_sizes(const point_page *to) {
     fputs(
         "<p class=\"soft small\">Time against the rotation: the share of the time in which the station moves backward "
         "about the centre (0, 0), x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit beside the "
-        "centre does so for about half of the time, whatever its sense. The exponent in the reason is that of the "
-        "evidence, which may be averaged in another way than the one in the table.</p>\n",
+        "centre does so for about half of the time, whatever its sense.</p>\n",
         to->stream);
 }
 
