@@ -3,7 +3,8 @@
 
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
-one another stay together. What that log does not know keeps its line.
+one another stay together. Units and commands count twice, for they run under the sanitizers, too, where they take what
+BUILD/sanitize/tests.log says, or SANITIZED times as long. What that log does not know keeps its line.
 """
 
 import math
@@ -15,6 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
 SHARED = 4
+SANITIZED = 10
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
 ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
                     r"unit\.analyze\.test_locked|cli\.resume-after-interrupt-carry")
@@ -30,20 +32,23 @@ def measured(log):
     return costs
 
 
-def quarters_of(costs):
+def quarters_of(costs, sanitized):
     """The quarter of every test, 0: always."""
     groups = {}
     for name, seconds in costs.items():
         group = TOGETHER.match(name)
-        groups.setdefault(group[0] if group else name, []).append((name, seconds))
-    load, quarters = [0.0] * 5, {}
-    for names in sorted(groups.values(), key=lambda names: -sum(seconds for _, seconds in names)):
-        total = sum(seconds for _, seconds in names)
-        shared = total >= SHARED and not any(ALWAYS.fullmatch(name) for name, _ in names)
+        again = sanitized.get(name, SANITIZED * seconds) if name.startswith(("unit.", "cli.")) else 0
+        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again))
+    load, release, quarters = [0.0] * 5, [0.0] * 5, {}
+    for tests in sorted(groups.values(), key=lambda tests: -sum(weight for _, _, weight in tests)):
+        names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
+        shared = total >= SHARED and not any(ALWAYS.fullmatch(name) for name in names)
         quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
-        load[quarter] += total
-        quarters.update({name: quarter for name, _ in names})
-    print("seconds of tests that always run, and of the quarters:", *(round(x) for x in load))
+        load[quarter] += sum(weight for _, _, weight in tests)
+        release[quarter] += total
+        quarters.update({name: quarter for name in names})
+    for what, sums in (("", release), (", with the sanitizers", load)):
+        print(f"seconds of tests that always run, and of the quarters{what}:", *(round(x) for x in sums))
     return quarters
 
 
@@ -53,7 +58,9 @@ def main():
     costs.update(measured(Path(sys.argv[1]) / "tests.log"))
     listed = subprocess.run(["ctest", "--test-dir", sys.argv[1], "-N"], check=True, capture_output=True, text=True).stdout
     there = set(re.findall(r"Test +#\d+: (\S+)", listed))
-    quarters = quarters_of({name: seconds for name, seconds in costs.items() if name in there})
+    again = Path(sys.argv[1]) / "sanitize/tests.log"
+    sanitized = measured(again) if again.exists() else {}
+    quarters = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
     head = [line for line in lines if line.startswith("#")]
     told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]}" for name in sorted(quarters)
             if costs[name] >= 1 or quarters[name]]

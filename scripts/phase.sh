@@ -1,6 +1,7 @@
 #!/bin/bash
 # What a proof of the project takes, phase by phase:
 #
+#   scripts/phase.sh --begin            forgets earlier phases
 #   scripts/phase.sh NAME COMMAND...    runs the command and notes what it took; where it fails, the table follows
 #   scripts/phase.sh --table            prints the phases so far and the twenty slowest tests
 #
