@@ -11,8 +11,8 @@
 typedef struct trajectory_twin {
     size_t dimension;
     const double *turns, *angles; ///< as whirl_system has them: what turns is not disturbed
-    double share;        ///< of the state's size (twin_share)
-    double least;        ///< distance, in the state's units
+    double share;                 ///< of the state's size (twin_share)
+    double least;                 ///< distance, in the state's units
     double distance;
     double *x; ///< NULL: no twin
 } trajectory_twin;
