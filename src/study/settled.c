@@ -51,9 +51,10 @@ static whirl_status follow(const whirl_machine *machine, const whirl_batch *batc
 /// By how much states so many revolutions apart differ, at most.
 static double return_distance(const whirl_record *r, size_t apart) {
     double largest = 0.0;
-    for (size_t i = apart * r->dimension; i < r->section_count * r->dimension; i++) {
-        const double away = r->section[i] - r->section[i - apart * r->dimension];
-        largest = fmax(largest, fabs(short_way(r->angles, i % r->dimension, away)));
+    for (size_t n = apart; n < r->section_count; n++) {
+        const double *now = r->section + n * r->dimension, *before = now - apart * r->dimension;
+        for (size_t i = 0; i < r->dimension; i++)
+            largest = fmax(largest, fabs(short_way(r->angles, i, now[i] - before[i])));
     }
     return largest;
 }
