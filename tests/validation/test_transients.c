@@ -81,6 +81,7 @@ typedef struct family {
     int steps;
     size_t members, quick; ///< in a soak, and else
     bool all_end;          ///< by theory; else a long run tells
+    bool coexists;         ///< with a stable orbit close by, so that what lasts is doubted, too
 } family;
 
 static whirl_status make_machine(const void *context, const whirl_batch *batch, double value, whirl_machine *machine) {
@@ -153,14 +154,14 @@ static void check(const family *f, double refine) {
         "transients | %s%s, %zu motions | - | lasting chaos: %d high, %d when followed; transients: %d high, %d when "
         "followed | - | -\n",
         f->name, refine > 0.0 ? ", refined" : "", members, sums[0].high, sums[0].kept, sums[1].high, sums[1].kept);
-    assert_true(sums[0].kept == sums[0].high); // what lasts is not doubted
-    assert_true(10 * sums[1].kept <= 7 * sums[1].high + 10);
+    if (!f->coexists) assert_int_equal(sums[0].kept, sums[0].high); // what lasts is not doubted
+    assert_int_equal(sums[1].kept, 0);
 }
 
 static family families[] = {
-    {"Lorenz, r = 22 to 24", lorenz, 128, 120, 15, true},
-    {"Lorenz, r = 25 to 30", lasting_lorenz, 128, 60, 4, false},
-    {"rub C4, w = 3.5 to 3.7", rub, 512, 60, 0, false},
+    {"Lorenz, r = 22 to 24", lorenz, 128, 120, 15, true, false},
+    {"Lorenz, r = 25 to 30", lasting_lorenz, 128, 60, 4, false, false},
+    {"rub C4, w = 3.5 to 3.7", rub, 512, 60, 0, false, true},
 };
 
 static void transients(void **state) {
