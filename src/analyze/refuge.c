@@ -100,7 +100,7 @@ static whirl_status seek_orbits(const whirl_system *system, const whirl_integrat
 whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record *record, int *refuge) {
     *refuge = 0;
-    if (!system->tangent || system->turns || record->motion != WHIRL_BOUNDED)
+    if (!system->tangent || system->turns || record->motion != WHIRL_BOUNDED || record->section_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "a refuge of chaos is looked for by the Jacobian of a bounded motion without "
                           "turning phases");
