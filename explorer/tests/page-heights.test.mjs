@@ -53,11 +53,13 @@ async function axis(page, card, chart = 'main') {
 }
 
 const boxOf = async (page, card, chart = 'main') => (await page.$(`${card} .map-${chart} .overlay`)).boundingBox();
-const view = (page, card) =>
-  page.$eval(`${card} .map-main .overlay`, (slider) => [
+async function view(page, card) {
+  await frame(page);
+  return page.$eval(`${card} .map-main .overlay`, (slider) => [
     Number(slider.getAttribute('aria-valuemin')),
     Number(slider.getAttribute('aria-valuemax')),
   ]);
+}
 
 function near(found, expected, most, what) {
   assert.ok(Math.abs(found - expected) <= most, `${what}: ${found}, expected ${expected}`);
