@@ -44,7 +44,7 @@ const double *settling_state(const settling *s, size_t back) {
 static bool close_to(const settling *s, const double *a, const double *b, double square) {
     double sum = 0.0;
     for (size_t i = 0; i < s->dimension && sum <= square; i++) {
-        const double away = turns_on(s->turns, i) ? 0.0 : short_way(s->angles, i, a[i] - b[i]);
+        const double away = part_apart(s->turns, s->angles, i, a, b);
         sum += away * away;
     }
     return sum <= square;

@@ -58,8 +58,7 @@ void shot_difference(const shot *s, const double *x, double *out) {
 double shot_distance(const shot *s, const double *x) {
     double sum = 0.0;
     for (size_t i = 0; i < s->dimension; i++) {
-        if (turns_on(s->system->turns, i)) continue;
-        const double away = short_way(s->system->angles, i, x[i] - s->nodes[i]);
+        const double away = part_apart(s->system->turns, s->system->angles, i, x, s->nodes);
         sum += away * away;
     }
     return sqrt(sum);
@@ -213,8 +212,7 @@ static void shorten(shot *s, double tolerance) {
     for (size_t j = repeats; 2 * j <= s->revolutions; j += repeats) {
         double away = 0.0;
         for (size_t i = 0; i < d; i++)
-            if (!turns_on(s->system->turns, i))
-                away = fmax(away, fabs(short_way(s->system->angles, i, s->nodes[j * d + i] - s->nodes[i])));
+            away = fmax(away, fabs(part_apart(s->system->turns, s->system->angles, i, s->nodes + j * d, s->nodes)));
         if (s->revolutions % j != 0 || away > same) continue;
         s->volume *= (double)j / (double)s->revolutions;
         s->revolutions = j;

@@ -51,7 +51,7 @@ void twin_begin(trajectory_twin *twin, const double *x) {
 double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
     double distance = 0.0;
     for (size_t i = 0; i < twin->dimension; i++) {
-        const double d = turns_on(twin->turns, i) ? 0.0 : short_way(twin->angles, i, twin->x[i] - x[i]);
+        const double d = part_apart(twin->turns, twin->angles, i, twin->x, x);
         distance += d * d;
     }
     distance = sqrt(distance);
@@ -64,6 +64,6 @@ double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
     }
     const double factor = twin->distance / distance;
     for (size_t i = 0; i < twin->dimension; i++)
-        twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + factor * short_way(twin->angles, i, twin->x[i] - x[i]);
+        twin->x[i] = x[i] + factor * part_apart(twin->turns, twin->angles, i, twin->x, x);
     return log(distance / before);
 }

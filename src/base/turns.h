@@ -28,4 +28,14 @@ static inline double short_way(const double *angles, size_t i, double difference
     return turns_on(angles, i) ? remainder(difference, angles[i]) : difference;
 }
 
+/// How far part i of state a is from that of b: what turns on and on is never apart.
+static inline double part_apart(const double *turns, const double *angles, size_t i, const double *a, const double *b) {
+    return turns_on(turns, i) ? 0.0 : short_way(angles, i, a[i] - b[i]);
+}
+
+/// Part i as it is after a revolution: what turns on and on in its first turn, other angles within half a turn of 0.
+static inline double part_wrapped(const double *turns, const double *angles, size_t i, double value) {
+    return turns_on(turns, i) ? in_first_turn(value, turns[i]) : short_way(angles, i, value);
+}
+
 #endif

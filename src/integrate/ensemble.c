@@ -418,10 +418,14 @@ void whirl_ensemble_place(whirl_ensemble *e, size_t lane, const double *x) {
     place(e, lane, 0, x);
 }
 
-const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
+/// A coordinate of the state, of all lanes.
+static double *row_of(const whirl_ensemble *e, size_t index) {
     const size_t degrees = e->lanes.degrees;
-    if (e->shown) return e->shown + index * e->lane_count;
     return index < degrees ? e->lanes.q + index * e->lane_count : e->lanes.v + (index - degrees) * e->lane_count;
+}
+
+const double *whirl_ensemble_coordinate(const whirl_ensemble *e, size_t index) {
+    return e->shown ? e->shown + index * e->lane_count : row_of(e, index);
 }
 
 void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
@@ -583,15 +587,13 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     if (lanes.tangents > 0) end_disturbances(e, count);
 }
 
-/// Brings angles back into their first turn, those that the state drives to within half a turn of 0.
+/// Brings angles back.
 static void wrap(whirl_ensemble *e, size_t count) {
     const double *turns = e->system->turns, *angles = e->system->angles;
-    const size_t degrees = e->lanes.degrees;
-    for (size_t i = 0; i < e->system->dimension; i++) {
-        double *row = i < degrees ? e->lanes.q + i * e->lane_count : e->lanes.v + (i - degrees) * e->lane_count;
-        for (size_t lane = 0; turns_on(turns, i) && lane < count; lane++)
-            row[lane] = in_first_turn(row[lane], turns[i]);
-        for (size_t lane = 0; turns_on(angles, i) && lane < count; lane++) row[lane] = remainder(row[lane], angles[i]);
+    for (size_t i = 0; (turns || angles) && i < e->system->dimension; i++) {
+        double *row = row_of(e, i);
+        if (!turns_on(turns, i) && !turns_on(angles, i)) continue;
+        for (size_t lane = 0; lane < count; lane++) row[lane] = part_wrapped(turns, angles, i, row[lane]);
     }
 }
 

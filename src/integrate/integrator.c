@@ -103,8 +103,7 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
 
 /// Brings angles back into their first turn.
 static whirl_motion wrap(const whirl_system *system, double *x, whirl_motion motion) {
-    for (size_t i = 0; i < system->dimension; i++)
-        x[i] = turns_on(system->turns, i) ? in_first_turn(x[i], system->turns[i]) : short_way(system->angles, i, x[i]);
+    for (size_t i = 0; i < system->dimension; i++) x[i] = part_wrapped(system->turns, system->angles, i, x[i]);
     return motion;
 }
 

@@ -43,8 +43,9 @@ static void put_form(const whirl_user_system *system, FILE *out) {
     fprintf(out, "%zu coordinates, %zu of them displacements", system->dimension, system->displacements);
     fprintf(out, "%s%s", system->kinked ? ", with kinks" : "", system->tangent ? ", with a derivative" : "");
     for (size_t i = 0; system->angles && i < system->dimension; i++) {
+        if (system->angles[i] == 0.0) continue;
         number_text(system->angles[i], number);
-        if (system->angles[i] > 0.0) fprintf(out, "; number %zu an angle of turns of %s", i, number);
+        fprintf(out, "; number %zu an angle of turns of %s", i, number);
     }
     number_text(system->period, number);
     if (system->speed < system->parameter_count)

@@ -148,7 +148,7 @@ static void print(const char *what, const tally *sum) {
     fflush(stdout);
 }
 
-void check_family(const known_family *family, size_t stride) {
+static void check_family(const known_family *family, size_t stride) {
     const bool all = getenv("WHIRL_SOAK") != NULL;
     tally sum = {0};
     for (size_t i = 0;; i += all ? 1 : stride) {
@@ -172,10 +172,45 @@ void check_family(const known_family *family, size_t stride) {
     assert_int_equal(sum.missed, 0);
 }
 
-void check_known_total(const char *what, int least) {
+static void check_known_total(const char *what, int least) {
     print(words("%s, all %d", what, total.judged), &total);
     check_within("verdicts", words("%s: wrong with high confidence", what), 0.0, total.surely_wrong, 0.0);
     check_within("verdicts", words("%s: share wrong with fair confidence", what), 0.0,
                  (double)total.fairly_wrong / total.judged, 0.005);
     if (getenv("WHIRL_SOAK")) assert_true(total.right >= least);
+}
+
+// ---------------------------------------------------------------- all families
+
+/// What a run is of.
+static struct {
+    const char *what;
+    size_t stride;
+    int least;
+} run;
+
+static void family_is_judged(void **state) {
+    check_family(*state, run.stride);
+}
+
+static void in_sum(void **state) {
+    (void)state;
+    check_known_total(run.what, run.least);
+}
+
+int run_families(const char *what, const known_family *families, size_t count, size_t stride,
+                 const struct CMUnitTest *more, size_t more_count, int least) {
+    enum { MOST = 32 };
+    struct CMUnitTest tests[MOST];
+    size_t used = 0;
+    assert_true(count + more_count < MOST);
+    run.what = what;
+    run.stride = stride;
+    run.least = least;
+    for (size_t i = 0; i < count; i++)
+        tests[used++] =
+            (struct CMUnitTest){families[i].name, family_is_judged, NULL, NULL, (void *)(uintptr_t)&families[i]};
+    for (size_t i = 0; i < more_count; i++) tests[used++] = more[i];
+    tests[used++] = (struct CMUnitTest)cmocka_unit_test(in_sum);
+    return _cmocka_run_group_tests("verdicts", tests, used, NULL, NULL);
 }

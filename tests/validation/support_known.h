@@ -2,7 +2,13 @@
 #ifndef SUPPORT_KNOWN_H
 #define SUPPORT_KNOWN_H
 
+#include <setjmp.h>
+#include <stdarg.h>
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
 
 #include "whirl/analyze.h"
 #include "whirl/rotor.h"
@@ -31,14 +37,13 @@ typedef struct known_family {
 /// The verdict, confirmed with twice the steps: 100 revolutions recorded, 650 watched, by RK4.
 whirl_verdict judge_known(const known_motion *motion, int steps);
 
-/// Judges the family, as sweeps do: 100 revolutions recorded, 650 watched. Fails when a verdict is wrong with high
-/// confidence, or a motion that is no trap stays undetermined or is another by low confidence. Without WHIRL_SOAK in
-/// the environment every `stride`-th motion only; with it, undetermined motions are judged again as the advice says,
-/// which must not lead to a wrong verdict either.
-void check_family(const known_family *family, size_t stride);
-
-/// Prints how many motions of all families were judged right; fails for more than 0.5 % that are wrong with fair
-/// confidence, and for less than `least` right ones (of all of them: in a soak).
-void check_known_total(const char *what, int least);
+/// Tests of families, for a main: each is judged as sweeps do it, 100 revolutions recorded, 650 watched; then `more`
+/// [more_count] tests, and the total. A family fails when a verdict is wrong with high confidence, or a motion that is
+/// no trap stays undetermined or is another by low confidence; the total for more than 0.5 % that are wrong with fair
+/// confidence. Without WHIRL_SOAK in the environment every `stride`-th motion only; with it, undetermined motions are
+/// judged again as the advice says, which must not lead to a wrong verdict either, and at least `least` of all have to
+/// be right.
+int run_families(const char *what, const known_family *families, size_t count, size_t stride,
+                 const struct CMUnitTest *more, size_t more_count, int least);
 
 #endif

@@ -286,7 +286,7 @@ static bool make_van_der_pol(size_t index, known_motion *m) {
     return true;
 }
 
-static known_family families[] = {
+static const known_family families[] = {
     {"linear oscillators", "theory", 64, make_linear},
     {"oscillators locked p:q", "Adler 1946", 64, make_locked},
     {"oscillators past their tongues", "Adler 1946", 64, make_unlocked},
@@ -300,11 +300,6 @@ static known_family families[] = {
     {"undamped Mathieu", "Floquet", 256, make_free_mathieu},
     {"van der Pol, free", "Poincar\u00e9-Bendixson", 64, make_van_der_pol},
 };
-
-static void known_from_theory(void **state) {
-    const known_family *family = *state;
-    check_family(family, 4);
-}
 
 /// Weakly locked on P-13, psi' = .0009 + .003 sin psi: 1200 revolutions after a start near the unstable orbit the
 /// motion is still on its way to the stable one, and draws a curve. It may not be told with confidence as
@@ -323,16 +318,7 @@ static void weakly_locked(void **state) {
     }
 }
 
-static void in_sum(void **state) {
-    (void)state;
-    check_known_total("flows known from theory", 200);
-}
-
 int main(void) {
-    struct CMUnitTest tests[COUNT_OF(families) + 2];
-    for (size_t i = 0; i < COUNT_OF(families); i++)
-        tests[i] = (struct CMUnitTest){families[i].name, known_from_theory, NULL, NULL, &families[i]};
-    tests[COUNT_OF(families)] = (struct CMUnitTest)cmocka_unit_test(weakly_locked);
-    tests[COUNT_OF(families) + 1] = (struct CMUnitTest)cmocka_unit_test(in_sum);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    const struct CMUnitTest more[] = {cmocka_unit_test(weakly_locked)};
+    return run_families("flows known from theory", families, COUNT_OF(families), 4, more, COUNT_OF(more), 200);
 }

@@ -168,8 +168,8 @@ static bool is_earlier(double r, int k, bool meets) {
 /// The root number `index` from r = 3 on, by steps; NaN past the last.
 static double find_root(int k, bool meets, size_t index) {
     const double step = 1e-4;
-    for (double r = 3.0 + step; r < 4.0; r += step) {
-        double low = r - step, high = r;
+    for (int n = 1; n < 10000; n++) {
+        double low = 3.0 + step * (n - 1), high = 3.0 + step * n;
         if (condition(low, k, meets) * condition(high, k, meets) > 0.0) continue;
         for (int i = 0; i < 60; i++) {
             const double middle = 0.5 * (low + high);
@@ -233,10 +233,12 @@ static bool make_transient(size_t index, known_motion *m) {
 
 // ---------------------------------------------------------------- growth
 
+/// Of multipliers, in turns.
+static const double angles[] = {0.0, 0.5, 0.25, 0.3819660112501052, 0.01};
+
 /// Multipliers above 1: from 1e-6 on, some leave all bounds within the run, and slow ones do not.
 static bool make_growth(size_t index, known_motion *m) {
     static const double moduli[] = {3.0, 1.5, 1.2, 1.1, 1.05, 1.01, 1.003, 1.001};
-    static const double angles[] = {0.0, 0.5, 0.25, 0.3819660112501052, 0.01};
     if (index >= COUNT_OF(moduli) * COUNT_OF(angles)) return false;
     const double modulus = moduli[index % COUNT_OF(moduli)];
     set(m, SPIRAL, modulus, angles[index / COUNT_OF(moduli)], 0.0, "diverged", modulus < 1.1);
@@ -248,7 +250,6 @@ static bool make_growth(size_t index, known_motion *m) {
 /// Multipliers below 1, close to it: what settles slowly.
 static bool make_settling(size_t index, known_motion *m) {
     static const double moduli[] = {0.2, 0.9, 0.97, 0.99, 0.997, 0.999};
-    static const double angles[] = {0.0, 0.5, 0.25, 0.3819660112501052, 0.01};
     if (index >= COUNT_OF(moduli) * COUNT_OF(angles)) return false;
     const double modulus = moduli[index % COUNT_OF(moduli)];
     set(m, SPIRAL, modulus, angles[index / COUNT_OF(moduli)], 0.0, "P-1", modulus > 0.98);
@@ -256,7 +257,7 @@ static bool make_settling(size_t index, known_motion *m) {
     return true;
 }
 
-static known_family families[] = {
+static const known_family families[] = {
     {"locks P-2 to P-89", "construction", 128, make_lock},
     {"slow drifts past a lock", "construction", 128, make_drift},
     {"tori of three frequencies", "construction", 128, make_two_rotations},
@@ -267,20 +268,6 @@ static known_family families[] = {
     {"slow settling", "multipliers by construction", 128, make_settling},
 };
 
-static void known_map(void **state) {
-    const known_family *family = *state;
-    check_family(family, 24);
-}
-
-static void in_sum(void **state) {
-    (void)state;
-    check_known_total("flows of known maps", 400);
-}
-
 int main(void) {
-    struct CMUnitTest tests[COUNT_OF(families) + 1];
-    for (size_t i = 0; i < COUNT_OF(families); i++)
-        tests[i] = (struct CMUnitTest){families[i].name, known_map, NULL, NULL, &families[i]};
-    tests[COUNT_OF(families)] = (struct CMUnitTest)cmocka_unit_test(in_sum);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_families("flows of known maps", families, COUNT_OF(families), 24, NULL, 0, 400);
 }

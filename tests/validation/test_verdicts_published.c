@@ -286,7 +286,7 @@ static bool make_entrained(size_t index, known_motion *m) {
     return true;
 }
 
-static known_family families[] = {
+static const known_family families[] = {
     {"two-well Duffing, case D2", "cases.md", 128, make_d2},
     {"Duffing, periodic", "shooting", 128, make_periodic_duffing},
     {"Duffing, chaotic", "Ueda 1979, case D1, Sprott 2003", 128, make_chaotic_duffing},
@@ -297,20 +297,6 @@ static known_family families[] = {
     {"van der Pol, entrained", "shooting", 128, make_entrained},
 };
 
-static void known_family_is_judged(void **state) {
-    const known_family *family = *state;
-    check_family(family, 3);
-}
-
-static void in_sum(void **state) {
-    (void)state;
-    check_known_total("published flows", 70);
-}
-
 int main(void) {
-    struct CMUnitTest tests[COUNT_OF(families) + 1];
-    for (size_t i = 0; i < COUNT_OF(families); i++)
-        tests[i] = (struct CMUnitTest){families[i].name, known_family_is_judged, NULL, NULL, &families[i]};
-    tests[COUNT_OF(families)] = (struct CMUnitTest)cmocka_unit_test(in_sum);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return run_families("published flows", families, COUNT_OF(families), 3, NULL, 0, 70);
 }

@@ -203,7 +203,7 @@ static void long_period(void **state) {
     whirl_rotor_free(m.rotor);
 }
 
-static known_family families[] = {
+static const known_family families[] = {
     {"rigid rotor in its film, case A5", "Routh", 512, make_a5},
     {"unloaded rotor, case A7", "cases.md", 256, make_a7},
     {"loaded rotor, case A8", "cases.md", 512, make_a8},
@@ -215,22 +215,7 @@ static known_family families[] = {
     {"rotor that does not touch", "theory", 128, make_free_rub},
 };
 
-static void known_family_is_judged(void **state) {
-    const known_family *family = *state;
-    check_family(family, 1);
-}
-
-static void in_sum(void **state) {
-    (void)state;
-    check_known_total("rotors", 60);
-}
-
 int main(void) {
-    struct CMUnitTest tests[COUNT_OF(families) + 3];
-    for (size_t i = 0; i < COUNT_OF(families); i++)
-        tests[i] = (struct CMUnitTest){families[i].name, known_family_is_judged, NULL, NULL, &families[i]};
-    tests[COUNT_OF(families)] = (struct CMUnitTest)cmocka_unit_test(in_sum);
-    tests[COUNT_OF(families) + 1] = (struct CMUnitTest)cmocka_unit_test(too_coarse);
-    tests[COUNT_OF(families) + 2] = (struct CMUnitTest)cmocka_unit_test(long_period);
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    const struct CMUnitTest more[] = {cmocka_unit_test(too_coarse), cmocka_unit_test(long_period)};
+    return run_families("rotors", families, COUNT_OF(families), 1, more, COUNT_OF(more), 60);
 }

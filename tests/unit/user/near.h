@@ -2,9 +2,10 @@
 #ifndef TESTS_USER_NEAR_H
 #define TESTS_USER_NEAR_H
 
+#include <math.h>
 #include <string.h>
 
-#include "whirl/status.h"
+#include "whirl/whirl.h"
 
 static inline void good(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);
@@ -13,6 +14,26 @@ static inline void good(whirl_status status) {
 static inline void refused(whirl_status status, const char *words) {
     assert_int_equal(status.code, WHIRL_BAD_INPUT);
     if (!strstr(status.message, words)) fail_msg("'%s' does not say '%s'", status.message, words);
+}
+
+static inline void near(double found, double expected, double most) {
+    if (!(fabs(found - expected) <= most))
+        fail_msg("%.17g, expected %.17g: %.3g off, allowed %.3g", found, expected, found - expected, most);
+}
+
+static inline whirl_status attempt(const whirl_user_system *system, int threads, whirl_result **result) {
+    whirl_job *job;
+    good(whirl_job_of_user_system(system, &job));
+    good(whirl_job_threads(job, threads));
+    const whirl_status status = whirl_job_run(job, result);
+    whirl_job_free(job);
+    return status;
+}
+
+static inline whirl_result *run(const whirl_user_system *system, int threads) {
+    whirl_result *result;
+    good(attempt(system, threads, &result));
+    return result;
 }
 
 /// Of the linear oscillators: x'' + 2 zeta x' + x = F cos(omega t).

@@ -42,20 +42,6 @@ static whirl_user_system *make(bool lanes, bool angle, const char *method) {
     return system;
 }
 
-static whirl_result *run(const whirl_user_system *system) {
-    whirl_job *job;
-    whirl_result *result;
-    good(whirl_job_of_user_system(system, &job));
-    good(whirl_job_threads(job, 2));
-    good(whirl_job_run(job, &result));
-    whirl_job_free(job);
-    return result;
-}
-
-static void near_to(double found, double expected, double most) {
-    if (!(fabs(found - expected) <= most)) fail_msg("%.17g, expected %.17g within %g", found, expected, most);
-}
-
 static void rotation_is_periodic(void **state) {
     static const char *const methods[] = {"dop853", "rk4", "rodas5p", "cvode-bdf"};
     const double ks[] = {0.2, 0.45};
@@ -67,7 +53,7 @@ static void rotation_is_periodic(void **state) {
         good(whirl_user_system_analyze(system, "poincare"));
         good(whirl_user_system_analyze(system, "regime"));
         good(whirl_user_system_analyze(system, "lyapunov"));
-        whirl_result *result = run(system);
+        whirl_result *result = run(system, 2);
         const whirl_table *table = whirl_result_table(result, "sweep");
         for (size_t i = 0; i < table->count; i++) {
             const whirl_verdict verdict = whirl_table_verdict(table, i);
@@ -75,11 +61,11 @@ static void rotation_is_periodic(void **state) {
             assert_int_equal(verdict.regime, WHIRL_PERIODIC);
             assert_int_equal(verdict.period, 2);
             assert_int_equal(verdict.confidence, WHIRL_HIGH);
-            near_to(verdict.exponent.value, -c * two_pi, 2e-4);
-            near_to(whirl_table_number(table, i, "lyapunov/largest", 0), -c * two_pi, 2e-2);
+            near(verdict.exponent.value, -c * two_pi, 2e-4);
+            near(whirl_table_number(table, i, "lyapunov/largest", 0), -c * two_pi, 2e-2);
             for (size_t n = 0; n < 8; n++) {
-                near_to(remainder(section[4 * n], pi), 0.0, 1e-6);
-                near_to(fabs(section[4 * n] - section[4 * n + 4]), pi, 1e-6);
+                near(remainder(section[4 * n], pi), 0.0, 1e-6);
+                near(fabs(section[4 * n] - section[4 * n + 4]), pi, 1e-6);
             }
         }
         whirl_result_free(result);
@@ -91,7 +77,7 @@ static void rotation_is_periodic(void **state) {
 static void without_angles_it_is_not_known(void **state) {
     (void)state;
     whirl_user_system *system = make(false, false, "dop853");
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     assert_int_equal(whirl_table_verdict(&result->tables[0], 0).regime, WHIRL_UNDETERMINED);
     whirl_result_free(result);
     whirl_user_system_free(system);
@@ -102,14 +88,14 @@ static void branches_of_rotations_have_their_multipliers(void **state) {
     for (int lanes = 0; lanes < 2; lanes++) {
         whirl_user_system *system = make(lanes, true, "dop853");
         good(whirl_user_system_branch(system, "k", 0.2, 0.6, NULL, 0));
-        whirl_result *result = run(system);
+        whirl_result *result = run(system, 2);
         const whirl_table *table = whirl_result_table(result, "branch");
         assert_true(table->count > 3);
         for (size_t i = 0; i < table->count; i++) {
             const double *nodes = whirl_table_field(table, i, "trace/nodes", 0);
-            near_to(remainder(nodes[0], pi), 0.0, 1e-8);
-            near_to(nodes[1], 0.5 + b, 1e-8);
-            near_to(whirl_table_number(table, i, "trace/largest", 0), exp(-2.0 * c * two_pi), 1e-6);
+            near(remainder(nodes[0], pi), 0.0, 1e-8);
+            near(nodes[1], 0.5 + b, 1e-8);
+            near(whirl_table_number(table, i, "trace/largest", 0), exp(-2.0 * c * two_pi), 1e-6);
         }
         whirl_result_free(result);
         whirl_user_system_free(system);

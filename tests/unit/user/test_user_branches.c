@@ -15,11 +15,6 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-static void near(double found, double expected, double most) {
-    if (!(fabs(found - expected) <= most))
-        fail_msg("%.17g, expected %.17g: %.3g off, allowed %.3g", found, expected, found - expected, most);
-}
-
 /// Short transients, long steps, and orbits that close to 1e-10.
 static void quicken(whirl_user_system *system) {
     good(whirl_user_system_set(system, "method", "dop853"));
@@ -38,21 +33,6 @@ static whirl_user_system *system_of(size_t dimension, whirl_user_rates_fn rates,
     good(whirl_user_system_branch(system, "r", from, to, NULL, 0));
     quicken(system);
     return system;
-}
-
-static whirl_status attempt(const whirl_user_system *system, whirl_result **result) {
-    whirl_job *job;
-    good(whirl_job_of_user_system(system, &job));
-    good(whirl_job_threads(job, 2));
-    const whirl_status status = whirl_job_run(job, result);
-    whirl_job_free(job);
-    return status;
-}
-
-static whirl_result *run(const whirl_user_system *system) {
-    whirl_result *result;
-    good(attempt(system, &result));
-    return result;
 }
 
 static double number(const whirl_table *table, size_t point, const char *quantity) {
@@ -93,7 +73,7 @@ static void equilibria_fold(void **state) {
     whirl_user_system *system = system_of(1, fold, -1.0, 0.5);
     good(whirl_user_system_start(system, 0, -1.2));
     good(whirl_user_system_set(system, "trace_rest", "yes"));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     assert_int_equal(1, count_special(table));
     const size_t at = special(table, WHIRL_FOLD);
@@ -124,7 +104,7 @@ static void equilibria_cross(void **state) {
     (void)state;
     whirl_user_system *system = system_of(1, pitchfork, -1.0, 1.0);
     good(whirl_user_system_set(system, "trace_rest", "yes"));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     near(table->values[special(table, WHIRL_BRANCHING)], 0.0, 1e-10);
     double last = 0.0;
@@ -159,7 +139,7 @@ static void equilibria_cross_just_where_they_are_looked_for(void **state) {
     whirl_user_system *system = system_of(3, lorenz, 0.5, 28.0);
     good(whirl_user_system_set(system, "trace_rest", "yes"));
     good(whirl_user_system_set(system, "trace_switches", "1"));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     const double r = 470.0 / 19.0;
     near(table->values[special(table, WHIRL_BRANCHING)], 1.0, 1e-10 * 27.5);
@@ -201,7 +181,7 @@ static void orbits_begin_at_hopf_points(void **state) {
     good(whirl_user_system_period(system, 5.0));
     good(whirl_user_system_start(system, 0, 1.1));
     good(whirl_user_system_set(system, "trace_rest", "yes"));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     const size_t at = special(table, WHIRL_HOPF);
     near(table->values[at], 0.0, 1e-9);
@@ -247,7 +227,7 @@ static void orbits_fold(void **state) {
     whirl_user_system *system = system_of(1, forced_fold, -0.5, 0.2);
     good(whirl_user_system_branch(system, "r", -0.5, 0.2, &begin, 1));
     good(whirl_user_system_start(system, 0, 0.4));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     near(table->values[special(table, WHIRL_FOLD)], 0.0, 1e-10);
     double lowest = 0.0;
@@ -279,7 +259,7 @@ static int half_turn(double t, const double *x, const double *p, double *dxdt, v
 static void orbits_double(void **state) {
     (void)state;
     whirl_user_system *system = system_of(2, half_turn, -0.2, 0.2);
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch");
     const size_t at = special(table, WHIRL_DOUBLING);
     near(table->values[at], 0.0, 1e-9);
@@ -322,7 +302,7 @@ static void tori_begin_at_neimark_sacker_points(void **state) {
     good(whirl_user_system_set(system, "trace_tori", "yes"));
     good(whirl_user_system_set(system, "trace_torus_step", "0.2"));
     good(whirl_user_system_set(system, "trace_torus_accuracy", "1e-4"));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch"), *tori = whirl_result_table(result, "tori");
     const size_t at = special(table, WHIRL_NEIMARK_SACKER);
     near(table->values[at], 0.0, 1e-9);
@@ -363,7 +343,7 @@ static void orbits_of_every_speed_are_their_closed_form(void **state) {
         if (form & 2) good(whirl_user_system_tangent(system, derivative, NULL));
         good(whirl_user_system_branch(system, "omega", 0.5, 2.5, NULL, 0));
         quicken(system);
-        whirl_result *result = run(system);
+        whirl_result *result = run(system, 2);
         const whirl_table *table = whirl_result_table(result, "branch");
         assert_true(count_special(table) == 0 && table->count > 20);
         for (size_t i = 0; i < table->count; i++) {
@@ -398,7 +378,7 @@ static void curves_follow_folds(void **state) {
     good(whirl_user_system_start(system, 0, -1.5));
     good(whirl_user_system_set(system, "trace_rest", "yes"));
     good(whirl_user_system_curves(system, "h", 0.25, 2.0));
-    whirl_result *result = run(system);
+    whirl_result *result = run(system, 2);
     const whirl_table *table = whirl_result_table(result, "branch"), *curves = whirl_result_table(result, "curves");
     assert_int_equal(2, count_special(table));
     for (size_t i = 0; i < table->count; i++)
@@ -464,23 +444,23 @@ static void what_is_wrong_is_said(void **state) {
     refused(whirl_user_system_curves(system, "h", 2.0, 3.0), "expected two bounds around its value, 1");
     refused(whirl_user_system_set(system, "trace_steps", "1"), "no option trace_steps, did you mean trace_step?");
     good(whirl_user_system_set(system, "trace_rest", "yes"));
-    refused(attempt(system, &result), "slope 0 changes with t at r = -0.5, expected a system that nothing drives");
+    refused(attempt(system, 2, &result), "slope 0 changes with t at r = -0.5, expected a system that nothing drives");
     good(whirl_user_system_set(system, "trace_tori", "yes"));
-    refused(attempt(system, &result), "expected none beside equilibria");
+    refused(attempt(system, 2, &result), "expected none beside equilibria");
     good(whirl_user_system_set(system, "trace_tori", "no"));
     good(whirl_user_system_set(system, "trace_rest", "no"));
     // Above 0 all motions leave.
     good(whirl_user_system_branch(system, "r", 0.1, 0.2, NULL, 0));
-    refused(attempt(system, &result), "no branch begins at r = 0.1: the motion leaves its bounds");
+    refused(attempt(system, 2, &result), "no branch begins at r = 0.1: the motion leaves its bounds");
     whirl_user_system_free(system);
 
     system = system_of(1, forced_fold, -0.5, 0.2);
     good(whirl_user_system_curves(system, "r", -1.0, 0.2));
-    refused(attempt(system, &result), "curves go over r, as the branches do");
+    refused(attempt(system, 2, &result), "curves go over r, as the branches do");
     good(whirl_user_system_set(system, "confirm", "yes"));
-    refused(attempt(system, &result), "analyses and verdicts are of motions");
+    refused(attempt(system, 2, &result), "analyses and verdicts are of motions");
     good(whirl_user_system_vary(system, "r", values, 2));
-    refused(attempt(system, &result), "r varies, and branches are followed");
+    refused(attempt(system, 2, &result), "r varies, and branches are followed");
     whirl_user_system_free(system);
 }
 
@@ -493,7 +473,7 @@ static void a_function_that_fails_ends_the_run(void **state) {
     (void)state;
     whirl_user_system *system = system_of(1, fails_later, -0.5, 0.2);
     whirl_result *result;
-    const whirl_status status = attempt(system, &result);
+    const whirl_status status = attempt(system, 2, &result);
     assert_int_equal(WHIRL_NUMERICAL_FAILURE, status.code);
     assert_non_null(strstr(status.message, "a function of the system gave 7 at t = "));
     assert_null(result);

@@ -56,16 +56,6 @@ static whirl_user_system *make(void) {
     return system;
 }
 
-static whirl_result *run(const whirl_user_system *system, int threads) {
-    whirl_job *job;
-    whirl_result *result;
-    good(whirl_job_of_user_system(system, &job));
-    good(whirl_job_threads(job, threads));
-    good(whirl_job_run(job, &result));
-    whirl_job_free(job);
-    return result;
-}
-
 /// A disturbance turns as it decays, and its length swings: by 1 +- zeta where velocities are the user's own, by the
 /// ratio of the periods, up to 4.7, where they are those by the common time. Over 100 revolutions and more that leaves
 /// in an exponent at most 2 zeta/100, or ln(4.7)/100.
