@@ -107,7 +107,7 @@ static void remove_places(const places *at) {
 }
 
 static void a_million_points_fit(void **state) {
-    enum { FEW = 2000, MANY = 12000 };
+    enum { FEW = 2000, MANY = 30000 };
     const places at = make_places();
     (void)state;
     write_case(&at, case_text, FEW);
