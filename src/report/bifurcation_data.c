@@ -48,13 +48,17 @@ static void write_dots(FILE *data, const bifurcation *of, size_t point, dot *dot
 
 whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of, const char *name) {
     report_file file;
-    whirl_status status = report_file_open(&file, to->folder, name);
-    if (status.code != WHIRL_OK) return status;
     const size_t rows = whirl_layout_field(&of->table->layout, "poincare/section")->rows;
     dot *dots = malloc((rows + 1) * sizeof *dots);
+    if (!dots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
+    const whirl_status status = report_file_open(&file, to->folder, name);
+    if (status.code != WHIRL_OK) {
+        free(dots);
+        return status;
+    }
     fprintf(file.stream, "# parameter (SI)  x  y (lengths in %.10g m); dots that coincide in print stand once\n",
             of->result->length_scale);
-    for (size_t kind = 0; kind < bifurcation_kinds(of) && dots; kind++) {
+    for (size_t kind = 0; kind < bifurcation_kinds(of); kind++) {
         char kind_name[WHIRL_NAME_SIZE];
         if (!of->present[kind]) continue;
         bifurcation_kind_name(of, kind, kind_name);
@@ -69,10 +73,8 @@ whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of,
             }
         }
     }
-    const bool memory = dots != NULL;
     free(dots);
-    status = report_file_close(&file);
-    return memory ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
+    return report_file_close(&file);
 }
 
 static void write_sweep_line(FILE *data, const bifurcation *of, size_t point) {

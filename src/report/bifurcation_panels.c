@@ -17,7 +17,7 @@ static void band_limits(const bifurcation *of, size_t first, size_t last, double
 void bifurcation_write_rub_bands(FILE *script, const bifurcation *of) {
     const whirl_table *table = of->table;
     const size_t contacts = of->result->contact_count;
-    for (size_t i = 0; of->rub && i < table->count; i++) {
+    for (size_t i = 0; of->shaded && i < table->count; i++) {
         if (!(rub_share(table, i, contacts) > 0.0)) continue;
         size_t last = i;
         while (last + 1 < table->count && table->branch[last + 1] == table->branch[i] &&
@@ -106,7 +106,7 @@ static int count_classes(const bifurcation *of) {
 }
 
 static int key_entries(const bifurcation *of) {
-    int count = of->rub + (of->both ? 2 : 0);
+    int count = of->shaded + (of->both ? 2 : 0);
     for (size_t kind = 0; kind < bifurcation_kinds(of); kind++) count += of->present[kind];
     return count + (of->attractors > 0 ? count_classes(of) : 0);
 }
@@ -137,7 +137,7 @@ static void write_key(FILE *script, const bifurcation *of) {
         if (of->attractors > 0 && has_class(of, (regime_class)kind))
             fprintf(script, "keyentry with boxes fillstyle solid 1 noborder linecolor rgb '%s' title '%s', \\\n  ",
                     regime_class_colour((regime_class)kind), regime_class_name((regime_class)kind));
-    if (of->rub)
+    if (of->shaded)
         fputs("keyentry with boxes fillstyle solid 1 noborder linecolor rgb '#EBCFAE' title 'rub', \\\n  ", script);
     if (of->both)
         fputs(

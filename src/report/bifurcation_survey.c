@@ -142,6 +142,7 @@ static size_t count_attractors(const whirl_table *table) {
 
 void bifurcation_survey(bifurcation *of) {
     const whirl_table *table = of->table;
+    size_t done = 0, rubbing = 0;
     of->attractors = count_attractors(table);
     span parameter = span_empty(), x = span_empty(), y = span_empty(), radius = span_empty();
     for (size_t i = 0; i < table->count; i++) {
@@ -152,7 +153,10 @@ void bifurcation_survey(bifurcation *of) {
         span_widen(&parameter, of->value * table->values[i]);
         const double length = whirl_shown_length(of->units, table, i);
         span_widen(&radius, length * max_radius(table, i, of->station));
-        of->share = fmax(of->share, 1.1 * rub_share(table, i, of->result->contact_count));
+        const double share = rub_share(table, i, of->result->contact_count);
+        of->share = fmax(of->share, 1.1 * share);
+        rubbing += share > 0.0;
+        done++;
         for (size_t k = 0; k < section.rows; k++) {
             span_widen(&x, length * section.at[4 * k]);
             span_widen(&y, length * section.at[4 * k + 1]);
@@ -179,5 +183,6 @@ void bifurcation_survey(bifurcation *of) {
     of->radius = span_with_margin(radius, 0.08, 1e-6 * of->length);
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
+    of->shaded = rubbing > 0 && 2 * rubbing <= done;
     of->confidence = of->attractors == 0 && whirl_layout_field(&table->layout, "regime/confidence") != NULL;
 }

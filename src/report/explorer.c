@@ -678,9 +678,12 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
         report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
         if (status.code == WHIRL_OK) {
-            const bool well = write_page(file.stream, page, place, results, names, count, units);
-            status = report_file_close(&file);
-            if (!well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
+            if (write_page(file.stream, page, place, results, names, count, units)) {
+                status = report_file_close(&file);
+            } else {
+                report_file_drop(&file);
+                status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
+            }
         }
     } else
         status = unreadable(template_path, "has no place for results: it is no template of the explorer");

@@ -93,7 +93,7 @@ static whirl_status draw_station(const drawing *to, bifurcation *of) {
              "Poincar\u00e9 section of %s (one dot a revolution) over %s, coloured by %s.%s Below: the regime%s%s, the "
              "largest Lyapunov exponent with its standard error, %s%s%s%s.",
              station, of->table->parameter, of->attractors > 0 ? "the attractor that starts lead to" : "regime",
-             of->rub ? " Shaded: the rotor rubs." : "", strips_of(of),
+             of->shaded ? " Shaded: the rotor rubs." : "", strips_of(of),
              !of->confidence ? ""
              : of->both      ? ", how far it can be trusted (bars: from the first value on; lines: from the last)"
                              : ", how far it can be trusted",

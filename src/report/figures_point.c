@@ -261,7 +261,54 @@ static double amplitude(const double *line, int full) {
     return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
 }
 
-/// A peak that may get its order written above it; in a full spectrum backward ones stand on the left.
+/// The axis of amplitudes: logarithmic where lines would be lost at the foot of a linear one.
+typedef struct scale {
+    bool logarithmic;
+    double low, high; ///< as shown
+} scale;
+
+/// Lines of a spectrum below this share of the largest are not seen on a linear axis.
+static const double SEEN = 0.01;
+
+/// Over the tallest line stands room for its label.
+static scale scale_of(const subject *of, int full, double room) {
+    double tallest = 0.0, least = INFINITY;
+    for (size_t k = 0; k < of->spectrum.rows; k++) tallest = fmax(tallest, amplitude(&of->spectrum.at[5 * k], full));
+    for (size_t k = 0; k < of->lines.rows; k++) {
+        const double height = amplitude(&of->lines.at[5 * k], full);
+        if (height > 0.0) least = fmin(least, height);
+    }
+    const double high = of->amplitude * (tallest > 0.0 ? tallest : 1.0);
+    if (!(least < SEEN * tallest)) return (scale){false, 0.0, room * high};
+    const double low = fmin(0.3 * of->amplitude * least, 1e-3 * high);
+    return (scale){true, low, high * pow(high / low, room - 1.0)};
+}
+
+/// Where on the axis an amplitude stands, from 0 to 1.
+static double scale_place(const scale *axis, double height) {
+    if (!axis->logarithmic) return height / axis->high;
+    return fmax(log(fmax(height, axis->low) / axis->low) / log(axis->high / axis->low), 0.0);
+}
+
+/// gnuplot's own logarithmic axes leave the panels that follow with a linked axis, so that logarithms are drawn.
+static void write_scale(FILE *script, const scale *axis, int tics) {
+    if (axis->logarithmic)
+        fprintf(script,
+                "height(amplitude) = log10(amplitude > %.8g ? amplitude : %.8g)\n"
+                "set yrange [%.8g:%.8g]\nset ytics 1\nset format y '10^{%%g}'\n",
+                axis->low, axis->low, log10(axis->low), log10(axis->high));
+    else
+        fprintf(script, "height(amplitude) = amplitude\nset yrange [0:%.8g]\nset ytics %g\n", axis->high,
+                tic_step(axis->high, tics));
+}
+
+/// After a panel with that axis.
+static void end_scale(FILE *script, const scale *axis) {
+    if (axis->logarithmic) fputs("set format y '% h'\n", script);
+}
+
+/// A peak that may get its order written above it, and its height on the axis; in a full spectrum backward ones stand
+/// on the left.
 typedef struct peak {
     double place, height;
 } peak;
@@ -282,7 +329,7 @@ static double drawn_height(const subject *of, double order, int column) {
     return of->amplitude * most;
 }
 
-static size_t find_peaks(const subject *of, int full, peak *peaks) {
+static size_t find_peaks(const subject *of, const scale *axis, int full, peak *peaks) {
     size_t count = 0;
     for (size_t k = 0; k < of->lines.rows && k < WHIRL_MAX_LINES; k++) {
         const double order = of->lines.at[5 * k], at = order_size(of) * order;
@@ -290,6 +337,7 @@ static size_t find_peaks(const subject *of, int full, peak *peaks) {
         if (full) peaks[count++] = (peak){at, drawn_height(of, order, 3)};
         if (full) peaks[count++] = (peak){-at, drawn_height(of, order, 4)};
     }
+    for (size_t k = 0; k < count; k++) peaks[k].height = scale_place(axis, peaks[k].height);
     qsort(peaks, count, sizeof *peaks, by_height);
     return count;
 }
@@ -338,10 +386,10 @@ static label place_label(const peak *of, int neighbour, const label *placed, int
 }
 
 /// Writes the orders of the largest lines above them.
-static void write_line_labels(FILE *script, const subject *of, double highest, int full) {
+static void write_line_labels(FILE *script, const subject *of, const scale *axis, double highest, int full) {
     peak peaks[2 * WHIRL_MAX_LINES], labelled[MOST_LABELS];
     label placed[MOST_LABELS];
-    const size_t found = find_peaks(of, full, peaks);
+    const size_t found = find_peaks(of, axis, full, peaks);
     int count = 0;
     for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
         if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
@@ -349,15 +397,15 @@ static void write_line_labels(FILE *script, const subject *of, double highest, i
         char text[32];
         const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
         // Half a letter between neighbours.
-        const double wide = 0.017 * highest * (letters + 0.5), tall = 0.07 * peaks[0].height;
+        const double wide = 0.017 * highest * (letters + 0.5), tall = 0.06;
         const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
         const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
         if (!here.side) continue;
         labelled[count] = peaks[k];
         placed[count++] = here;
         const double anchor = *here.side == 'l' ? here.low : *here.side == 'r' ? here.high : peaks[k].place;
-        fprintf(script, "set label %d '%s' at %.6g, %.6g %s offset 0, 0.35 font small_font\n", 100 + count, text,
-                anchor, peaks[k].height, here.side);
+        fprintf(script, "set label %d '%s' at first %.6g, graph %.4f %s offset 0, 0.35 font small_font\n", 100 + count,
+                text, anchor, peaks[k].height, here.side);
     }
 }
 
@@ -367,42 +415,42 @@ static double highest_order(const subject *of) {
     return order_size(of) * (last > 0.0 ? last : 1.0);
 }
 
-static double tallest(const subject *of, int full) {
-    double most = 0.0;
-    for (size_t k = 0; k < of->spectrum.rows; k++) most = fmax(most, amplitude(&of->spectrum.at[5 * k], full));
-    return of->amplitude * (most > 0.0 ? most : 1.0);
-}
-
 static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
-    const double highest = highest_order(of), top = 1.22 * tallest(of, 0);
+    const double highest = highest_order(of);
+    const scale axis = scale_of(of, 0, 1.22);
     fprintf(script,
-            "set xlabel frequency_label\nset ylabel amplitude_label\n"
-            "set xrange [0:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n"
+            "set xlabel frequency_label\nset ylabel amplitude_label\nset xrange [0:%.6g]\nset xtics %g\n"
             "set key inside top right horizontal samplen 1.5\n",
-            highest, top, tic_step(highest, 6), tic_step(top, 6));
-    write_line_labels(script, of, highest, 0);
-    fprintf(script,
-            "plot keyentry with lines linestyle 1 title '{/:Italic x}', \\\n"
-            "  '%s' using (order*$1):(amplitude*$3) with lines linestyle 2 linewidth 0.5 title '{/:Italic y}', \\\n"
-            "  '' using (order*$1):(amplitude*$2) with lines linestyle 1 linewidth 0.5 notitle\n"
-            "unset key\ndo for [i = 101:%d] { unset label i }\n",
-            what->data[2], 100 + MOST_LABELS);
+            highest, tic_step(highest, 6));
+    write_scale(script, &axis, 6);
+    write_line_labels(script, of, &axis, highest, 0);
+    fprintf(
+        script,
+        "plot keyentry with lines linestyle 1 title '{/:Italic x}', \\\n"
+        "  '%s' using (order*$1):(height(amplitude*$3)) with lines linestyle 2 linewidth 0.5 title '{/:Italic y}', \\\n"
+        "  '' using (order*$1):(height(amplitude*$2)) with lines linestyle 1 linewidth 0.5 notitle\n"
+        "unset key\ndo for [i = 101:%d] { unset label i }\n",
+        what->data[2], 100 + MOST_LABELS);
+    end_scale(script, &axis);
 }
 
 static void write_full_spectrum_panel(FILE *script, const subject *of, const figure *what) {
-    const double highest = highest_order(of), top = 1.24 * tallest(of, 1);
+    const double highest = highest_order(of);
+    const scale axis = scale_of(of, 1, 1.24);
     fprintf(script,
             "set xlabel frequency_label.' (negative: backward whirl)'\nset ylabel amplitude_label\n"
-            "set xrange [%.6g:%.6g]\nset yrange [0:%.8g]\nset xtics %g\nset ytics %g\n",
-            -highest, highest, top, tic_step(highest, 6), tic_step(top, 5));
-    write_line_labels(script, of, highest, 1);
+            "set xrange [%.6g:%.6g]\nset xtics %g\n",
+            -highest, highest, tic_step(highest, 6));
+    write_scale(script, &axis, 5);
+    write_line_labels(script, of, &axis, highest, 1);
     fprintf(script,
             "set label 98 'backward' at graph 0.015, 0.9 left textcolor rgb '#D55E00'\n"
             "set label 99 'forward' at graph 0.985, 0.9 right textcolor rgb '#0072B2'\n"
-            "plot '%s' using (-order*$1):(amplitude*$5) with lines linestyle 2 linewidth 0.5, \\\n"
-            "  '' using (order*$1):(amplitude*$4) with lines linestyle 1 linewidth 0.5\n"
+            "plot '%s' using (-order*$1):(height(amplitude*$5)) with lines linestyle 2 linewidth 0.5, \\\n"
+            "  '' using (order*$1):(height(amplitude*$4)) with lines linestyle 1 linewidth 0.5\n"
             "do for [i = 98:%d] { unset label i }\n",
             what->data[2], 100 + MOST_LABELS);
+    end_scale(script, &axis);
 }
 
 enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, PANEL_COUNT };

@@ -34,6 +34,12 @@ whirl_status report_file_close(report_file *file) {
                       reason ? strerror(reason) : "writing failed (is the disk full?)");
 }
 
+void report_file_drop(report_file *file) {
+    fclose(file->stream);
+    file->stream = NULL;
+    unlink(file->temporary);
+}
+
 static whirl_status make_one(const char *path) {
     struct stat found;
     if (mkdir(path, 0777) == 0) return whirl_ok();

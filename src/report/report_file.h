@@ -21,6 +21,9 @@ whirl_status report_file_open(report_file *file, const char *folder, const char 
 /// Closes the file, looks for errors (a full disk) and gives it its name. A file that failed is removed.
 whirl_status report_file_close(report_file *file);
 
+/// Closes and removes a file that cannot be completed; one that had its name stays.
+void report_file_drop(report_file *file);
+
 /// Makes a folder and those above it; one that is there already is fine.
 whirl_status folder_make(const char *path);
 
