@@ -372,3 +372,10 @@ def test_what_is_carried_down_is_told_apart():
     assert len(drawn) == down.size > 0 and np.array_equal(np.sort(drawn[:, 1]), np.sort(down.ravel()))
     with pytest.raises(whirl.BadInput, match="coordinate is 'z'"):
         result.plot.bifurcation(coordinate="z")
+
+
+def test_the_quick_start_of_the_readme_runs(tmp_path, monkeypatch):
+    block = (ROOT / "README.md").read_text().split("```python\n")[1].split("```")[0]
+    monkeypatch.chdir(tmp_path)
+    exec(block.replace("cases/jeffcott-rub.yaml", str(GOOD)), {})
+    assert (tmp_path / "rub.png").stat().st_size > 10_000
