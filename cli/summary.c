@@ -20,7 +20,7 @@ static const char *plural(double count) {
 
 static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++)
-        if (whirl_table_number(table, point, "rub/share", i) > 0) return true;
+        if (whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i) > 0) return true;
     return false;
 }
 
@@ -36,7 +36,7 @@ static void short_name(const whirl_verdict *verdict, char *name, size_t size) {
 
 static void print_rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++) {
-        const double share = whirl_table_number(table, point, "rub/share", i);
+        const double share = whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i);
         if (share > 0)
             printf("  %s: %.3g %% of the time\n", result->contacts[i], 100 * share);
         else if (share >= 0)
@@ -58,7 +58,7 @@ static whirl_shown_units shown_units(const whirl_result *result) {
 /// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", or "disc 231, journal 191 µm" where the case asks for a
 /// unit.
 static void print_radii(const whirl_result *result, const whirl_table *table, size_t point) {
-    if (!whirl_layout_field(&table->layout, "orbit/max_radius")) return;
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS)) return;
     const whirl_shown_units units = shown_units(result);
     const whirl_unit unit = length_unit(&units);
     const double scale = whirl_result_length_scale(result, table, point),
@@ -66,7 +66,7 @@ static void print_radii(const whirl_result *result, const whirl_table *table, si
     fputs("  largest radius:", stdout);
     for (size_t i = 0; i < result->station_count; i++)
         printf("%s %s %.4g", i ? "," : "", result->stations[i].name,
-               size * whirl_table_number(table, point, "orbit/max_radius", i));
+               size * whirl_table_number(table, point, WHIRL_FIELD_ORBIT_MAX_RADIUS, i));
     if (size != 1.0 || scale == unit.size)
         printf(" %s\n", unit.name);
     else
@@ -81,8 +81,8 @@ static void print_synchronous(const whirl_result *result, const whirl_table *tab
     const double size = units.amplitude * whirl_result_length_scale(result, table, point) / unit.size;
     const char *way = units.amplitude_name;
     for (size_t i = 0; i < result->station_count; i++) {
-        const double *amplitude = whirl_table_field(table, point, "spectrum/synchronous", i);
-        const double *lag = whirl_table_field(table, point, "spectrum/synchronous_lag", i);
+        const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, i);
+        const double *lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, i);
         if (!amplitude || !lag || !isfinite(lag[0]) || !isfinite(lag[1])) continue;
         printf("  at 1X: %s x %.4g %s %s lag %.1f deg, y %.4g %s %s lag %.1f deg\n", result->stations[i].name,
                size * amplitude[0], unit.name, way, lag[0], size * amplitude[1], unit.name, way, lag[1]);
@@ -114,10 +114,10 @@ static void print_verdict(const char *table, const whirl_verdict *verdict) {
 
 /// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
 static void print_failed_exponents(const whirl_table *table, size_t point) {
-    if (!(whirl_table_number(table, point, "exponents/failed", 0) > 0.5)) return;
+    if (!(whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0) > 0.5)) return;
     printf("  exponents failed: their sum is %.4g, the equations give %.4g; take a smaller tolerance or more steps\n",
-           whirl_table_number(table, point, "exponents/sum", 0),
-           whirl_table_number(table, point, "exponents/sum_exact", 0));
+           whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM, 0),
+           whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0));
 }
 
 static void print_point(const whirl_result *result, const whirl_table *table, size_t point) {
@@ -151,7 +151,7 @@ static void print_response(const whirl_result *result, const whirl_table *table)
 // ---------------------------------------------------------------- machines at rest
 
 static bool has_modes(const whirl_table *table) {
-    return whirl_layout_field(&table->layout, "modes/frequency") != NULL;
+    return whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY) != NULL;
 }
 
 static bool is_at_rest(const whirl_table *table) {
@@ -160,19 +160,19 @@ static bool is_at_rest(const whirl_table *table) {
 
 /// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
 static void print_modes(const whirl_table *table, size_t point) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
-    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
-    const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
-    const double *direction = whirl_table_field(table, point, "modes/direction", 0);
-    const double rigid = whirl_table_number(table, point, "modes/rigid_body", 0);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+    const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
+    const double rigid = whirl_table_number(table, point, WHIRL_FIELD_MODES_RIGID_BODY, 0);
     if (rigid > 0) printf("  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, plural(rigid));
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
         const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
         printf("  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i], frequency[i] / 6.283185307179586,
                *whirls ? 10 : 0, ratio[i], whirls);
     }
-    const double stability = whirl_table_number(table, point, "modes/stability", 0);
-    const double modulo = whirl_table_number(table, point, "modes/modulo", 0);
+    const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
+    const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
     if (isfinite(modulo))
         printf("  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n", modulo);
     if (isfinite(stability))
@@ -184,9 +184,9 @@ static void print_modes(const whirl_table *table, size_t point) {
 static void print_critical(const whirl_result *result, const whirl_table *table) {
     static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
     const whirl_unit unit = whirl_result_unit(result, table->parameter);
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     for (size_t point = 0; point < table->count; point++) {
-        const double *rows = whirl_table_field(table, point, "modes/critical", 0);
+        const double *rows = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         if (!whirl_table_done(table, point) || !rows) continue;
         for (size_t i = 0; i < field->rows; i++, rows += field->columns) {
             if (!(rows[0] >= 1 && rows[0] <= 3)) continue;
@@ -208,7 +208,7 @@ static void print_peaks(const whirl_result *result, const whirl_table *table) {
         double largest = 0.0;
         size_t where = 0;
         for (size_t point = 0; point < table->count; point++) {
-            const double *axes = whirl_table_field(table, point, "unbalance/axes", station);
+            const double *axes = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_AXES, station);
             if (!whirl_table_done(table, point) || !axes || !(axes[0] > largest)) continue;
             largest = axes[0];
             where = point;
@@ -300,9 +300,10 @@ static void print_special(const whirl_unit *unit, const whirl_trace *at) {
 }
 
 static size_t points_of(const whirl_table *table, size_t first) {
-    const double branch = whirl_table_number(table, first, "trace/number", 0);
+    const double branch = whirl_table_number(table, first, WHIRL_FIELD_TRACE_NUMBER, 0);
     size_t count = 0;
-    while (first + count < table->count && whirl_table_number(table, first + count, "trace/number", 0) == branch)
+    while (first + count < table->count &&
+           whirl_table_number(table, first + count, WHIRL_FIELD_TRACE_NUMBER, 0) == branch)
         count++;
     return count;
 }
@@ -312,8 +313,8 @@ static void print_branches(const whirl_result *result, const whirl_table *table)
     const whirl_unit unit = whirl_result_unit(result, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         whirl_trace at;
-        const bool begins = point == 0 || whirl_table_number(table, point, "trace/number", 0) !=
-                                              whirl_table_number(table, point - 1, "trace/number", 0);
+        const bool begins = point == 0 || whirl_table_number(table, point, WHIRL_FIELD_TRACE_NUMBER, 0) !=
+                                              whirl_table_number(table, point - 1, WHIRL_FIELD_TRACE_NUMBER, 0);
         if (whirl_table_trace(table, point, &at).code != WHIRL_OK) continue;
         if (begins) print_branch(&unit, &at, points_of(table, point));
         if (at.point.special != WHIRL_REGULAR && isnan(at.point.second)) print_special(&unit, &at);
@@ -495,10 +496,10 @@ static whirl_status print_attractors(const whirl_table *table) {
 /// "refined: 5 points, 2 still in doubt".
 static void print_refinement(const whirl_table *table) {
     size_t refined = 0, doubtful = 0;
-    if (!whirl_layout_field(&table->layout, "refine/rounds")) return;
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_REFINE_ROUNDS)) return;
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
-        refined += whirl_table_number(table, point, "refine/rounds", 0) > 0;
+        refined += whirl_table_number(table, point, WHIRL_FIELD_REFINE_ROUNDS, 0) > 0;
         doubtful += whirl_table_verdict(table, point).confidence == WHIRL_LOW;
     }
     printf("  refined: %zu point%s, %zu still in doubt\n", refined, plural((double)refined), doubtful);

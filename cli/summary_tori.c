@@ -13,11 +13,11 @@ static void print_stability(const whirl_tori *own) {
 
 /// "rotation number 0.39865 to 0.41552; second line of disc, y: order 0.60135 to 0.58448".
 static void print_lines(const whirl_result *result, const whirl_table *table, const whirl_tori *own) {
-    printf("      rotation number %.6g to %.6g", whirl_table_number(table, own->first, "torus/rotation", 0),
-           whirl_table_number(table, own->last, "torus/rotation", 0));
+    printf("      rotation number %.6g to %.6g", whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_ROTATION, 0),
+           whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_ROTATION, 0));
     if (own->station < result->station_count) {
-        const double *first = whirl_table_field(table, own->first, "torus/frequency", own->station);
-        const double *last = whirl_table_field(table, own->last, "torus/frequency", own->station);
+        const double *first = whirl_table_field(table, own->first, WHIRL_FIELD_TORUS_FREQUENCY, own->station);
+        const double *last = whirl_table_field(table, own->last, WHIRL_FIELD_TORUS_FREQUENCY, own->station);
         printf("; second line of %s, %c: order %.6g to %.6g", result->stations[own->station].name, "xy"[own->axis],
                first[own->axis], last[own->axis]);
     }
@@ -25,10 +25,10 @@ static void print_lines(const whirl_result *result, const whirl_table *table, co
 }
 
 static void print_end(const whirl_table *table, const whirl_unit *unit, size_t point) {
-    const double *resonance = whirl_table_field(table, point, "torus/resonance", 0);
-    const double limit = whirl_table_number(table, point, "torus/limit", 0);
+    const double *resonance = whirl_table_field(table, point, WHIRL_FIELD_TORUS_RESONANCE, 0);
+    const double limit = whirl_table_number(table, point, WHIRL_FIELD_TORUS_LIMIT, 0);
     char text[WHIRL_MESSAGE_SIZE];
-    whirl_torus_end_text(whirl_table_number(table, point, "torus/end", 0), resonance[0], resonance[1], text,
+    whirl_torus_end_text(whirl_table_number(table, point, WHIRL_FIELD_TORUS_END, 0), resonance[0], resonance[1], text,
                          sizeof text);
     printf("    %14.9g%s%s  %s", table->values[point] / unit->size, *unit->name ? " " : "", unit->name, text);
     if (isfinite(limit)) printf(" at %.6g", limit / unit->size);
@@ -37,15 +37,15 @@ static void print_end(const whirl_table *table, const whirl_unit *unit, size_t p
 
 static void print_tori(const whirl_result *result, const whirl_table *table, const whirl_unit *unit,
                        const whirl_tori *own) {
-    printf("  torus %.0f: ", whirl_table_number(table, own->first, "torus/number", 0));
+    printf("  torus %.0f: ", whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_NUMBER, 0));
     if (own->found > 0) printf("%zu point%s ", own->found, own->found == 1 ? "" : "s");
     printf("from %.6g%s%s, where branch %.0f changes",
-           whirl_table_number(table, own->first, "torus/begins", 0) / unit->size, *unit->name ? " " : "", unit->name,
-           whirl_table_number(table, own->first, "torus/branch", 0));
+           whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_BEGINS, 0) / unit->size, *unit->name ? " " : "",
+           unit->name, whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_BRANCH, 0));
     if (own->found > 0) print_stability(own);
     putchar('\n');
     if (own->found > 0) print_lines(result, table, own);
-    if (!isnan(whirl_table_number(table, own->last, "torus/end", 0))) print_end(table, unit, own->last);
+    if (!isnan(whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_END, 0))) print_end(table, unit, own->last);
 }
 
 void summarize_tori(const whirl_result *result, const whirl_table *table) {

@@ -31,8 +31,8 @@ int main(void) {
         const whirl_verdict verdict = whirl_table_verdict(sweep, i);
         whirl_verdict_name(&verdict, regime, sizeof regime);
         printf("%s = %.4f: largest radius %.4f, in contact %4.1f %% of the time, %s\n", sweep->parameter,
-               sweep->values[i], *whirl_table_field(sweep, i, "orbit/max_radius", 0),
-               100 * *whirl_table_field(sweep, i, "rub/share", 0), regime);
+               sweep->values[i], *whirl_table_field(sweep, i, WHIRL_FIELD_ORBIT_MAX_RADIUS, 0),
+               100 * *whirl_table_field(sweep, i, WHIRL_FIELD_RUB_SHARE, 0), regime);
     }
     whirl_result_free(result);
     whirl_case_free(rotor_case);

@@ -9,11 +9,12 @@ function handle = whirl_plot_bifurcation(result, varargin)
 %   Gives a handle for every regime or attractor, in the order of the legend.
 %
 %   See also WHIRL_READ, WHIRL_PLOT_POINCARE, WHIRL_PLOT_LYAPUNOV, WHIRL_PLOT_SHARES.
+FIELD = field_names();
 names = {'x', 'y', 'vx', 'vy'};
 [places, options] = arguments_of(varargin, {[], 1}, struct('table', []));
-subject = subject_of(result, 'poincare/section', 'poincare', options.table, places{1});
+subject = subject_of(result, FIELD.poincare_section, 'poincare', options.table, places{1});
 column = coordinate_index(places{2}, names);
-section = field_of(subject.table, 'poincare/section');
+section = field_of(subject.table, FIELD.poincare_section);
 count = size(section, 3);
 section = reshape(section(:, subject.index, :, column), [], count) .* repmat(subject.lengths, 1, count);
 parameter = repmat(subject.values, 1, count);

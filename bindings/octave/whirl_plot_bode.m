@@ -7,10 +7,11 @@ function handle = whirl_plot_bode(result, varargin)
 %   Gives the handles of the lines along x and y: of the amplitude in the first row, of the lag in the second.
 %
 %   See also WHIRL_PLOT_CAMPBELL.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[]}, struct('table', []));
-subject = subject_of(result, 'unbalance/amplitude', 'unbalance', options.table, places{1});
+subject = subject_of(result, FIELD.unbalance_amplitude, 'unbalance', options.table, places{1});
 amplitude = subject.lengths * subject.result.case_.attributes.shown_amplitude;
-amplitude = [amplitude, amplitude] .* both_ways(subject, 'unbalance/amplitude');
+amplitude = [amplitude, amplitude] .* both_ways(subject, FIELD.unbalance_amplitude);
 above = subplot(2, 1, 1);
 set(above, 'Position', [0.16, 0.58, 0.8, 0.37]);
 rows = draw_both(subject.values, amplitude, false);
@@ -19,7 +20,7 @@ place_legend(above, rows', {'x', 'y'}, [subject.values; subject.values], amplitu
 end_figure(above, false, '', amplitude_label(subject.result, ['amplitude of ' subject.station]));
 below = subplot(2, 1, 2);
 set(below, 'Position', [0.16, 0.15, 0.8, 0.34]);
-lag = both_ways(subject, 'unbalance/lag');
+lag = both_ways(subject, FIELD.unbalance_lag);
 rows = [rows; draw_both(subject.values, lag, true)];
 degree_ticks(below);
 end_figure(below, false, subject.label, 'lag (degrees)');

@@ -8,13 +8,14 @@ function handle = whirl_plot_branches(result, varargin)
 %   Gives the handles of the lines, then of the marks of every kind that is there, in the order above.
 %
 %   See also WHIRL_PLOT_BIFURCATION.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[], 1}, struct('table', []));
-subject = subject_of(result, 'trace/high', 'branch', options.table, places{1});
+subject = subject_of(result, FIELD.trace_high, 'branch', options.table, places{1});
 column = coordinate_index(places{2}, {'x', 'y'});
-high = field_of(subject.table, 'trace/high');
+high = field_of(subject.table, FIELD.trace_high);
 y = high(:, subject.index, 1, column) .* subject.lengths;
-number = field_of(subject.table, 'trace/number');
-stable = field_of(subject.table, 'trace/unstable') == 0;
+number = field_of(subject.table, FIELD.trace_number);
+stable = field_of(subject.table, FIELD.trace_unstable) == 0;
 [axes_handle, held] = begin_figure();
 handle = [];
 for branch = unique(number)'
@@ -22,7 +23,7 @@ for branch = unique(number)'
         branch_colour(branch))]; %#ok<AGROW>
 end
 pad_values(axes_handle, subject.values);
-[marks, names] = draw_special(axes_handle, field_of(subject.table, 'trace/special'), subject.values, y);
+[marks, names] = draw_special(axes_handle, field_of(subject.table, FIELD.trace_special), subject.values, y);
 handle = [handle; marks];
 key = [plot(axes_handle, NaN, NaN, 'k-', 'LineWidth', 1.25); plot(axes_handle, NaN, NaN, 'k--', 'LineWidth', 1.25)];
 place_legend(axes_handle, [key; marks], [{'stable', 'unstable'}, names], subject.values, y);

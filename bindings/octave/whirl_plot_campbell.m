@@ -9,13 +9,14 @@ function handle = whirl_plot_campbell(result, varargin)
 %   Gives the handles of all that is there, in the order of the legend.
 %
 %   See also WHIRL_PLOT_BODE.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
-subject = subject_of(result, 'modes/frequency', 'modes', options.table, []);
+subject = subject_of(result, FIELD.modes_frequency, 'modes', options.table, []);
 [unit, size_in_si] = frequency_unit(subject);
-speed = field_of(subject.table, 'modes/speed') / size_in_si;
-frequency = field_of(subject.table, 'modes/frequency');
+speed = field_of(subject.table, FIELD.modes_speed) / size_in_si;
+frequency = field_of(subject.table, FIELD.modes_frequency);
 frequency = reshape(frequency, size(frequency, 1), []) / size_in_si;
-direction = reshape(field_of(subject.table, 'modes/direction'), size(frequency));
+direction = reshape(field_of(subject.table, FIELD.modes_direction), size(frequency));
 [axes_handle, held] = begin_figure();
 once = plot(axes_handle, subject.values, speed, '--', 'Color', [0.4, 0.4, 0.4], 'LineWidth', 1);
 [handle, names] = draw_modes(axes_handle, repmat(subject.values, 1, size(frequency, 2)), frequency, direction);
@@ -33,7 +34,8 @@ end
 
 function [unit, size_in_si] = frequency_unit(subject)
 % The unit of the parameter where it is the speed of the shaft, else Hz; and its size.
-speed = field_of(subject.table, 'modes/speed');
+FIELD = field_names();
+speed = field_of(subject.table, FIELD.modes_speed);
 values = flat(subject.table, subject.table.values);
 unit = 'Hz';
 size_in_si = 2 * pi;
@@ -76,7 +78,8 @@ end
 
 function [handle, names] = draw_critical(axes_handle, subject, size_in_si)
 % Marks of critical speeds and thresholds of stability.
-rows = field_of(subject.table, 'modes/critical');
+FIELD = field_names();
+rows = field_of(subject.table, FIELD.modes_critical);
 rows = reshape(rows, [], size(rows, 4));
 rows = rows(~isnan(rows(:, 2)) & rows(:, 1) > 0, :);
 own = parameter_unit(subject.result, subject.table.attributes.parameter);

@@ -8,10 +8,11 @@ function handle = whirl_plot_lyapunov(result, varargin)
 %   those of their bars.
 %
 %   See also WHIRL_PLOT_BIFURCATION.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
-subject = subject_of(result, 'lyapunov/largest', 'lyapunov', options.table, []);
-exponent = field_of(subject.table, 'lyapunov/largest');
-error_size = field_of(subject.table, 'lyapunov/error');
+subject = subject_of(result, FIELD.lyapunov_largest, 'lyapunov', options.table, []);
+exponent = field_of(subject.table, FIELD.lyapunov_largest);
+error_size = field_of(subject.table, FIELD.lyapunov_error);
 once = points_once(subject.table, subject.name);
 kinds = kinds_of(subject.table, subject.name, has_attractors(subject.table, subject.name));
 named = ~isempty(kinds);

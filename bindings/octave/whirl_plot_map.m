@@ -12,12 +12,13 @@ function handle = whirl_plot_map(result, varargin)
 %   Gives the handle of a patch; its FaceVertexCData are colours or numbers of the cells.
 %
 %   See also WHIRL_READ, WHIRL_PLOT_SHARES.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {1, [], []}, struct('column', 1, 'table', []));
 result = result_of(result);
 [table, name] = map_of(result, options.table);
 cover = cover_of(table, name, checked_plane(table, places{1}));
 x = axis_values(flat(table, table.values), cover, 2) / parameter_unit(result, table.attributes.parameter);
-y = axis_values(field_of(table, 'map/second'), cover, 1) / parameter_unit(result, table.attributes.second);
+y = axis_values(field_of(table, FIELD.map_second), cover, 1) / parameter_unit(result, table.attributes.second);
 if isempty(places{2})
     kinds = kinds_of(table, name, strcmp(name, 'basin'));
     if isempty(kinds)
@@ -40,10 +41,11 @@ end
 
 function [table, name] = map_of(result, wanted)
 % The table of that name, or the first, that has two parameters.
+FIELD = field_names();
 for i = 1:numel(result.attributes.tables)
     name = result.attributes.tables{i};
     table = result.(name);
-    if has_field(table, 'map/second') && (isempty(wanted) || strcmp(name, text_of(wanted)))
+    if has_field(table, FIELD.map_second) && (isempty(wanted) || strcmp(name, text_of(wanted)))
         return
     end
 end
@@ -122,10 +124,11 @@ end
 
 function heading = plane_title(result, table, cover)
 % Of a map over three parameters the third one's value.
+FIELD = field_names();
 heading = '';
 there = cover(find(cover > 0, 1));
 if isfield(table.attributes, 'third') && ~isempty(table.attributes.third) && ~isempty(there)
-    third = field_of(table, 'map/third');
+    third = field_of(table, FIELD.map_third);
     heading = value_text(result, table.attributes.third, third(there));
 end
 end

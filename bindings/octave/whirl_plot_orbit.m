@@ -10,14 +10,15 @@ function handle = whirl_plot_orbit(result, varargin)
 %   Gives the handle of the line, and that of the marks where there are any.
 %
 %   See also WHIRL_PLOT_POINCARE.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[], []}, struct('at', [], 'table', []));
-subject = subject_of(result, 'waveform/samples', 'waveform', options.table, places{2}, true);
+subject = subject_of(result, FIELD.waveform_samples, 'waveform', options.table, places{2}, true);
 point = point_index(subject, places{1}, options.at);
-samples = field_of(subject.table, 'waveform/samples');
+samples = field_of(subject.table, FIELD.waveform_samples);
 path = subject.lengths(point) * reshape(samples(point, subject.index, :, 1:2), [], 2);
 [axes_handle, held] = begin_figure();
 handle = plot(axes_handle, path(:, 1), path(:, 2), 'k-', 'LineWidth', 0.75);
-if has_field(subject.table, 'poincare/section')
+if has_field(subject.table, FIELD.poincare_section)
     % Sections were taken longer than waveforms were kept.
     count = max(1, floor(size(path, 1) / double(subject.table.attributes.samples_per_revolution)));
     marks = section_of(subject, point);

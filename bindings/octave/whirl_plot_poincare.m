@@ -9,8 +9,9 @@ function handle = whirl_plot_poincare(result, varargin)
 %   Gives the handle.
 %
 %   See also WHIRL_PLOT_ORBIT, WHIRL_PLOT_BIFURCATION.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[], []}, struct('at', [], 'table', []));
-subject = subject_of(result, 'poincare/section', 'poincare', options.table, places{2});
+subject = subject_of(result, FIELD.poincare_section, 'poincare', options.table, places{2});
 point = point_index(subject, places{1}, options.at);
 section = section_of(subject, point);
 [axes_handle, held] = begin_figure();

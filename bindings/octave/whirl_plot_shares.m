@@ -8,8 +8,9 @@ function handle = whirl_plot_shares(result, varargin)
 %   circles, in the third of the bars.
 %
 %   See also WHIRL_PLOT_BIFURCATION, WHIRL_PLOT_MAP.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
-subject = subject_of(result, 'starts/number', '''starts: {count: ..., within: ...}''', options.table, []);
+subject = subject_of(result, FIELD.starts_number, '''starts: {count: ..., within: ...}''', options.table, []);
 attractor = double(flat(subject.table, subject.table.attractor));
 share = 100 * flat(subject.table, subject.table.share);
 error_size = 100 * flat(subject.table, subject.table.share_error);

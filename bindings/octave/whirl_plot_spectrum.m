@@ -10,10 +10,11 @@ function handle = whirl_plot_spectrum(result, varargin)
 %   Gives the handle of the lines, or those of the forward and of the backward ones; NaN parts the lines.
 %
 %   See also WHIRL_PLOT_WATERFALL, WHIRL_PLOT_ORBIT.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[], []}, struct('full', true, 'at', [], 'table', []));
-subject = subject_of(result, 'spectrum/lines', 'spectrum', options.table, places{2});
+subject = subject_of(result, FIELD.spectrum_lines, 'spectrum', options.table, places{2});
 point = point_index(subject, places{1}, options.at);
-lines_of = field_of(subject.table, 'spectrum/lines');
+lines_of = field_of(subject.table, FIELD.spectrum_lines);
 lines_of = reshape(lines_of(point, subject.index, :, :), size(lines_of, 3), []);
 lines_of = lines_of(~isnan(lines_of(:, 1)), :);
 order = lines_of(:, 1);

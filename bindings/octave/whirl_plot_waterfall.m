@@ -9,11 +9,12 @@ function handle = whirl_plot_waterfall(result, varargin)
 %   Gives the handle; its CData are decimal logarithms of the amplitudes.
 %
 %   See also WHIRL_PLOT_SPECTRUM.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[]}, struct('full', true, 'highest_order', Inf, 'table', []));
 if ~isnumeric(options.highest_order) || numel(options.highest_order) ~= 1 || ~(options.highest_order > 0)
     error('whirl:badInput', 'the option ''highest_order'' is a number above 0');
 end
-subject = subject_of(result, 'spectrum/lines', 'spectrum', options.table, places{1});
+subject = subject_of(result, FIELD.spectrum_lines, 'spectrum', options.table, places{1});
 [order, at, amplitude] = spectra_of(subject, is_full(options.full));
 kept = find(abs(order) <= options.highest_order & amplitude > 1e-3 * max(amplitude));
 % The largest are drawn above all others.
@@ -29,7 +30,8 @@ end
 
 function [order, at, amplitude] = spectra_of(subject, full)
 % All lines of all points in three columns.
-lines_of = field_of(subject.table, 'spectrum/lines');
+FIELD = field_names();
+lines_of = field_of(subject.table, FIELD.spectrum_lines);
 count = size(lines_of, 3);
 part = @(column) reshape(lines_of(:, subject.index, :, column), [], count);
 factors = repmat(subject.lengths * subject.result.case_.attributes.shown_amplitude, 1, count);

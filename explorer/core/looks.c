@@ -31,7 +31,7 @@ static double number(const plan *p, const double *block, const char *name) {
 /// Settled to 1e-11, or beyond all bounds: the motion ended by itself, and would in a longer run of the same steps.
 static bool ended_by_itself(const plan *p, const double *block) {
     const whirl_record_options *r = &p->batch.record;
-    return number(p, block, "regime/revolutions") < (double)(r->transient + r->record);
+    return number(p, block, WHIRL_FIELD_REGIME_REVOLUTIONS) < (double)(r->transient + r->record);
 }
 
 bool look_is_provisional(const plan *p, const double *block) {
@@ -39,8 +39,8 @@ bool look_is_provisional(const plan *p, const double *block) {
 }
 
 void look_withhold(const plan *p, double *block) {
-    static const char *const verdict[] = {"regime/code", "regime/period", "regime/curves", "regime/diverged_at",
-                                          "regime/confidence"};
+    static const char *const verdict[] = {WHIRL_FIELD_REGIME_CODE, WHIRL_FIELD_REGIME_PERIOD, WHIRL_FIELD_REGIME_CURVES,
+                                          WHIRL_FIELD_REGIME_DIVERGED_AT, WHIRL_FIELD_REGIME_CONFIDENCE};
     if (!look_is_provisional(p, block)) return;
     for (size_t i = 0; i < sizeof verdict / sizeof *verdict; i++) {
         const whirl_field *field = whirl_layout_field(&p->layout, verdict[i]);

@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/fields.h"
 #include "whirl/integrate.h"
 #include "whirl/linear.h"
 #include "whirl/orbit.h"

@@ -4,6 +4,8 @@
 #ifndef WHIRL_WATCHED_H
 #define WHIRL_WATCHED_H
 
+#include "whirl/fields.h"
+
 /// What there is one of.
 typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
 
@@ -16,21 +18,23 @@ typedef enum whirl_fold {
 } whirl_fold;
 
 /// X(array, extent, columns, fold, square, name, unit, meaning): an array [stations or contacts][columns] and its
-/// field, with name, unit and meaning as whirl_field has them; square: instants give squares, whose root is taken in
-/// the end, of the largest or the smallest: no sum or mean has it.
+/// field, with name, unit and meaning as whirl_field has them; square: instants give squares, whose root is taken
+/// in the end, so that a mean is a root mean square.
 #define WHIRL_WATCHED_OF_STATIONS(X)                                                                                   \
-    X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, "max_radius", "length",                                   \
+    X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, WHIRL_FIELD_ORBIT_MAX_RADIUS, "length",                   \
       "largest distance from the centre")                                                                              \
-    X(min_radius, WHIRL_PER_STATION, 1, WHIRL_SMALLEST, true, "min_radius", "length",                                  \
+    X(min_radius, WHIRL_PER_STATION, 1, WHIRL_SMALLEST, true, WHIRL_FIELD_ORBIT_MIN_RADIUS, "length",                  \
       "smallest distance from the centre")                                                                             \
-    X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, "mean", "length", "x, y")                                         \
-    X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, "backward", "1",                                              \
+    X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_MEAN, "length", "x, y")                         \
+    X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_BACKWARD, "1",                              \
       "share of the time of whirl against the rotation")
 /// The same of contacts.
 #define WHIRL_WATCHED_OF_CONTACTS(X)                                                                                   \
-    X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, "share", "1", "share of the time in contact")            \
-    X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, "number", "1", "times that contact began")               \
-    X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, "max_force", "force", "largest normal force")
+    X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_SHARE, "1",                              \
+      "share of the time in contact")                                                                                  \
+    X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, WHIRL_FIELD_RUB_NUMBER, "1", "times that contact began") \
+    X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, WHIRL_FIELD_RUB_MAX_FORCE, "force",                   \
+      "largest normal force")
 /// All of both.
 #define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
 

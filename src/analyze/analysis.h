@@ -18,8 +18,8 @@ typedef struct block_shape {
 
 /// A field before the sizes are known.
 typedef struct field_plan {
-    const char *quantity; ///< the name is "analysis/quantity"
-    const char *unit;     ///< as whirl_field.unit
+    const char *name; ///< of whirl/fields.h
+    const char *unit; ///< as whirl_field.unit
     const char *meaning;
     whirl_extent extent;
     size_t columns;

@@ -7,18 +7,21 @@
 enum { CHAOS, CORRELATION, MEMORY, SETTLING, MULTIPLIER, MODULUS, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [CHAOS] = {"chaos", "1", "K of the 0-1 test, near 1 in chaos, near 0 for regular motion", WHIRL_PER_POINT, 1, NULL},
-    [CORRELATION] = {"correlation", "1", "largest correlation of points that are 1/8 to 1/4 of the watched ones apart",
-                     WHIRL_PER_POINT, 1, NULL},
-    [MEMORY] = {"memory", "revolution",
+    [CHAOS] = {WHIRL_FIELD_EVIDENCE_CHAOS, "1", "K of the 0-1 test, near 1 in chaos, near 0 for regular motion",
+               WHIRL_PER_POINT, 1, NULL},
+    [CORRELATION] = {WHIRL_FIELD_EVIDENCE_CORRELATION, "1",
+                     "largest correlation of points that are 1/8 to 1/4 of the watched ones apart", WHIRL_PER_POINT, 1,
+                     NULL},
+    [MEMORY] = {WHIRL_FIELD_EVIDENCE_MEMORY, "revolution",
                 "revolutions after which the correlation stays below 0.2 (missing: it does not)", WHIRL_PER_POINT, 1,
                 NULL},
-    [SETTLING] = {"settling", "1/revolution", "rate at which returns grow, below 0 while the motion settles",
-                  WHIRL_PER_POINT, 1, NULL},
-    [MULTIPLIER] = {"multiplier", "1", "real, imaginary (largest Floquet multiplier, where the way to rest shows it)",
-                    WHIRL_PER_POINT, 2, NULL},
-    [MODULUS] = {"modulus", "1", "modulus of the largest Floquet multiplier of P-k, by the exponent", WHIRL_PER_POINT,
-                 1, NULL},
+    [SETTLING] = {WHIRL_FIELD_EVIDENCE_SETTLING, "1/revolution",
+                  "rate at which returns grow, below 0 while the motion settles", WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIER] = {WHIRL_FIELD_EVIDENCE_MULTIPLIER, "1",
+                    "real, imaginary (largest Floquet multiplier, where the way to rest shows it)", WHIRL_PER_POINT, 2,
+                    NULL},
+    [MODULUS] = {WHIRL_FIELD_EVIDENCE_MODULUS, "1", "modulus of the largest Floquet multiplier of P-k, by the exponent",
+                 WHIRL_PER_POINT, 1, NULL},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

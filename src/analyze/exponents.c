@@ -47,19 +47,20 @@ static size_t rows_of_exponents(const block_shape *shape) {
 }
 
 static const field_plan fields[FIELD_COUNT] = {
-    [VALUES] = {"values", "1/revolution", "all Lyapunov exponents, natural logarithms, largest first", WHIRL_PER_POINT,
-                1, rows_of_exponents},
-    [ERRORS] = {"errors", "1/revolution",
+    [VALUES] = {WHIRL_FIELD_EXPONENTS_VALUES, "1/revolution",
+                "all Lyapunov exponents, natural logarithms, largest first", WHIRL_PER_POINT, 1, rows_of_exponents},
+    [ERRORS] = {WHIRL_FIELD_EXPONENTS_ERRORS, "1/revolution",
                 "their standard errors, what the sum misses, and how far a second tolerance differs", WHIRL_PER_POINT,
                 1, rows_of_exponents},
-    [SUM] = {"sum", "1/revolution", "the sum of all exponents", WHIRL_PER_POINT, 1, NULL},
-    [SUM_EXACT] = {"sum_exact", "1/revolution",
+    [SUM] = {WHIRL_FIELD_EXPONENTS_SUM, "1/revolution", "the sum of all exponents", WHIRL_PER_POINT, 1, NULL},
+    [SUM_EXACT] = {WHIRL_FIELD_EXPONENTS_SUM_EXACT, "1/revolution",
                    "what it is by the divergence of the equations: the difference is an error of the integration",
                    WHIRL_PER_POINT, 1, NULL},
-    [DIMENSION] = {"dimension", "1", "Kaplan-Yorke dimension of the attractor in the section", WHIRL_PER_POINT, 1,
-                   NULL},
-    [FAILED] = {"failed", "1", "1 where the sum misses what it must be by more than the errors: no exponents then",
-                WHIRL_PER_POINT, 1, NULL},
+    [DIMENSION] = {WHIRL_FIELD_EXPONENTS_DIMENSION, "1", "Kaplan-Yorke dimension of the attractor in the section",
+                   WHIRL_PER_POINT, 1, NULL},
+    [FAILED] = {WHIRL_FIELD_EXPONENTS_FAILED, "1",
+                "1 where the sum misses what it must be by more than the errors: no exponents then", WHIRL_PER_POINT, 1,
+                NULL},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
@@ -88,9 +89,9 @@ const analysis_plan exponents_analysis = {
 
 void whirl_block_compare_exponents(const whirl_layout *layout, double *block, const whirl_layout *other_layout,
                                    const double *other) {
-    static const char *const pairs[][2] = {{"regime/exponent", "regime/exponent_error"},
-                                           {"lyapunov/largest", "lyapunov/error"},
-                                           {"exponents/values", "exponents/errors"}};
+    static const char *const pairs[][2] = {{WHIRL_FIELD_REGIME_EXPONENT, WHIRL_FIELD_REGIME_EXPONENT_ERROR},
+                                           {WHIRL_FIELD_LYAPUNOV_LARGEST, WHIRL_FIELD_LYAPUNOV_ERROR},
+                                           {WHIRL_FIELD_EXPONENTS_VALUES, WHIRL_FIELD_EXPONENTS_ERRORS}};
     for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
         const whirl_field *values = whirl_layout_field(layout, pairs[p][0]);
         const whirl_field *errors = whirl_layout_field(layout, pairs[p][1]);

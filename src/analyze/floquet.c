@@ -22,25 +22,27 @@ static size_t per_coordinate(const block_shape *shape) {
 }
 
 static const field_plan fields[FIELD_COUNT] = {
-    [SEARCH] = {"search", "1",
+    [SEARCH] = {WHIRL_FIELD_FLOQUET_SEARCH, "1",
                 "0 no orbit looked for, 1 the motion is on a stable one, 2 on an unstable one, 3 the nearest one is "
                 "elsewhere, 4 none found",
                 WHIRL_PER_POINT, 1, NULL},
-    [PERIOD] = {"period", "revolution", "revolutions after which the orbit closes", WHIRL_PER_POINT, 1, NULL},
-    [RESIDUAL] = {"residual", "1", "by which it fails to close, over its largest coordinate", WHIRL_PER_POINT, 1, NULL},
-    [DISTANCE] = {"distance", "1", "distance of the motion's last state from it, over the size of the motion",
+    [PERIOD] = {WHIRL_FIELD_FLOQUET_PERIOD, "revolution", "revolutions after which the orbit closes", WHIRL_PER_POINT,
+                1, NULL},
+    [RESIDUAL] = {WHIRL_FIELD_FLOQUET_RESIDUAL, "1", "by which it fails to close, over its largest coordinate",
                   WHIRL_PER_POINT, 1, NULL},
-    [MODULUS] = {"modulus", "1", "modulus of its largest multiplier", WHIRL_PER_POINT, 1, NULL},
-    [UNSTABLE] = {"unstable", "1", "multipliers beyond the unit circle", WHIRL_PER_POINT, 1, NULL},
-    [MULTIPLIERS] = {"multipliers", "1", "real, imaginary", WHIRL_PER_POINT, 2, per_coordinate},
+    [DISTANCE] = {WHIRL_FIELD_FLOQUET_DISTANCE, "1",
+                  "distance of the motion's last state from it, over the size of the motion", WHIRL_PER_POINT, 1, NULL},
+    [MODULUS] = {WHIRL_FIELD_FLOQUET_MODULUS, "1", "modulus of its largest multiplier", WHIRL_PER_POINT, 1, NULL},
+    [UNSTABLE] = {WHIRL_FIELD_FLOQUET_UNSTABLE, "1", "multipliers beyond the unit circle", WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIERS] = {WHIRL_FIELD_FLOQUET_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, per_coordinate},
     [VOLUME_ERROR] =
-        {"volume_error", "1",
+        {WHIRL_FIELD_FLOQUET_VOLUME_ERROR, "1",
          "sum of the multipliers' logarithms less that by the divergence; missing where the smallest is below 1e-12",
          WHIRL_PER_POINT, 1, NULL},
-    [REVOLUTIONS] = {"revolutions", "revolution", "revolutions that Newton's method took, with all disturbances",
-                     WHIRL_PER_POINT, 1, NULL},
-    [SET_AT] = {"set_at", "revolution", "revolution after which the motion was set upon it (0: it ran all its way)",
-                WHIRL_PER_POINT, 1, NULL},
+    [REVOLUTIONS] = {WHIRL_FIELD_FLOQUET_REVOLUTIONS, "revolution",
+                     "revolutions that Newton's method took, with all disturbances", WHIRL_PER_POINT, 1, NULL},
+    [SET_AT] = {WHIRL_FIELD_FLOQUET_SET_AT, "revolution",
+                "revolution after which the motion was set upon it (0: it ran all its way)", WHIRL_PER_POINT, 1, NULL},
 };
 
 /// What is told of multipliers, once there are some.

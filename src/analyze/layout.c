@@ -40,8 +40,7 @@ static size_t repetitions(whirl_extent extent, const block_shape *shape) {
     return 1;
 }
 
-static whirl_status add_field(whirl_layout *layout, const char *analysis, const field_plan *plan,
-                              const block_shape *shape) {
+static whirl_status add_field(whirl_layout *layout, const field_plan *plan, const block_shape *shape) {
     const size_t rows = plan->rows ? plan->rows(shape) : 1;
     const size_t repeat = repetitions(plan->extent, shape);
     if (rows == 0 || repeat == 0) return whirl_ok();
@@ -56,7 +55,7 @@ static whirl_status add_field(whirl_layout *layout, const char *analysis, const 
                            .columns = plan->columns,
                            .repeat = repeat,
                            .offset = layout->size};
-    snprintf(field->name, sizeof field->name, "%s/%s", analysis, plan->quantity);
+    snprintf(field->name, sizeof field->name, "%s", plan->name);
     layout->size += rows * plan->columns * repeat;
     return whirl_ok();
 }
@@ -83,7 +82,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         const analysis_plan *plan = analysis_plans[a];
         status = check_needs(name, plan, options);
         for (size_t f = 0; f < plan->field_count && status.code == WHIRL_OK; f++) {
-            status = add_field(layout, name, &plan->fields[f], &shape);
+            status = add_field(layout, &plan->fields[f], &shape);
         }
     }
     return status;
@@ -102,25 +101,16 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
 }
 
 bool whirl_analysis_has_rows(const char *field) {
-    for (size_t a = 0; analysis_plans[a]; a++) {
-        const char *analysis = whirl_analyses()[a].name;
-        const size_t length = strlen(analysis);
-        if (strncmp(field, analysis, length) != 0 || field[length] != '/') continue;
+    for (size_t a = 0; analysis_plans[a]; a++)
         for (size_t f = 0; f < analysis_plans[a]->field_count; f++)
-            if (strcmp(analysis_plans[a]->fields[f].quantity, field + length + 1) == 0)
-                return analysis_plans[a]->fields[f].rows != NULL;
-    }
+            if (strcmp(analysis_plans[a]->fields[f].name, field) == 0) return analysis_plans[a]->fields[f].rows != NULL;
     return false;
 }
 
 static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
     const analysis_plan *plan = analysis_plans[analysis];
     block_view view = {.block = block};
-    for (size_t f = 0; f < plan->field_count; f++) {
-        char name[WHIRL_NAME_SIZE];
-        snprintf(name, sizeof name, "%s/%s", whirl_analyses()[analysis].name, plan->fields[f].quantity);
-        view.fields[f] = whirl_layout_field(layout, name);
-    }
+    for (size_t f = 0; f < plan->field_count; f++) view.fields[f] = whirl_layout_field(layout, plan->fields[f].name);
     return view;
 }
 

@@ -6,7 +6,7 @@
 #include "analysis.h"
 
 /// The field whose rows are the dimension.
-static const char *const dimensions[] = {"trace/multipliers", "torus/exponents"};
+static const char *const dimensions[] = {WHIRL_FIELD_TRACE_MULTIPLIERS, WHIRL_FIELD_TORUS_EXPONENTS};
 
 /// Whether a layout has any field of an analysis.
 static bool has_any(const whirl_layout *layout, const char *analysis) {
@@ -24,21 +24,18 @@ static block_shape shape_of(const whirl_layout *layout, const whirl_record_optio
         const whirl_field *field = whirl_layout_field(layout, dimensions[i]);
         if (field) shape.dimension = field->rows;
     }
-    const whirl_field *touches = whirl_layout_field(layout, "trace/touches");
+    const whirl_field *touches = whirl_layout_field(layout, WHIRL_FIELD_TRACE_TOUCHES);
     shape.touch_count = touches ? touches->rows : 0;
     return shape;
 }
 
-static whirl_status check_plan(const whirl_layout *layout, const char *analysis, const analysis_plan *plan,
-                               const block_shape *shape) {
+static whirl_status check_plan(const whirl_layout *layout, const analysis_plan *plan, const block_shape *shape) {
     for (size_t f = 0; f < plan->field_count; f++) {
         const field_plan *own = &plan->fields[f];
         const size_t rows = own->rows ? own->rows(shape) : 1;
-        char name[WHIRL_NAME_SIZE];
-        snprintf(name, sizeof name, "%s/%s", analysis, own->quantity);
-        const whirl_field *field = whirl_layout_field(layout, name);
+        const whirl_field *field = whirl_layout_field(layout, own->name);
         const size_t found = field ? field->rows : 0;
-        if (found != rows) return whirl_fail(WHIRL_BAD_INPUT, "%s has %zu rows, expected %zu", name, found, rows);
+        if (found != rows) return whirl_fail(WHIRL_BAD_INPUT, "%s has %zu rows, expected %zu", own->name, found, rows);
     }
     return whirl_ok();
 }
@@ -49,9 +46,8 @@ whirl_status whirl_layout_check(const whirl_layout *layout, whirl_analysis_set s
     whirl_status status = whirl_ok();
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
         const analysis_plan *plan = analysis_plans[a];
-        const char *name = whirl_analyses()[a].name;
-        const bool wanted = (set >> a & 1u) || has_any(layout, name);
-        if ((plan->compute_trace || plan->compute_torus) && wanted) status = check_plan(layout, name, plan, &shape);
+        const bool wanted = (set >> a & 1u) || has_any(layout, whirl_analyses()[a].name);
+        if ((plan->compute_trace || plan->compute_torus) && wanted) status = check_plan(layout, plan, &shape);
     }
     return status;
 }
@@ -61,9 +57,9 @@ whirl_status whirl_block_check(const whirl_layout *layout, const double *block, 
     const struct {
         const char *field;
         double most;
-    } counts[] = {{"trace/revolutions", longest},
-                  {"torus/revolutions", longest},
-                  {"torus/node_count", (double)whirl_trace_torus_nodes(&options->trace)}};
+    } counts[] = {{WHIRL_FIELD_TRACE_REVOLUTIONS, longest},
+                  {WHIRL_FIELD_TORUS_REVOLUTIONS, longest},
+                  {WHIRL_FIELD_TORUS_NODE_COUNT, (double)whirl_trace_torus_nodes(&options->trace)}};
     for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
         const whirl_field *field = whirl_layout_field(layout, counts[i].field);
         const double count = field ? block[field->offset] : (double)NAN;

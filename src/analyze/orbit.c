@@ -6,11 +6,11 @@
 enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [ECCENTRICITY] = {"eccentricity", "1",
+    [ECCENTRICITY] = {WHIRL_FIELD_ORBIT_ECCENTRICITY, "1",
                       "largest eccentricity ratio of the journal (missing where there is no bearing)",
                       WHIRL_PER_STATION, 1, NULL},
-    [LOW] = {"low", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [HIGH] = {"high", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [LOW] = {WHIRL_FIELD_ORBIT_LOW, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [HIGH] = {WHIRL_FIELD_ORBIT_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
     // clang-format off
     WHIRL_WATCHED_OF_STATIONS(WATCHED_PLAN)
     // clang-format on

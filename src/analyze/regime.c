@@ -44,83 +44,92 @@ enum {
 };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [CODE] = {"code", "1", "0 undetermined, 1 periodic, 2 quasi-periodic, 3 chaotic, 4 diverged", WHIRL_PER_POINT, 1,
-              NULL},
-    [PERIOD] = {"period", "revolution", "k of P-k, else 0", WHIRL_PER_POINT, 1, NULL},
-    [CURVES] = {"curves", "1", "closed curves of a quasi-periodic motion's section, else 0", WHIRL_PER_POINT, 1, NULL},
-    [FREQUENCIES] = {"frequencies", "1",
+    [CODE] = {WHIRL_FIELD_REGIME_CODE, "1", "0 undetermined, 1 periodic, 2 quasi-periodic, 3 chaotic, 4 diverged",
+              WHIRL_PER_POINT, 1, NULL},
+    [PERIOD] = {WHIRL_FIELD_REGIME_PERIOD, "revolution", "k of P-k, else 0", WHIRL_PER_POINT, 1, NULL},
+    [CURVES] = {WHIRL_FIELD_REGIME_CURVES, "1", "closed curves of a quasi-periodic motion's section, else 0",
+                WHIRL_PER_POINT, 1, NULL},
+    [FREQUENCIES] = {WHIRL_FIELD_REGIME_FREQUENCIES, "1",
                      "of a quasi-periodic motion with that of the shaft: 2 for closed curves or forced by a phase, 3 "
                      "for a surface and two "
                      "exponents of zero, 0 where that is not told",
                      WHIRL_PER_POINT, 1, NULL},
-    [DIVERGED_AT] = {"diverged_at", "revolution", "revolution in which the motion left its bounds, else 0",
-                     WHIRL_PER_POINT, 1, NULL},
-    [CONFIDENCE] = {"confidence", "1", "0 low, 1 fair, 2 high (at most fair without a second tolerance)",
-                    WHIRL_PER_POINT, 1, NULL},
-    [AGREEMENT] = {"agreement", "1", "confidence by the evidence of this tolerance alone: 0 low, 1 fair, 2 high",
-                   WHIRL_PER_POINT, 1, NULL},
+    [DIVERGED_AT] = {WHIRL_FIELD_REGIME_DIVERGED_AT, "revolution",
+                     "revolution in which the motion left its bounds, else 0", WHIRL_PER_POINT, 1, NULL},
+    [CONFIDENCE] = {WHIRL_FIELD_REGIME_CONFIDENCE, "1",
+                    "0 low, 1 fair, 2 high (at most fair without a second tolerance)", WHIRL_PER_POINT, 1, NULL},
+    [AGREEMENT] = {WHIRL_FIELD_REGIME_AGREEMENT, "1",
+                   "confidence by the evidence of this tolerance alone: 0 low, 1 fair, 2 high", WHIRL_PER_POINT, 1,
+                   NULL},
     [ADVICE] =
-        {"advice", "1",
+        {WHIRL_FIELD_REGIME_ADVICE, "1",
          "what would settle it: 0 nothing, 1 a longer run, 2 a longer watch, 3 a tighter tolerance, 4 more steps, "
          "5 another start",
          WHIRL_PER_POINT, 1, NULL},
-    [ADVICE_FACTOR] = {"advice_factor", "1", "times as long or as many, or errors of a step smaller by it",
-                       WHIRL_PER_POINT, 1, NULL},
-    [OTHER_CODE] = {"other_code", "1", "code at the second tolerance, missing where there was none", WHIRL_PER_POINT, 1,
-                    NULL},
-    [OTHER_PERIOD] = {"other_period", "revolution", "k of P-k at the second tolerance", WHIRL_PER_POINT, 1, NULL},
-    [FOLLOWED] = {"followed", "revolution",
+    [ADVICE_FACTOR] = {WHIRL_FIELD_REGIME_ADVICE_FACTOR, "1",
+                       "times as long or as many, or errors of a step smaller by it", WHIRL_PER_POINT, 1, NULL},
+    [OTHER_CODE] = {WHIRL_FIELD_REGIME_OTHER_CODE, "1", "code at the second tolerance, missing where there was none",
+                    WHIRL_PER_POINT, 1, NULL},
+    [OTHER_PERIOD] = {WHIRL_FIELD_REGIME_OTHER_PERIOD, "revolution", "k of P-k at the second tolerance",
+                      WHIRL_PER_POINT, 1, NULL},
+    [FOLLOWED] = {WHIRL_FIELD_REGIME_FOLLOWED, "revolution",
                   "that copies of a chaotic motion were followed beyond its end, all together, else 0", WHIRL_PER_POINT,
                   1, NULL},
-    [LATER_CODE] = {"later_code", "1", "code of what they were then, missing where none was followed", WHIRL_PER_POINT,
-                    1, NULL},
-    [LATER_PERIOD] = {"later_period", "revolution", "k of P-k that they came to rest on", WHIRL_PER_POINT, 1, NULL},
-    [RECURRENCE] = {"recurrence", "1", "evidence: return distance over the size of the motion", WHIRL_PER_POINT, 1,
-                    NULL},
-    [RECURRENCE_PERIOD] = {"recurrence_period", "revolution", "evidence: revolutions from a point to its return",
-                           WHIRL_PER_POINT, 1, NULL},
-    [LONGEST_PERIOD] = {"longest_period", "revolution", "evidence: longest period that was looked for", WHIRL_PER_POINT,
-                        1, NULL},
-    [RECURRENCE_TREND] = {"recurrence_trend", "1", "evidence: return distance late over early, below 1 it settles",
-                          WHIRL_PER_POINT, 1, NULL},
-    [REGULARITY] = {"regularity", "1", "evidence: decimal digits to which weighted averages of two halves agree",
+    [LATER_CODE] = {WHIRL_FIELD_REGIME_LATER_CODE, "1", "code of what they were then, missing where none was followed",
                     WHIRL_PER_POINT, 1, NULL},
-    [CHAOS] = {"chaos", "1", "evidence: K of the 0-1 test, near 1 in chaos, near 0 for regular motion", WHIRL_PER_POINT,
-               1, NULL},
-    [ROTATION] = {"rotation", "1", "turns of a quasi-periodic motion round its curve from one visit to the next",
-                  WHIRL_PER_POINT, 1, NULL},
-    [NEIGHBOURS] = {"neighbours", "revolution",
+    [LATER_PERIOD] = {WHIRL_FIELD_REGIME_LATER_PERIOD, "revolution", "k of P-k that they came to rest on",
+                      WHIRL_PER_POINT, 1, NULL},
+    [RECURRENCE] = {WHIRL_FIELD_REGIME_RECURRENCE, "1", "evidence: return distance over the size of the motion",
+                    WHIRL_PER_POINT, 1, NULL},
+    [RECURRENCE_PERIOD] = {WHIRL_FIELD_REGIME_RECURRENCE_PERIOD, "revolution",
+                           "evidence: revolutions from a point to its return", WHIRL_PER_POINT, 1, NULL},
+    [LONGEST_PERIOD] = {WHIRL_FIELD_REGIME_LONGEST_PERIOD, "revolution", "evidence: longest period that was looked for",
+                        WHIRL_PER_POINT, 1, NULL},
+    [RECURRENCE_TREND] = {WHIRL_FIELD_REGIME_RECURRENCE_TREND, "1",
+                          "evidence: return distance late over early, below 1 it settles", WHIRL_PER_POINT, 1, NULL},
+    [REGULARITY] = {WHIRL_FIELD_REGIME_REGULARITY, "1",
+                    "evidence: decimal digits to which weighted averages of two halves agree", WHIRL_PER_POINT, 1,
+                    NULL},
+    [CHAOS] = {WHIRL_FIELD_REGIME_CHAOS, "1", "evidence: K of the 0-1 test, near 1 in chaos, near 0 for regular motion",
+               WHIRL_PER_POINT, 1, NULL},
+    [ROTATION] = {WHIRL_FIELD_REGIME_ROTATION, "1",
+                  "turns of a quasi-periodic motion round its curve from one visit to the next", WHIRL_PER_POINT, 1,
+                  NULL},
+    [NEIGHBOURS] = {WHIRL_FIELD_REGIME_NEIGHBOURS, "revolution",
                     "evidence: median between visits of neighbours on a curve; one that locks has its period here",
                     WHIRL_PER_POINT, 1, NULL},
-    [UNLOCKED] = {"unlocked", "revolution", "evidence: a quasi-periodic motion is locked on no period up to this",
-                  WHIRL_PER_POINT, 1, NULL},
-    [ROUND] = {"round", "revolution",
+    [UNLOCKED] = {WHIRL_FIELD_REGIME_UNLOCKED, "revolution",
+                  "evidence: a quasi-periodic motion is locked on no period up to this", WHIRL_PER_POINT, 1, NULL},
+    [ROUND] = {WHIRL_FIELD_REGIME_ROUND, "revolution",
                "evidence: revolutions once round its curve of an undetermined motion that drifts along one",
                WHIRL_PER_POINT, 1, NULL},
-    [EXPONENT] = {"exponent", "1/revolution", "evidence: largest Lyapunov exponent that the verdict rests on",
-                  WHIRL_PER_POINT, 1, NULL},
-    [EXPONENT_ERROR] = {"exponent_error", "1/revolution", "evidence: its error, and how far a second tolerance differs",
-                        WHIRL_PER_POINT, 1, NULL},
-    [STEP_GROWTH] = {"step_growth", "1",
+    [EXPONENT] = {WHIRL_FIELD_REGIME_EXPONENT, "1/revolution",
+                  "evidence: largest Lyapunov exponent that the verdict rests on", WHIRL_PER_POINT, 1, NULL},
+    [EXPONENT_ERROR] = {WHIRL_FIELD_REGIME_EXPONENT_ERROR, "1/revolution",
+                        "evidence: its error, and how far a second tolerance differs", WHIRL_PER_POINT, 1, NULL},
+    [STEP_GROWTH] = {WHIRL_FIELD_REGIME_STEP_GROWTH, "1",
                      "evidence: growth of a disturbance in one fixed step that the machine does not have: above 1 the "
                      "step is unstable",
                      WHIRL_PER_POINT, 1, NULL},
-    [STEP_ERROR] = {"step_error", "1", "evidence: error of a revolution by fixed steps, over the size of the motion",
-                    WHIRL_PER_POINT, 1, NULL},
-    [SWELLING] = {"swelling", "1/revolution",
+    [STEP_ERROR] = {WHIRL_FIELD_REGIME_STEP_ERROR, "1",
+                    "evidence: error of a revolution by fixed steps, over the size of the motion", WHIRL_PER_POINT, 1,
+                    NULL},
+    [SWELLING] = {WHIRL_FIELD_REGIME_SWELLING, "1/revolution",
                   "evidence: rate at which the section grows from half to half of the watched revolutions",
                   WHIRL_PER_POINT, 1, NULL},
-    [REFUGE] = {"refuge", "revolution",
+    [REFUGE] = {WHIRL_FIELD_REGIME_REFUGE, "revolution",
                 "k of a stable P-k among the states that a chaotic motion goes through, -1 for a stable equilibrium, 0 "
                 "where none was found, missing where none was looked for",
                 WHIRL_PER_POINT, 1, NULL},
-    [RESTS] = {"rests", "1", "1 where a P-1 rests at a stable equilibrium, else 0", WHIRL_PER_POINT, 1, NULL},
-    [REST_DISTANCE] = {"rest_distance", "1",
+    [RESTS] = {WHIRL_FIELD_REGIME_RESTS, "1", "1 where a P-1 rests at a stable equilibrium, else 0", WHIRL_PER_POINT, 1,
+               NULL},
+    [REST_DISTANCE] = {WHIRL_FIELD_REGIME_REST_DISTANCE, "1",
                        "evidence: largest distance from that equilibrium over the largest coordinate", WHIRL_PER_POINT,
                        1, NULL},
-    [REST_ORDER] = {"rest_order", "1", "evidence: frequency of the mode about it that decays most slowly, in orders",
-                    WHIRL_PER_POINT, 1, NULL},
-    [REVOLUTIONS] = {"revolutions", "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
+    [REST_ORDER] = {WHIRL_FIELD_REGIME_REST_ORDER, "1",
+                    "evidence: frequency of the mode about it that decays most slowly, in orders", WHIRL_PER_POINT, 1,
+                    NULL},
+    [REVOLUTIONS] = {WHIRL_FIELD_REGIME_REVOLUTIONS, "revolution", "revolutions integrated", WHIRL_PER_POINT, 1, NULL},
 };
 
 static void put_verdict(const whirl_verdict *v, const block_view *view) {
@@ -198,67 +207,64 @@ const char *whirl_analysis_of_verdicts(void) {
 }
 
 bool whirl_layout_has_verdict(const whirl_layout *layout) {
-    return whirl_layout_field(layout, "regime/code") != NULL;
+    return whirl_layout_field(layout, WHIRL_FIELD_REGIME_CODE) != NULL;
 }
 
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block) {
-    const double factor = stored(layout, block, "regime/advice_factor");
-    const double diverged_at = stored(layout, block, "regime/diverged_at");
+    const double factor = stored(layout, block, WHIRL_FIELD_REGIME_ADVICE_FACTOR);
+    const double diverged_at = stored(layout, block, WHIRL_FIELD_REGIME_DIVERGED_AT);
     return (whirl_verdict){
-        .regime = (whirl_regime)whole(stored(layout, block, "regime/code"), WHIRL_DIVERGING),
-        .period = whole(stored(layout, block, "regime/period"), WHIRL_MAX_PERIOD),
-        .curves = whole(stored(layout, block, "regime/curves"), WHIRL_MAX_PERIOD),
-        .frequencies = whole(stored(layout, block, "regime/frequencies"), 3),
+        .regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_CODE), WHIRL_DIVERGING),
+        .period = whole(stored(layout, block, WHIRL_FIELD_REGIME_PERIOD), WHIRL_MAX_PERIOD),
+        .curves = whole(stored(layout, block, WHIRL_FIELD_REGIME_CURVES), WHIRL_MAX_PERIOD),
+        .frequencies = whole(stored(layout, block, WHIRL_FIELD_REGIME_FREQUENCIES), 3),
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
-        .confidence = (whirl_confidence)whole(stored(layout, block, "regime/confidence"), WHIRL_HIGH),
-        .agreement = (whirl_confidence)whole(stored(layout, block, "regime/agreement"), WHIRL_HIGH),
-        .advice = {(whirl_remedy)whole(stored(layout, block, "regime/advice"), WHIRL_OTHER_START),
+        .confidence = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_CONFIDENCE), WHIRL_HIGH),
+        .agreement = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_AGREEMENT), WHIRL_HIGH),
+        .advice = {(whirl_remedy)whole(stored(layout, block, WHIRL_FIELD_REGIME_ADVICE), WHIRL_OTHER_START),
                    factor >= 1.0 ? factor : 1.0},
-        .confirmed = !isnan(stored(layout, block, "regime/other_code")),
-        .other_regime = (whirl_regime)whole(stored(layout, block, "regime/other_code"), WHIRL_DIVERGING),
-        .other_period = whole(stored(layout, block, "regime/other_period"), WHIRL_MAX_PERIOD),
-        .followed = fmax(stored(layout, block, "regime/followed"), 0.0),
-        .later_regime = (whirl_regime)whole(stored(layout, block, "regime/later_code"), WHIRL_DIVERGING),
-        .later_period = whole(stored(layout, block, "regime/later_period"), WHIRL_MAX_PERIOD),
-        .exponent = {stored(layout, block, "regime/exponent"), stored(layout, block, "regime/exponent_error")},
-        .exponents_failed = stored(layout, block, "exponents/failed") > 0.5,
-        .recurrence = stored(layout, block, "regime/recurrence"),
-        .recurrence_period = whole(stored(layout, block, "regime/recurrence_period"), WHIRL_MAX_PERIOD),
-        .longest_period = whole(stored(layout, block, "regime/longest_period"), WHIRL_MAX_PERIOD),
-        .recurrence_trend = stored(layout, block, "regime/recurrence_trend"),
-        .regularity = stored(layout, block, "regime/regularity"),
-        .chaos = stored(layout, block, "regime/chaos"),
-        .rotation = stored(layout, block, "regime/rotation"),
-        .neighbours = whole(stored(layout, block, "regime/neighbours"), INT_MAX),
-        .unlocked = whole(stored(layout, block, "regime/unlocked"), INT_MAX),
-        .round = stored(layout, block, "regime/round"),
-        .orbit = (whirl_orbit_search)whole(stored(layout, block, "floquet/search"), WHIRL_ORBIT_NONE),
-        .orbit_period = whole(stored(layout, block, "floquet/period"), WHIRL_MAX_PERIOD),
-        .orbit_residual = stored(layout, block, "floquet/residual"),
-        .orbit_distance = stored(layout, block, "floquet/distance"),
-        .orbit_modulus = stored(layout, block, "floquet/modulus"),
-        .step_growth = stored(layout, block, "regime/step_growth"),
-        .step_error = stored(layout, block, "regime/step_error"),
-        .revolutions = fmax(stored(layout, block, "regime/revolutions"), 0.0),
-        .swelling = stored(layout, block, "regime/swelling"),
-        .sought = !isnan(stored(layout, block, "regime/refuge")),
-        .refuge = stored(layout, block, "regime/refuge") == WHIRL_REFUGE_AT_REST
+        .confirmed = !isnan(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE)),
+        .other_regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE), WHIRL_DIVERGING),
+        .other_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_PERIOD), WHIRL_MAX_PERIOD),
+        .followed = fmax(stored(layout, block, WHIRL_FIELD_REGIME_FOLLOWED), 0.0),
+        .later_regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_LATER_CODE), WHIRL_DIVERGING),
+        .later_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_LATER_PERIOD), WHIRL_MAX_PERIOD),
+        .exponent = {stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT),
+                     stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT_ERROR)},
+        .exponents_failed = stored(layout, block, WHIRL_FIELD_EXPONENTS_FAILED) > 0.5,
+        .recurrence = stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE),
+        .recurrence_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_PERIOD), WHIRL_MAX_PERIOD),
+        .longest_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_LONGEST_PERIOD), WHIRL_MAX_PERIOD),
+        .recurrence_trend = stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_TREND),
+        .regularity = stored(layout, block, WHIRL_FIELD_REGIME_REGULARITY),
+        .chaos = stored(layout, block, WHIRL_FIELD_REGIME_CHAOS),
+        .rotation = stored(layout, block, WHIRL_FIELD_REGIME_ROTATION),
+        .neighbours = whole(stored(layout, block, WHIRL_FIELD_REGIME_NEIGHBOURS), INT_MAX),
+        .unlocked = whole(stored(layout, block, WHIRL_FIELD_REGIME_UNLOCKED), INT_MAX),
+        .round = stored(layout, block, WHIRL_FIELD_REGIME_ROUND),
+        .orbit = (whirl_orbit_search)whole(stored(layout, block, WHIRL_FIELD_FLOQUET_SEARCH), WHIRL_ORBIT_NONE),
+        .orbit_period = whole(stored(layout, block, WHIRL_FIELD_FLOQUET_PERIOD), WHIRL_MAX_PERIOD),
+        .orbit_residual = stored(layout, block, WHIRL_FIELD_FLOQUET_RESIDUAL),
+        .orbit_distance = stored(layout, block, WHIRL_FIELD_FLOQUET_DISTANCE),
+        .orbit_modulus = stored(layout, block, WHIRL_FIELD_FLOQUET_MODULUS),
+        .step_growth = stored(layout, block, WHIRL_FIELD_REGIME_STEP_GROWTH),
+        .step_error = stored(layout, block, WHIRL_FIELD_REGIME_STEP_ERROR),
+        .revolutions = fmax(stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 0.0),
+        .swelling = stored(layout, block, WHIRL_FIELD_REGIME_SWELLING),
+        .sought = !isnan(stored(layout, block, WHIRL_FIELD_REGIME_REFUGE)),
+        .refuge = stored(layout, block, WHIRL_FIELD_REGIME_REFUGE) == WHIRL_REFUGE_AT_REST
                       ? WHIRL_REFUGE_AT_REST
-                      : whole(stored(layout, block, "regime/refuge"), WHIRL_MAX_PERIOD),
-        .rests = stored(layout, block, "regime/rests") > 0.5,
-        .rest_distance = stored(layout, block, "regime/rest_distance"),
-        .rest_order = stored(layout, block, "regime/rest_order"),
+                      : whole(stored(layout, block, WHIRL_FIELD_REGIME_REFUGE), WHIRL_MAX_PERIOD),
+        .rests = stored(layout, block, WHIRL_FIELD_REGIME_RESTS) > 0.5,
+        .rest_distance = stored(layout, block, WHIRL_FIELD_REGIME_REST_DISTANCE),
+        .rest_order = stored(layout, block, WHIRL_FIELD_REGIME_REST_ORDER),
     };
 }
 
 /// Writes a changed verdict to its block.
 static void store_verdict(const whirl_layout *layout, double *block, const whirl_verdict *verdict) {
     block_view view = {.block = block};
-    for (size_t f = 0; f < FIELD_COUNT; f++) {
-        char name[WHIRL_NAME_SIZE];
-        snprintf(name, sizeof name, "regime/%s", fields[f].quantity);
-        view.fields[f] = whirl_layout_field(layout, name);
-    }
+    for (size_t f = 0; f < FIELD_COUNT; f++) view.fields[f] = whirl_layout_field(layout, fields[f].name);
     put_verdict(verdict, &view);
 }
 
@@ -281,6 +287,7 @@ void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_
 
 void whirl_block_follow(const whirl_layout *layout, double *block, const whirl_verdict *later, double revolutions) {
     whirl_verdict verdict = whirl_block_verdict(layout, block);
-    whirl_verdict_follow(&verdict, later, revolutions, fmax(stored(layout, block, "regime/revolutions"), 1.0));
+    whirl_verdict_follow(&verdict, later, revolutions,
+                         fmax(stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 1.0));
     store_verdict(layout, block, &verdict);
 }

@@ -46,38 +46,41 @@ static size_t numbers_of_nodes(const block_shape *shape) {
 }
 
 static const field_plan fields[FIELD_COUNT] = {
-    [NUMBER] = {"number", "1", "which branch, from 1 in the order in which they were found", WHIRL_PER_POINT, 1, NULL},
-    [PARENT] = {"parent", "1", "the branch along which it begins; 0: none", WHIRL_PER_POINT, 1, NULL},
-    [END] = {"end", "1",
+    [NUMBER] = {WHIRL_FIELD_TRACE_NUMBER, "1", "which branch, from 1 in the order in which they were found",
+                WHIRL_PER_POINT, 1, NULL},
+    [PARENT] = {WHIRL_FIELD_TRACE_PARENT, "1", "the branch along which it begins; 0: none", WHIRL_PER_POINT, 1, NULL},
+    [END] = {WHIRL_FIELD_TRACE_END, "1",
              "why the branch ends here: 0 range, 1 points, 2 closed, 3 lost, 4 at a doubling, 5 stopped; else missing",
              WHIRL_PER_POINT, 1, NULL},
-    [SPECIAL] = {"special", "1", "0 none, 1 fold, 2 crossing, 3 doubling, 4 Neimark-Sacker, 5 Hopf, 6 graze",
-                 WHIRL_PER_POINT, 1, NULL},
-    [SECOND] = {"second", "1", "value of the second parameter, in SI; missing where one is followed", WHIRL_PER_POINT,
-                1, NULL},
-    [REVOLUTIONS] = {"revolutions", "revolution", "after which the orbit closes; 0: after a time of its own",
-                     WHIRL_PER_POINT, 1, NULL},
-    [PERIOD] = {"period", "rad", "of the orbit, in turns of the rotor's clock; 0: an equilibrium", WHIRL_PER_POINT, 1,
-                NULL},
-    [UNSTABLE] = {"unstable", "1", "multipliers beyond the unit circle: stable at 0", WHIRL_PER_POINT, 1, NULL},
-    [LARGEST] = {"largest", "1", "largest modulus of a multiplier; of equilibria largest growth per rad",
-                 WHIRL_PER_POINT, 1, NULL},
-    [ANGLE] = {"angle", "rad", "of the pair of multipliers at a Neimark-Sacker point; at a Hopf point per rad",
-               WHIRL_PER_POINT, 1, NULL},
-    [CRITICALITY] = {"criticality", "1", "cubic coefficient of the normal form: below 0 what begins is stable",
-                     WHIRL_PER_POINT, 1, NULL},
-    [TOUCH] = {"touch", "1", "row of touches that grazes, from 0", WHIRL_PER_POINT, 1, NULL},
-    [RESIDUAL] = {"residual", "1", "by which the orbit fails to close, over its largest coordinate", WHIRL_PER_POINT, 1,
-                  NULL},
-    [VOLUME] = {"volume", "1", "sum of ln|multiplier| by the divergence", WHIRL_PER_POINT, 1, NULL},
-    [MULTIPLIERS] = {"multipliers", "1", "real, imaginary", WHIRL_PER_POINT, 2, coordinates},
-    [TOUCHES] = {"touches", "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4, touches},
-    [NODES] = {"nodes", "1", "states at the beginnings of segments, one after the other", WHIRL_PER_POINT, 1,
-               numbers_of_nodes},
-    [SECTION] = {"section", "length", "x, y, vx, vy (velocities are lengths per unit of the system's time)",
-                 WHIRL_PER_STATION, 4, longest},
-    [LOW] = {"low", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [HIGH] = {"high", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [SPECIAL] = {WHIRL_FIELD_TRACE_SPECIAL, "1",
+                 "0 none, 1 fold, 2 crossing, 3 doubling, 4 Neimark-Sacker, 5 Hopf, 6 graze", WHIRL_PER_POINT, 1, NULL},
+    [SECOND] = {WHIRL_FIELD_TRACE_SECOND, "1", "value of the second parameter, in SI; missing where one is followed",
+                WHIRL_PER_POINT, 1, NULL},
+    [REVOLUTIONS] = {WHIRL_FIELD_TRACE_REVOLUTIONS, "revolution",
+                     "after which the orbit closes; 0: after a time of its own", WHIRL_PER_POINT, 1, NULL},
+    [PERIOD] = {WHIRL_FIELD_TRACE_PERIOD, "rad", "of the orbit, in turns of the rotor's clock; 0: an equilibrium",
+                WHIRL_PER_POINT, 1, NULL},
+    [UNSTABLE] = {WHIRL_FIELD_TRACE_UNSTABLE, "1", "multipliers beyond the unit circle: stable at 0", WHIRL_PER_POINT,
+                  1, NULL},
+    [LARGEST] = {WHIRL_FIELD_TRACE_LARGEST, "1",
+                 "largest modulus of a multiplier; of equilibria largest growth per rad", WHIRL_PER_POINT, 1, NULL},
+    [ANGLE] = {WHIRL_FIELD_TRACE_ANGLE, "rad",
+               "of the pair of multipliers at a Neimark-Sacker point; at a Hopf point per rad", WHIRL_PER_POINT, 1,
+               NULL},
+    [CRITICALITY] = {WHIRL_FIELD_TRACE_CRITICALITY, "1",
+                     "cubic coefficient of the normal form: below 0 what begins is stable", WHIRL_PER_POINT, 1, NULL},
+    [TOUCH] = {WHIRL_FIELD_TRACE_TOUCH, "1", "row of touches that grazes, from 0", WHIRL_PER_POINT, 1, NULL},
+    [RESIDUAL] = {WHIRL_FIELD_TRACE_RESIDUAL, "1", "by which the orbit fails to close, over its largest coordinate",
+                  WHIRL_PER_POINT, 1, NULL},
+    [VOLUME] = {WHIRL_FIELD_TRACE_VOLUME, "1", "sum of ln|multiplier| by the divergence", WHIRL_PER_POINT, 1, NULL},
+    [MULTIPLIERS] = {WHIRL_FIELD_TRACE_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, coordinates},
+    [TOUCHES] = {WHIRL_FIELD_TRACE_TOUCHES, "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4, touches},
+    [NODES] = {WHIRL_FIELD_TRACE_NODES, "1", "states at the beginnings of segments, one after the other",
+               WHIRL_PER_POINT, 1, numbers_of_nodes},
+    [SECTION] = {WHIRL_FIELD_TRACE_SECTION, "length",
+                 "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4, longest},
+    [LOW] = {WHIRL_FIELD_TRACE_LOW, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [HIGH] = {WHIRL_FIELD_TRACE_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
 };
 
 // ---------------------------------------------------------------- to numbers
@@ -157,9 +160,7 @@ typedef struct reading {
 } reading;
 
 static const whirl_field *field_of(const reading *r, size_t field) {
-    char name[WHIRL_NAME_SIZE];
-    snprintf(name, sizeof name, "trace/%s", fields[field].quantity);
-    return whirl_layout_field(r->layout, name);
+    return whirl_layout_field(r->layout, fields[field].name);
 }
 
 /// NULL where the layout has none.

@@ -7,14 +7,15 @@
 enum { SPEED, REST, AMPLITUDE, LAG, AXES, INCLINATION, PROBE, PROBE_LAG, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [SPEED] = {"speed", "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
-    [REST] = {"rest", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [AMPLITUDE] = {"amplitude", "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [LAG] = {"lag", "deg", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [AXES] = {"axes", "length", "major, minor", WHIRL_PER_STATION, 2, NULL},
-    [INCLINATION] = {"inclination", "deg", "of the major axis, from the x axis towards y", WHIRL_PER_STATION, 1, NULL},
-    [PROBE] = {"probe", "length", "first, second", WHIRL_PER_STATION, 2, NULL},
-    [PROBE_LAG] = {"probe_lag", "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
+    [SPEED] = {WHIRL_FIELD_UNBALANCE_SPEED, "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
+    [REST] = {WHIRL_FIELD_UNBALANCE_REST, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [AMPLITUDE] = {WHIRL_FIELD_UNBALANCE_AMPLITUDE, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [LAG] = {WHIRL_FIELD_UNBALANCE_LAG, "deg", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [AXES] = {WHIRL_FIELD_UNBALANCE_AXES, "length", "major, minor", WHIRL_PER_STATION, 2, NULL},
+    [INCLINATION] = {WHIRL_FIELD_UNBALANCE_INCLINATION, "deg", "of the major axis, from the x axis towards y",
+                     WHIRL_PER_STATION, 1, NULL},
+    [PROBE] = {WHIRL_FIELD_UNBALANCE_PROBE, "length", "first, second", WHIRL_PER_STATION, 2, NULL},
+    [PROBE_LAG] = {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
 };
 
 static const double degree = 3.14159265358979323846 / 180.0;

@@ -6,15 +6,16 @@
 enum { WINDING, BACKWARD, DIRECTION, CONTACT, DRY_WHIP, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [WINDING] = {"winding", "1", "turns round the mean position per revolution, above 0 with the rotation",
-                 WHIRL_PER_STATION, 1, NULL},
-    [BACKWARD] = {"backward", "1", "share of the time in which it turns against the rotation", WHIRL_PER_STATION, 1,
-                  NULL},
-    [DIRECTION] = {"direction", "1", "1 forward, -1 backward, 0 mixed", WHIRL_PER_STATION, 1, NULL},
-    [CONTACT] = {"contact", "1", "share of the time beyond the gap (missing where there is none)", WHIRL_PER_STATION, 1,
-                 NULL},
-    [DRY_WHIP] = {"dry_whip", "1", "1 for backward whirl in lasting contact, at no order of the shaft, else 0",
+    [WINDING] = {WHIRL_FIELD_WINDING_WINDING, "1",
+                 "turns round the mean position per revolution, above 0 with the rotation", WHIRL_PER_STATION, 1, NULL},
+    [BACKWARD] = {WHIRL_FIELD_WINDING_BACKWARD, "1", "share of the time in which it turns against the rotation",
                   WHIRL_PER_STATION, 1, NULL},
+    [DIRECTION] = {WHIRL_FIELD_WINDING_DIRECTION, "1", "1 forward, -1 backward, 0 mixed", WHIRL_PER_STATION, 1, NULL},
+    [CONTACT] = {WHIRL_FIELD_WINDING_CONTACT, "1", "share of the time beyond the gap (missing where there is none)",
+                 WHIRL_PER_STATION, 1, NULL},
+    [DRY_WHIP] = {WHIRL_FIELD_WINDING_DRY_WHIP, "1",
+                  "1 for backward whirl in lasting contact, at no order of the shaft, else 0", WHIRL_PER_STATION, 1,
+                  NULL},
 };
 
 static const double pi = 3.141592653589793238463;

@@ -48,7 +48,7 @@ static void write_dots(FILE *data, const bifurcation *of, size_t point, dot *dot
 
 whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of, const char *name) {
     report_file file;
-    const size_t rows = whirl_layout_field(&of->table->layout, "poincare/section")->rows;
+    const size_t rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_POINCARE_SECTION)->rows;
     dot *dots = malloc((rows + 1) * sizeof *dots);
     if (!dots) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the dots of a bifurcation diagram");
     const whirl_status status = report_file_open(&file, to->folder, name);

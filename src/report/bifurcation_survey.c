@@ -184,5 +184,5 @@ void bifurcation_survey(bifurcation *of) {
     of->exponent = exponent_span(table);
     of->rub = has_rub(table, of->result->contact_count);
     of->shaded = rubbing > 0 && 2 * rubbing <= done;
-    of->confidence = of->attractors == 0 && whirl_layout_field(&table->layout, "regime/confidence") != NULL;
+    of->confidence = of->attractors == 0 && whirl_layout_field(&table->layout, WHIRL_FIELD_REGIME_CONFIDENCE) != NULL;
 }

@@ -257,7 +257,7 @@ static void write_widths(FILE *stream, const selection *chosen) {
     if (table->refine == 0) return;
     member(stream, ',', "widths");
     for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',') {
-        const double width = whirl_table_number(table, p, "map/width", 0) / (double)chosen->stride;
+        const double width = whirl_table_number(table, p, WHIRL_FIELD_MAP_WIDTH, 0) / (double)chosen->stride;
         fprintf(stream, "%c%.0f", before, width > 1.0 ? fmin(width, (double)table->refine) : 1.0);
     }
     fputs(end_of_list(chosen), stream);
@@ -391,8 +391,10 @@ typedef struct kept_part {
 
 /// What a map that is not told in full has of its cells.
 static bool is_looked_at_most(const whirl_field *field) {
-    static const char *const names[] = {"regime/code",     "regime/period",    "regime/confidence", "lyapunov/largest",
-                                        "regime/exponent", "orbit/max_radius", "rub/share"};
+    static const char *const names[] = {WHIRL_FIELD_REGIME_CODE,       WHIRL_FIELD_REGIME_PERIOD,
+                                        WHIRL_FIELD_REGIME_CONFIDENCE, WHIRL_FIELD_LYAPUNOV_LARGEST,
+                                        WHIRL_FIELD_REGIME_EXPONENT,   WHIRL_FIELD_ORBIT_MAX_RADIUS,
+                                        WHIRL_FIELD_RUB_SHARE};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(field->name, names[i]) == 0) return true;
     return false;
@@ -401,19 +403,21 @@ static bool is_looked_at_most(const whirl_field *field) {
 /// Of a section the last rows, of a spectrum the lowest orders.
 static kept_part whole_part_of(const whirl_field *field) {
     const size_t rows = field->rows < MOST_ROWS ? field->rows : MOST_ROWS;
-    const bool section = strcmp(field->name, "poincare/section") == 0;
+    const bool section = strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0;
     return (kept_part){section ? field->rows - rows : 0, rows, field->columns};
 }
 
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (chosen->whole) return whole_part_of(field);
-    const bool section = strcmp(field->name, "poincare/section") == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
+    const bool section =
+        strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
     if (chosen->lean && !section && !is_looked_at_most(field)) return (kept_part){0};
     if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
     if (strncmp(field->name, "torus/section_", strlen("torus/section_")) == 0) return (kept_part){0, field->rows, 2};
-    if (strcmp(field->name, "trace/section") == 0) return (kept_part){0, field->rows, 2};
-    if (strcmp(field->name, "trace/multipliers") == 0) return (kept_part){0, field->rows, field->columns};
-    if (!chosen->sections || chosen->count == 0 || strcmp(field->name, "poincare/section") != 0) return (kept_part){0};
+    if (strcmp(field->name, WHIRL_FIELD_TRACE_SECTION) == 0) return (kept_part){0, field->rows, 2};
+    if (strcmp(field->name, WHIRL_FIELD_TRACE_MULTIPLIERS) == 0) return (kept_part){0, field->rows, field->columns};
+    if (!chosen->sections || chosen->count == 0 || strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) != 0)
+        return (kept_part){0};
     const size_t most = MOST_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;
     return (kept_part){field->rows - rows, rows, 2};
@@ -462,7 +466,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
 
 /// What was located between the points, of all points, with all digits.
 static void write_critical(FILE *stream, const whirl_table *table) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     bool first = true;
     if (!field) return;
     member(stream, ',', "critical");
@@ -507,7 +511,8 @@ static size_t count_all_nodes(const whirl_table *table) {
 /// Of branches, so that the page can show orbits that motions leave: [points] period, nodes, with all digits. Of so
 /// many points as there is room for, every "orbit_stride"-th.
 static void write_orbits(FILE *stream, const whirl_table *table) {
-    if (strcmp(table->name, "branch") != 0 || !whirl_layout_field(&table->layout, "trace/nodes") || !table->blocks)
+    if (strcmp(table->name, "branch") != 0 || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||
+        !table->blocks)
         return;
     const size_t stride = count_all_nodes(table) / MOST_NODES + 1;
     fprintf(stream, ",\"orbit_stride\":%zu", stride);

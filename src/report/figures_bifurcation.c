@@ -107,7 +107,8 @@ static whirl_status draw_station(const drawing *to, bifurcation *of) {
 
 whirl_status draw_bifurcations(const drawing *to) {
     const whirl_table *table = whirl_result_table(to->result, "sweep");
-    if (!table || table->count == 0 || !whirl_layout_field(&table->layout, "poincare/section")) return whirl_ok();
+    if (!table || table->count == 0 || !whirl_layout_field(&table->layout, WHIRL_FIELD_POINCARE_SECTION))
+        return whirl_ok();
     whirl_status status = whirl_ok();
     for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++) {
         bifurcation of = {.result = to->result,

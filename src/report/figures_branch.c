@@ -27,31 +27,31 @@ static const struct {
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static bool is_special(const whirl_table *table, size_t point) {
-    return point_number(table, point, "trace/special") > 0.0;
+    return point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL) > 0.0;
 }
 
 static bool are_one(const whirl_table *table, size_t a, size_t b) {
-    return point_number(table, a, "trace/number") == point_number(table, b, "trace/number");
+    return point_number(table, a, WHIRL_FIELD_TRACE_NUMBER) == point_number(table, b, WHIRL_FIELD_TRACE_NUMBER);
 }
 
 /// Whether orbits between two neighbouring points are stable: special points are on the verge.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
     const size_t told = is_special(table, a) ? b : a;
-    return point_number(table, told, "trace/unstable") == 0.0;
+    return point_number(table, told, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
 }
 
 /// Largest modulus of a multiplier; of an equilibrium that over a revolution.
 static double multiplier_of(const whirl_table *table, size_t point) {
-    const double largest = point_number(table, point, "trace/largest");
-    return point_number(table, point, "trace/period") > 0.0 ? largest : exp(two_pi * largest);
+    const double largest = point_number(table, point, WHIRL_FIELD_TRACE_LARGEST);
+    return point_number(table, point, WHIRL_FIELD_TRACE_PERIOD) > 0.0 ? largest : exp(two_pi * largest);
 }
 
 // ---------------------------------------------------------------- data
 
 /// The lines that a point is drawn as: of a forced orbit one a revolution, of others the bounds of their motion.
 static size_t lines_of(const whirl_table *table, size_t point) {
-    const double revolutions = point_number(table, point, "trace/revolutions");
-    return revolutions > 0.0 ? (size_t)revolutions : point_number(table, point, "trace/period") > 0.0 ? 2 : 1;
+    const double revolutions = point_number(table, point, WHIRL_FIELD_TRACE_REVOLUTIONS);
+    return revolutions > 0.0 ? (size_t)revolutions : point_number(table, point, WHIRL_FIELD_TRACE_PERIOD) > 0.0 ? 2 : 1;
 }
 
 /// Of the parameter, over all that is drawn.
@@ -65,12 +65,13 @@ static span range_of(const drawing *to, const whirl_table *table) {
 
 static void write_at(FILE *stream, const drawing *to, const whirl_table *table, size_t point, size_t station,
                      size_t line) {
-    const bool forced = point_number(table, point, "trace/revolutions") > 0.0;
-    const double *at = forced ? whirl_table_field(table, point, "trace/section", station) + 4 * line
-                              : whirl_table_field(table, point, line == 0 ? "trace/high" : "trace/low", station);
+    const bool forced = point_number(table, point, WHIRL_FIELD_TRACE_REVOLUTIONS) > 0.0;
+    const double *at =
+        forced ? whirl_table_field(table, point, WHIRL_FIELD_TRACE_SECTION, station) + 4 * line
+               : whirl_table_field(table, point, line == 0 ? WHIRL_FIELD_TRACE_HIGH : WHIRL_FIELD_TRACE_LOW, station);
     const double own = whirl_shown_length(to->units, table, point) / to->units->length;
     fprintf(stream, "%.10g %.9g %.9g %.9g %.0f %d\n", table->values[point], own * at[0], own * at[1],
-            multiplier_of(table, point), point_number(table, point, "trace/special"), line == 0);
+            multiplier_of(table, point), point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL), line == 0);
 }
 
 /// Pieces of branches that are stable, or those that are not: blocks with empty lines between.
@@ -129,7 +130,7 @@ static whirl_status write_branches(const drawing *to, const whirl_table *table, 
 
 static bool has_kind(const whirl_table *table, int kind) {
     for (size_t point = 0; point < table->count; point++)
-        if (point_number(table, point, "trace/special") == kind) return true;
+        if (point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL) == kind) return true;
     return false;
 }
 
@@ -266,8 +267,9 @@ static whirl_status write_curves(const drawing *to, const whirl_table *table, co
     for (int kind = 1; kind < KINDS; kind++) {
         fputs("NaN NaN 0\n\n", file.stream);
         for (size_t i = 0; i < table->count; i++) {
-            if (point_number(table, i, "trace/special") != kind) continue;
-            fprintf(file.stream, "%.10g %.10g %d\n", table->values[i], point_number(table, i, "trace/second"), kind);
+            if (point_number(table, i, WHIRL_FIELD_TRACE_SPECIAL) != kind) continue;
+            fprintf(file.stream, "%.10g %.10g %d\n", table->values[i], point_number(table, i, WHIRL_FIELD_TRACE_SECOND),
+                    kind);
             if (i + 1 == table->count || !are_one(table, i, i + 1)) fputc('\n', file.stream);
         }
         fputc('\n', file.stream);

@@ -144,7 +144,8 @@ static void fill_cells(const map_drawing *map, const map_cells *cells, const map
     const size_t count = map->table->count;
     for (size_t slot = 0; slot < cells->columns * cells->rows; slot++) {
         const size_t point = cells->cover[slot];
-        const double width = point < count ? whirl_table_number(map->table, point, "map/width", 0) : (double)NAN;
+        const double width =
+            point < count ? whirl_table_number(map->table, point, WHIRL_FIELD_MAP_WIDTH, 0) : (double)NAN;
         const bool mixed = *what->palette && width > 1.0;
         values[slot] = point == count ? (double)NAN
                        : mixed        ? square_number(map, cells, of, point, (size_t)width)

@@ -46,18 +46,18 @@ static whirl_status write_modes(const drawing *to, const whirl_table *table, con
     report_file file;
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     fputs("# value, frequency, damping ratio, logarithmic decrement, direction of whirl, speed\n", file.stream);
     for (size_t mode = 0; table->count > 0 && mode < field->rows; mode++) {
         for (size_t point = 0; point < table->count; point++) {
             const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
             if (!block) continue;
             fprintf(file.stream, "%.10g %.10g %.10g %.10g %.6g %.10g\n", shown_value(to, table, point),
-                    whirl_table_field(table, point, "modes/frequency", 0)[mode] / unit,
-                    whirl_table_field(table, point, "modes/damping_ratio", 0)[mode],
-                    whirl_table_field(table, point, "modes/decrement", 0)[mode],
-                    whirl_table_field(table, point, "modes/direction", 0)[mode],
-                    whirl_table_field(table, point, "modes/speed", 0)[0] / unit);
+                    whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[mode] / unit,
+                    whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0)[mode],
+                    whirl_table_field(table, point, WHIRL_FIELD_MODES_DECREMENT, 0)[mode],
+                    whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0)[mode],
+                    whirl_table_field(table, point, WHIRL_FIELD_MODES_SPEED, 0)[0] / unit);
         }
         fputc('\n', file.stream);
     }
@@ -66,10 +66,10 @@ static whirl_status write_modes(const drawing *to, const whirl_table *table, con
 
 /// Of all points, in their order; how many, at most as many as there is room for.
 static size_t gather_critical(const whirl_table *table, size_t room, const double **rows) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     size_t count = 0;
     for (size_t point = 0; point < table->count; point++) {
-        const double *row = whirl_table_field(table, point, "modes/critical", 0);
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (isfinite(row[0]) && count < room) rows[count++] = row;
     }
@@ -107,13 +107,13 @@ static whirl_status write_critical(const drawing *to, const whirl_table *table, 
 /// Up to where frequencies are shown: where the parameter is a speed, what it meets and what lies below twice its
 /// largest value.
 static double frequency_top(const whirl_table *table, const frequency_unit *unit) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     double fastest = 0.0, highest = 0.0, lowest = (double)INFINITY, near = 0.0;
     for (size_t point = 0; unit->of_speed && point < table->count; point++)
         if (whirl_table_done(table, point))
-            fastest = fmax(fastest, fabs(whirl_table_field(table, point, "modes/speed", 0)[0]));
+            fastest = fmax(fastest, fabs(whirl_table_field(table, point, WHIRL_FIELD_MODES_SPEED, 0)[0]));
     for (size_t point = 0; point < table->count; point++) {
-        const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+        const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
         for (size_t i = 0; frequency && whirl_table_done(table, point) && i < field->rows; i++) {
             highest = fmax(highest, frequency[i]);
             lowest = fmin(lowest, frequency[i]);
@@ -128,13 +128,13 @@ static double frequency_top(const whirl_table *table, const frequency_unit *unit
 /// What is shown of damping: of modes whose frequencies are. More than 0.25 leaves no peak of a response to unbalance
 /// (amplification below 2.5, API 617): more is shown where no mode has less.
 static span damping_span(const whirl_table *table, double top) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     span shown = {0.0, 0.0};
     double least = (double)INFINITY;
     for (int pass = 0; pass < 2; pass++)
         for (size_t point = 0; point < table->count; point++) {
-            const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
-            const double *ratio = whirl_table_field(table, point, "modes/damping_ratio", 0);
+            const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
+            const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
             for (size_t i = 0; frequency && whirl_table_done(table, point) && i < field->rows; i++) {
                 if (!(frequency[i] <= top)) continue;
                 if (pass == 0) least = fmin(least, ratio[i]);
@@ -201,7 +201,7 @@ static whirl_status write_campbell(const drawing *to, const whirl_table *table, 
 }
 
 static whirl_status draw_campbell(const drawing *to, const whirl_table *table) {
-    const frequency_unit unit = unit_of(to, table, "modes/speed");
+    const frequency_unit unit = unit_of(to, table, WHIRL_FIELD_MODES_SPEED);
     figure *what = figure_add(to->list, to->index, "campbell");
     if (!what) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
     snprintf(what->data[0], sizeof what->data[0], "modes.dat");
@@ -274,12 +274,12 @@ static void write_shape(FILE *stream, const whirl_result *result, const whirl_ta
         size_t s = next_on_shaft(result, shaft, -(double)INFINITY);
         if (s == result->station_count) continue;
         for (; s < result->station_count; s = next_on_shaft(result, shaft, result->stations[s].position))
-            write_station(stream, places, whirl_table_field(table, point, "modes/shape", s) + 4 * mode, s);
+            write_station(stream, places, whirl_table_field(table, point, WHIRL_FIELD_MODES_SHAPE, s) + 4 * mode, s);
         fputc('\n', stream);
     }
     for (size_t s = 0; s < result->station_count; s++) {
         if (result->stations[s].shaft > 0) continue;
-        write_station(stream, places, whirl_table_field(table, point, "modes/shape", s) + 4 * mode, s);
+        write_station(stream, places, whirl_table_field(table, point, WHIRL_FIELD_MODES_SHAPE, s) + 4 * mode, s);
         if (places->shafts) fputc('\n', stream);
     }
 }
@@ -290,7 +290,7 @@ static whirl_status write_shapes(const drawing *to, const whirl_table *table, si
     report_file file;
     const whirl_status status = report_file_open(&file, to->folder, name);
     if (status.code != WHIRL_OK) return status;
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/shape");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_SHAPE);
     fputs("# place of the station, then x cos, x sin, y cos, y sin of the motion of unit size: x = x_cos cos + x_sin "
           "sin\n",
           file.stream);
@@ -303,8 +303,8 @@ static whirl_status write_shapes(const drawing *to, const whirl_table *table, si
 
 static void write_shape_panels(FILE *script, const whirl_table *table, size_t point, size_t count,
                                const frequency_unit *unit) {
-    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
-    const double *direction = whirl_table_field(table, point, "modes/direction", 0);
+    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
     for (size_t mode = 0; mode < count; mode++) {
         const double left = mode % 2 ? 0.58 : 0.09, bottom = 0.72 - 0.315 * (double)(mode / 2);
         script_panel(script, left, left + 0.39, bottom, bottom + 0.22);
@@ -352,9 +352,9 @@ static void write_places(FILE *script, const whirl_result *result, const along *
 
 static whirl_status draw_shapes(const drawing *to, const whirl_table *table) {
     const size_t point = table->count - 1, stations = to->result->station_count;
-    const frequency_unit unit = unit_of(to, table, "modes/speed");
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/frequency");
-    const double *frequency = whirl_table_field(table, point, "modes/frequency", 0);
+    const frequency_unit unit = unit_of(to, table, WHIRL_FIELD_MODES_SPEED);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     size_t count = 0;
     along places;
     if (!whirl_table_done(table, point) || !frequency || stations < 2) return whirl_ok();
@@ -394,11 +394,11 @@ static whirl_status write_response(const drawing *to, const whirl_table *table, 
     fputs("# value; amplitude and lag (degrees) of the first and the second probe; mean x, y; major and minor axis\n",
           file.stream);
     for (size_t point = 0; point < table->count; point++) {
-        const double *probe = whirl_table_field(table, point, "unbalance/probe", station);
+        const double *probe = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE, station);
         if (!whirl_table_done(table, point) || !probe) continue;
-        const double *lag = whirl_table_field(table, point, "unbalance/probe_lag", station);
-        const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
-        const double *axes = whirl_table_field(table, point, "unbalance/axes", station);
+        const double *lag = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG, station);
+        const double *rest = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_REST, station);
+        const double *axes = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_AXES, station);
         const double length = whirl_shown_length(to->units, table, point), amplitude = length * to->units->amplitude;
         fprintf(file.stream, "%.10g %.8g %.8g %.8g %.8g %.8g %.8g %.8g %.8g\n", shown_value(to, table, point),
                 amplitude * probe[0], lag[0], amplitude * probe[1], lag[1], length * rest[0], length * rest[1],
@@ -412,7 +412,7 @@ static void write_centre_ranges(FILE *script, const drawing *to, const whirl_tab
     span x = span_empty(), y = span_empty();
     double size = 0.0;
     for (size_t point = 0; point < table->count; point++) {
-        const double *rest = whirl_table_field(table, point, "unbalance/rest", station);
+        const double *rest = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_REST, station);
         const double length = whirl_shown_length(to->units, table, point);
         if (!whirl_table_done(table, point) || !rest) continue;
         span_widen(&x, length * rest[0]);
@@ -430,8 +430,8 @@ static void write_centre_ranges(FILE *script, const drawing *to, const whirl_tab
 static void write_polar_ranges(FILE *script, const drawing *to, const whirl_table *table, size_t station) {
     span x = {0.0, 0.0}, y = {0.0, 0.0};
     for (size_t point = 0; point < table->count; point++) {
-        const double *probe = whirl_table_field(table, point, "unbalance/probe", station);
-        const double *lag = whirl_table_field(table, point, "unbalance/probe_lag", station);
+        const double *probe = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE, station);
+        const double *lag = whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG, station);
         const double size = whirl_shown_length(to->units, table, point) * to->units->amplitude;
         for (size_t i = 0; i < 2 && probe && whirl_table_done(table, point); i++) {
             span_widen(&x, size * probe[i] * cos(lag[i] * two_pi / 360.0));
@@ -514,7 +514,7 @@ whirl_status draw_at_rest(const drawing *to) {
     for (size_t t = 0; t < to->result->table_count && status.code == WHIRL_OK; t++) {
         const whirl_table *table = &to->result->tables[t];
         if (!whirl_analysis_is_resting(table->analyses) || table->count < 1) continue;
-        const bool modes = whirl_layout_field(&table->layout, "modes/frequency") != NULL;
+        const bool modes = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY) != NULL;
         if (modes && table->count > 1) status = draw_campbell(to, table);
         if (modes && status.code == WHIRL_OK) status = draw_shapes(to, table);
         for (size_t s = 0; !modes && table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK; s++)

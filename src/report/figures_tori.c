@@ -14,17 +14,17 @@ const char tori_caption[] =
     " Green: the bands that quasi-periodic motions fill, with solid edges where they are stable, dashed where not.";
 
 static bool is_torus(const whirl_table *table, size_t point) {
-    return isfinite(point_number(table, point, "torus/rotation"));
+    return isfinite(point_number(table, point, WHIRL_FIELD_TORUS_ROTATION));
 }
 
 static bool is_stable(const whirl_table *table, size_t point) {
-    return point_number(table, point, "torus/unstable") == 0.0;
+    return point_number(table, point, WHIRL_FIELD_TORUS_UNSTABLE) == 0.0;
 }
 
 const whirl_table *tori_table(const whirl_result *result) {
     const whirl_table *table = whirl_result_table(result, "tori");
     for (size_t point = 0; table && point < table->count; point++)
-        if (whirl_layout_field(&table->layout, "torus/number") && is_torus(table, point)) return table;
+        if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER) && is_torus(table, point)) return table;
     return NULL;
 }
 
@@ -40,22 +40,22 @@ typedef struct band {
 static bool beginning(const drawing *to, const whirl_table *table, size_t first, size_t station, size_t line,
                       band *out) {
     const whirl_table *branches = whirl_result_table(to->result, "branch");
-    const double row = point_number(table, first, "torus/point");
+    const double row = point_number(table, first, WHIRL_FIELD_TORUS_POINT);
     if (!branches || !(row >= 1.0 && row <= (double)branches->count)) return false;
-    const whirl_field *field = whirl_layout_field(&branches->layout, "trace/section");
+    const whirl_field *field = whirl_layout_field(&branches->layout, WHIRL_FIELD_TRACE_SECTION);
     if (!field || line >= field->rows) return false;
     const double *section = whirl_table_field(branches, (size_t)row - 1, field->name, station);
-    *out = (band){.value = point_number(table, first, "torus/begins"), .stable = is_stable(table, first)};
+    *out = (band){.value = point_number(table, first, WHIRL_FIELD_TORUS_BEGINS), .stable = is_stable(table, first)};
     for (size_t c = 0; section && c < 2; c++) out->low[c] = out->high[c] = section[4 * line + c];
     return section != NULL;
 }
 
 /// Where it shrinks to an orbit, the middle of its last band.
 static bool closing(const whirl_table *table, size_t last, size_t station, size_t line, band *out) {
-    const double *low = whirl_table_field(table, last, "torus/section_low", station);
-    const double *high = whirl_table_field(table, last, "torus/section_high", station);
-    if (point_number(table, last, "torus/end") != WHIRL_TORUS_SHRANK) return false;
-    *out = (band){.value = point_number(table, last, "torus/limit"), .stable = is_stable(table, last)};
+    const double *low = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_LOW, station);
+    const double *high = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
+    if (point_number(table, last, WHIRL_FIELD_TORUS_END) != WHIRL_TORUS_SHRANK) return false;
+    *out = (band){.value = point_number(table, last, WHIRL_FIELD_TORUS_LIMIT), .stable = is_stable(table, last)};
     for (size_t c = 0; c < 2; c++) out->low[c] = out->high[c] = 0.5 * (low[2 * line + c] + high[2 * line + c]);
     return true;
 }
@@ -66,8 +66,8 @@ static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own,
     if (index == 0) return beginning(to, table, own.first, station, line, out);
     const size_t point = own.first + index - 1;
     if (point > own.last) return closing(table, own.last, station, line, out);
-    const double *low = whirl_table_field(table, point, "torus/section_low", station);
-    const double *high = whirl_table_field(table, point, "torus/section_high", station);
+    const double *low = whirl_table_field(table, point, WHIRL_FIELD_TORUS_SECTION_LOW, station);
+    const double *high = whirl_table_field(table, point, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
     *out = (band){.value = table->values[point], .stable = is_stable(table, point)};
     memcpy(out->low, low + 2 * line, sizeof out->low);
     memcpy(out->high, high + 2 * line, sizeof out->high);
@@ -105,7 +105,7 @@ static void write_choice(FILE *stream, const drawing *to, const whirl_table *tab
     fputs("NaN NaN NaN NaN NaN\n\n", stream); // keeps the count of the blocks where one is empty
     for (size_t first = 0; first < table->count; first++) {
         const whirl_tori own = whirl_table_tori(table, first);
-        const double lines = point_number(table, first, "torus/revolutions");
+        const double lines = point_number(table, first, WHIRL_FIELD_TORUS_REVOLUTIONS);
         for (size_t line = 0; (double)line < lines; line++) write_line(stream, to, table, own, station, line, which);
         first = own.last;
     }
@@ -144,13 +144,15 @@ void tori_plot_bands(FILE *script, int column, bool keyed) {
 
 /// The larger amplitude of both coordinates of a station's second line, in the case's own length scale.
 static double amplitude_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
-    const double *amplitude = whirl_table_field(table, point, "torus/amplitude", station);
+    const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_TORUS_AMPLITUDE, station);
     return whirl_shown_length(to->units, table, point) / to->units->length * fmax(amplitude[0], amplitude[1]);
 }
 
 static void write_point(FILE *stream, const drawing *to, const whirl_table *table, size_t point) {
-    fprintf(stream, "%.10g %.10g %.9g %.3g", table->values[point], point_number(table, point, "torus/rotation"),
-            point_number(table, point, "torus/exponent"), point_number(table, point, "torus/exponent_error"));
+    fprintf(stream, "%.10g %.10g %.9g %.3g", table->values[point],
+            point_number(table, point, WHIRL_FIELD_TORUS_ROTATION),
+            point_number(table, point, WHIRL_FIELD_TORUS_EXPONENT),
+            point_number(table, point, WHIRL_FIELD_TORUS_EXPONENT_ERROR));
     for (size_t s = 0; s < to->result->station_count; s++) fprintf(stream, " %.9g", amplitude_of(to, table, point, s));
     fputc('\n', stream);
 }
@@ -213,11 +215,11 @@ static void write_resonances(FILE *script, const span *range) {
 
 /// Of the rotation numbers, and of the resonance at which tori end.
 static span rotations_of(const whirl_table *table, const whirl_tori *own) {
-    const double *resonance = whirl_table_field(table, own->last, "torus/resonance", 0);
+    const double *resonance = whirl_table_field(table, own->last, WHIRL_FIELD_TORUS_RESONANCE, 0);
     span range = span_empty();
     for (size_t point = own->first; point <= own->last; point++)
-        span_widen(&range, point_number(table, point, "torus/rotation"));
-    if (point_number(table, own->last, "torus/end") == WHIRL_TORUS_ROUGH)
+        span_widen(&range, point_number(table, point, WHIRL_FIELD_TORUS_ROTATION));
+    if (point_number(table, own->last, WHIRL_FIELD_TORUS_END) == WHIRL_TORUS_ROUGH)
         span_widen(&range, resonance[0] / resonance[1]);
     return span_with_margin(range, 0.12, 1e-6);
 }
@@ -268,8 +270,8 @@ static void write_panels(FILE *script, const drawing *to, const span *range) {
 /// From where the tori begin to where they end, or seem to.
 static void write_axis(FILE *script, const whirl_table *table, const whirl_tori *own, double unit) {
     span range = span_empty();
-    span_widen(&range, unit * point_number(table, own->first, "torus/begins"));
-    span_widen(&range, unit * point_number(table, own->last, "torus/limit"));
+    span_widen(&range, unit * point_number(table, own->first, WHIRL_FIELD_TORUS_BEGINS));
+    span_widen(&range, unit * point_number(table, own->last, WHIRL_FIELD_TORUS_LIMIT));
     for (size_t point = own->first; point <= own->last; point++) span_widen(&range, unit * table->values[point]);
     range = span_with_margin(range, 0.03, 0.0);
     fprintf(script, "set xrange [%.10g:%.10g]\nset xtics %.10g\n", range.low, range.high,
@@ -298,7 +300,7 @@ static whirl_status write_script(const drawing *to, const whirl_table *table, co
 }
 
 static whirl_status draw_one(const drawing *to, const whirl_table *table, const whirl_tori *own) {
-    const double number = point_number(table, own->first, "torus/number");
+    const double number = point_number(table, own->first, WHIRL_FIELD_TORUS_NUMBER);
     char stem[STEM_SIZE];
     snprintf(stem, sizeof stem, "torus-%.0f", number);
     figure *what = figure_add(to->list, to->index, stem);

@@ -96,8 +96,8 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
 }
 
 static void put_lyapunov(bool *well, json_t *object, const whirl_table *table, size_t point) {
-    const double *largest = whirl_table_field(table, point, "lyapunov/largest", 0);
-    const double *error = whirl_table_field(table, point, "lyapunov/error", 0);
+    const double *largest = whirl_table_field(table, point, WHIRL_FIELD_LYAPUNOV_LARGEST, 0);
+    const double *error = whirl_table_field(table, point, WHIRL_FIELD_LYAPUNOV_ERROR, 0);
     if (!largest || !error) return;
     json_t *exponent = json_object();
     document_put(well, exponent, "largest", document_number(*largest));
@@ -106,14 +106,14 @@ static void put_lyapunov(bool *well, json_t *object, const whirl_table *table, s
 }
 
 static void put_exponents(bool *well, json_t *object, const whirl_table *table, size_t point) {
-    const double *values = whirl_table_field(table, point, "exponents/values", 0);
-    const double *errors = whirl_table_field(table, point, "exponents/errors", 0);
-    const double *sum = whirl_table_field(table, point, "exponents/sum", 0);
-    const double *exact = whirl_table_field(table, point, "exponents/sum_exact", 0);
-    const double *dimension = whirl_table_field(table, point, "exponents/dimension", 0);
-    const double *failed = whirl_table_field(table, point, "exponents/failed", 0); // results of old have none
+    const double *values = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_VALUES, 0);
+    const double *errors = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_ERRORS, 0);
+    const double *sum = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_SUM, 0);
+    const double *exact = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0);
+    const double *dimension = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_DIMENSION, 0);
+    const double *failed = whirl_table_field(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0); // results of old have none
     if (!values || !errors || !sum || !exact || !dimension) return;
-    const size_t count = whirl_layout_field(&table->layout, "exponents/values")->rows;
+    const size_t count = whirl_layout_field(&table->layout, WHIRL_FIELD_EXPONENTS_VALUES)->rows;
     json_t *exponents = json_object();
     document_put(well, exponents, "values", numbers_array(well, values, count));
     document_put(well, exponents, "errors", numbers_array(well, errors, count));
@@ -128,7 +128,7 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
 static void put_floquet(bool *well, json_t *object, const whirl_table *table, size_t point) {
     static const char *const names[] = {"search",   "period",       "residual",    "distance", "modulus",
                                         "unstable", "volume_error", "revolutions", "set_at"};
-    const double *multipliers = whirl_table_field(table, point, "floquet/multipliers", 0);
+    const double *multipliers = whirl_table_field(table, point, WHIRL_FIELD_FLOQUET_MULTIPLIERS, 0);
     if (!multipliers) return;
     json_t *floquet = json_object(), *pairs = json_array();
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -137,7 +137,7 @@ static void put_floquet(bool *well, json_t *object, const whirl_table *table, si
         const double *value = whirl_table_field(table, point, field, 0);
         if (value) document_put(well, floquet, names[i], document_number(*value));
     }
-    const size_t count = whirl_layout_field(&table->layout, "floquet/multipliers")->rows;
+    const size_t count = whirl_layout_field(&table->layout, WHIRL_FIELD_FLOQUET_MULTIPLIERS)->rows;
     for (size_t i = 0; i < count && !isnan(multipliers[2 * i]); i++)
         document_append(well, pairs, numbers_array(well, multipliers + 2 * i, 2));
     document_put(well, floquet, "multipliers", pairs);
@@ -167,14 +167,14 @@ static json_t *numbers_of(const char *analysis, whirl_extent extent, double newt
 static json_t *contact_numbers(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                                size_t contact) {
     json_t *object = numbers_of("rub/", WHIRL_PER_CONTACT, result->force_scale, well, table, point, contact);
-    const double *share = whirl_table_field(table, point, "rub/share", contact);
+    const double *share = whirl_table_field(table, point, WHIRL_FIELD_RUB_SHARE, contact);
     if (share) document_put(well, object, "fraction", document_number(*share));
     return object;
 }
 
 // Times in contact as shares of the record, forces in newtons; "fraction" is the largest of all contacts.
 static void put_rub(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
-    const double *contact = whirl_table_field(table, point, "rub/contact", 0);
+    const double *contact = whirl_table_field(table, point, WHIRL_FIELD_RUB_CONTACT, 0);
     if (!contact) return;
     json_t *rub = json_object();
     json_t *contacts = json_object();
@@ -229,8 +229,8 @@ static json_t *station_lines(bool *well, const whirl_table *table, size_t point,
 // The synchronous part: amplitude, zero to peak, and phase lag in degrees of x, y and both circular motions.
 static json_t *station_synchronous(bool *well, const whirl_table *table, size_t point, size_t station) {
     static const char *const parts[] = {"x", "y", "forward", "backward"};
-    const double *amplitude = whirl_table_field(table, point, "spectrum/synchronous", station);
-    const double *lag = whirl_table_field(table, point, "spectrum/synchronous_lag", station);
+    const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
+    const double *lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, station);
     json_t *object = json_object();
     for (size_t i = 0; i < 4 && amplitude && lag; ++i) {
         json_t *part = json_object();
@@ -254,8 +254,8 @@ static void put_stations(bool *well, json_t *object, const char *key, station_pa
 // Of a station: bounds, and the section once a revolution, [x, y].
 static json_t *station_trace(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("trace/", WHIRL_PER_STATION, 1.0, well, table, point, station);
-    const double *section = whirl_table_field(table, point, "trace/section", station);
-    const size_t rows = whirl_layout_field(&table->layout, "trace/section")->rows;
+    const double *section = whirl_table_field(table, point, WHIRL_FIELD_TRACE_SECTION, station);
+    const size_t rows = whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_SECTION)->rows;
     json_t *array = json_array();
     for (size_t n = 0; n < rows && !isnan(section[4 * n]); ++n)
         document_append(well, array, numbers_array(well, section + 4 * n, 2));
@@ -325,22 +325,22 @@ static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const
 // once a revolution, [x, y].
 static json_t *station_torus(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("torus/", WHIRL_PER_STATION, 1.0, well, table, point, station);
-    document_put(well, object, "section", rows_of(well, table, point, "torus/section", station));
-    document_put(well, object, "section_low", rows_of(well, table, point, "torus/section_low", station));
-    document_put(well, object, "section_high", rows_of(well, table, point, "torus/section_high", station));
+    document_put(well, object, "section", rows_of(well, table, point, WHIRL_FIELD_TORUS_SECTION, station));
+    document_put(well, object, "section_low", rows_of(well, table, point, WHIRL_FIELD_TORUS_SECTION_LOW, station));
+    document_put(well, object, "section_high", rows_of(well, table, point, WHIRL_FIELD_TORUS_SECTION_HIGH, station));
     return object;
 }
 
 // A torus: which branch of them it is of, its rotation number, exponents [value, error], and the nodes of its curve.
 static void put_torus(bool *well, json_t *object, const whirl_table *table, size_t point) {
-    const double end = *whirl_table_field(table, point, "torus/end", 0);
-    const double *resonance = whirl_table_field(table, point, "torus/resonance", 0);
+    const double end = *whirl_table_field(table, point, WHIRL_FIELD_TORUS_END, 0);
+    const double *resonance = whirl_table_field(table, point, WHIRL_FIELD_TORUS_RESONANCE, 0);
     char text[WHIRL_MESSAGE_SIZE];
     json_t *torus = numbers_of("torus/", WHIRL_PER_POINT, 1.0, well, table, point, 0);
     whirl_torus_end_text(end, resonance[0], resonance[1], text, sizeof text);
     document_put(well, torus, "end", isnan(end) ? json_null() : document_text(text));
-    document_put(well, torus, "exponents", rows_of(well, table, point, "torus/exponents", 0));
-    document_put(well, torus, "nodes", rows_of(well, table, point, "torus/nodes", 0));
+    document_put(well, torus, "exponents", rows_of(well, table, point, WHIRL_FIELD_TORUS_EXPONENTS, 0));
+    document_put(well, torus, "nodes", rows_of(well, table, point, WHIRL_FIELD_TORUS_NODES, 0));
     document_put(well, object, "torus", torus);
 }
 
@@ -387,7 +387,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     document_put(well, object, "parameters", point_parameters(well, result, table, point));
     if (table->length_scales) document_put(well, object, "length_scale", document_number(table->length_scales[point]));
     if (table->branch[point] != 0) document_put(well, object, "branch", json_integer(table->branch[point]));
-    if (whirl_layout_field(&table->layout, "torus/number")) {
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER)) {
         put_torus(well, object, table, point);
         put_stations(well, object, "stations", station_torus, result, table, point);
         return object;
@@ -402,7 +402,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         return object;
     }
     if (table->refine > 0)
-        document_put(well, object, "width", document_number(whirl_table_number(table, point, "map/width", 0)));
+        document_put(well, object, "width",
+                     document_number(whirl_table_number(table, point, WHIRL_FIELD_MAP_WIDTH, 0)));
     put_verdict(well, object, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
@@ -410,13 +411,13 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     put_floquet(well, object, table, point);
     put_rub(well, object, result, table, point);
     put_stations(well, object, "stations", station_orbit, result, table, point);
-    if (whirl_layout_field(&table->layout, "winding/winding"))
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_WINDING_WINDING))
         put_stations(well, object, "winding", station_winding, result, table, point);
-    if (whirl_layout_field(&table->layout, "poincare/section"))
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_POINCARE_SECTION))
         put_stations(well, object, "poincare", station_section, result, table, point);
-    if (whirl_layout_field(&table->layout, "spectrum/lines"))
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES))
         put_stations(well, object, "spectrum", station_lines, result, table, point);
-    if (whirl_layout_field(&table->layout, "spectrum/synchronous"))
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS))
         put_stations(well, object, "synchronous", station_synchronous, result, table, point);
     return object;
 }
@@ -449,14 +450,14 @@ static bool dump_member(const char *before, const char *key, json_t *value, FILE
 static void put_start(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point,
                       const whirl_coexistence *found) {
     json_t *start = json_object();
-    const double number = whirl_table_number(table, point, "starts/number", 0);
+    const double number = whirl_table_number(table, point, WHIRL_FIELD_STARTS_NUMBER, 0);
     document_put(well, start, "number", json_integer(isfinite(number) ? (json_int_t)number : 0));
     if (table->neighbours > 0) {
-        const double neighbour = whirl_table_number(table, point, "starts/neighbour", 0);
+        const double neighbour = whirl_table_number(table, point, WHIRL_FIELD_STARTS_NEIGHBOUR, 0);
         document_put(well, start, "neighbour", neighbour > 0.0 ? json_integer((json_int_t)neighbour) : json_null());
     }
     for (size_t s = 0; s < result->station_count; ++s) {
-        const double *state = whirl_table_field(table, point, "starts/state", s);
+        const double *state = whirl_table_field(table, point, WHIRL_FIELD_STARTS_STATE, s);
         if (state) document_put(well, start, result->stations[s].name, numbers_array(well, state, 4));
     }
     document_put(well, object, "start", start);

@@ -8,29 +8,29 @@
 
 /// The regular points of the branch on both sides of a special one; both the same where there is one side.
 static void find_sides(const whirl_table *table, size_t point, size_t *before, size_t *after) {
-    const double branch = point_number(table, point, "trace/number");
+    const double branch = point_number(table, point, WHIRL_FIELD_TRACE_NUMBER);
     *before = *after = point;
-    while (*before > 0 && point_number(table, *before, "trace/special") > 0.0) --*before;
-    while (*after + 1 < table->count && point_number(table, *after, "trace/special") > 0.0 &&
-           point_number(table, *after + 1, "trace/number") == branch)
+    while (*before > 0 && point_number(table, *before, WHIRL_FIELD_TRACE_SPECIAL) > 0.0) --*before;
+    while (*after + 1 < table->count && point_number(table, *after, WHIRL_FIELD_TRACE_SPECIAL) > 0.0 &&
+           point_number(table, *after + 1, WHIRL_FIELD_TRACE_NUMBER) == branch)
         ++*after;
-    if (point_number(table, *before, "trace/number") != branch) *before = *after;
+    if (point_number(table, *before, WHIRL_FIELD_TRACE_NUMBER) != branch) *before = *after;
 }
 
 /// "0 to 2": how many multipliers are beyond the unit circle on both sides.
 static void write_unstable(FILE *stream, const whirl_table *table, size_t point) {
     size_t before, after;
     find_sides(table, point, &before, &after);
-    fprintf(stream, "<td>%.0f to %.0f</td>", point_number(table, before, "trace/unstable"),
-            point_number(table, after, "trace/unstable"));
+    fprintf(stream, "<td>%.0f to %.0f</td>", point_number(table, before, WHIRL_FIELD_TRACE_UNSTABLE),
+            point_number(table, after, WHIRL_FIELD_TRACE_UNSTABLE));
 }
 
 /// "; contacts in a period: 2 to 1" of what grazes.
 static void write_contacts(FILE *stream, const whirl_table *table, size_t point, const whirl_branch_point *at) {
     size_t before, after;
     find_sides(table, point, &before, &after);
-    const double *first = whirl_table_field(table, before, "trace/touches", 0);
-    const double *then = whirl_table_field(table, after, "trace/touches", 0);
+    const double *first = whirl_table_field(table, before, WHIRL_FIELD_TRACE_TOUCHES, 0);
+    const double *then = whirl_table_field(table, after, WHIRL_FIELD_TRACE_TOUCHES, 0);
     if (at->special == WHIRL_GRAZE && first && then)
         fprintf(stream, "; contacts in a period: %.0f to %.0f", first[4 * at->touch + 1], then[4 * at->touch + 1]);
 }
@@ -65,7 +65,7 @@ static void write_end(FILE *stream, const whirl_table *table, size_t point, doub
     whirl_trace at;
     if (whirl_table_trace(table, point, &at).code != WHIRL_OK) return;
     size_t first = point;
-    while (first > 0 && point_number(table, first - 1, "trace/number") == (double)at.branch) first--;
+    while (first > 0 && point_number(table, first - 1, WHIRL_FIELD_TRACE_NUMBER) == (double)at.branch) first--;
     whirl_orbit_name(at.point.orbit, name, sizeof name);
     fprintf(stream, "<tr><th class=\"number\">%zu</th><td>%s</td><td class=\"number\">%.9g</td>", at.branch, name,
             table->values[first] / unit);
@@ -80,7 +80,8 @@ static void write_end(FILE *stream, const whirl_table *table, size_t point, doub
 
 static void write_changes(const page *to, size_t index, const whirl_table *table, const char *label, double unit) {
     size_t count = 0;
-    for (size_t point = 0; point < table->count; point++) count += point_number(table, point, "trace/special") > 0.0;
+    for (size_t point = 0; point < table->count; point++)
+        count += point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL) > 0.0;
     if (count == 0) {
         fputs("<p>Along the branches that were followed nothing changes.</p>\n", to->stream);
         return;
@@ -92,7 +93,7 @@ static void write_changes(const page *to, size_t index, const whirl_table *table
           "begins or ends</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t point = 0; point < table->count; point++)
-        if (point_number(table, point, "trace/special") > 0.0)
+        if (point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL) > 0.0)
             write_row(to->stream, to->results[index], table, point, unit);
     fputs("</tbody></table></div>\n", to->stream);
 }
@@ -112,6 +113,6 @@ void page_branches(const page *to, size_t index) {
           "<tbody>\n",
           to->stream);
     for (size_t point = 0; point < table->count; point++)
-        if (!isnan(point_number(table, point, "trace/end"))) write_end(to->stream, table, point, unit);
+        if (!isnan(point_number(table, point, WHIRL_FIELD_TRACE_END))) write_end(to->stream, table, point, unit);
     fputs("</tbody></table></div>\n", to->stream);
 }

@@ -180,12 +180,12 @@ static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
 
 /// All exponents with their sum and what it is exactly, where they were computed.
 static void write_exponents(FILE *stream, const whirl_table *table, size_t point) {
-    const numbers values = point_numbers(table, point, "exponents/values", 0);
-    const numbers errors = point_numbers(table, point, "exponents/errors", 0);
-    const numbers sum = point_numbers(table, point, "exponents/sum", 0);
-    const numbers exact = point_numbers(table, point, "exponents/sum_exact", 0);
-    const numbers dimension = point_numbers(table, point, "exponents/dimension", 0);
-    const numbers failed = point_numbers(table, point, "exponents/failed", 0);
+    const numbers values = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_VALUES, 0);
+    const numbers errors = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_ERRORS, 0);
+    const numbers sum = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_SUM, 0);
+    const numbers exact = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0);
+    const numbers dimension = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_DIMENSION, 0);
+    const numbers failed = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0);
     if (failed.at && failed.at[0] > 0.5 && sum.at && exact.at) {
         fputs("<br>", stream);
         html_printf(stream, "exponents failed: their sum is %.6g, the equations give %.6g", sum.at[0], exact.at[0]);
@@ -345,8 +345,8 @@ static void write_sizes(const point_page *to) {
 enum { SYNCHRONOUS_PARTS = 4 };
 
 static void write_synchronous(const point_page *to, size_t point, size_t station) {
-    const double *amplitude = whirl_table_field(to->table, point, "spectrum/synchronous", station);
-    const double *lag = whirl_table_field(to->table, point, "spectrum/synchronous_lag", station);
+    const double *amplitude = whirl_table_field(to->table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
+    const double *lag = whirl_table_field(to->table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, station);
     const double size = whirl_shown_length(to->units, to->table, point) * to->units->amplitude;
     write_station_name(to, point, station);
     for (int i = 0; i < SYNCHRONOUS_PARTS && amplitude && lag; i++) {
@@ -359,7 +359,7 @@ static void write_synchronous(const point_page *to, size_t point, size_t station
 static void write_running_speed(const point_page *to) {
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     char amplitude[UNIT_LABEL_SIZE];
-    if (!whirl_layout_field(&to->table->layout, "spectrum/synchronous")) return;
+    if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS)) return;
     units_amplitude_label(to->units, "Amplitudes", amplitude, sizeof amplitude);
     const char *keyphasor = whirl_result_keyphasor(to->result);
     fputs(*keyphasor ? "<h4>At the frequency of the " : "<h4>At the running speed", to->stream);

@@ -6,10 +6,10 @@
 #include "quantities.h"
 
 static size_t count_critical(const whirl_table *table) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     size_t count = 0;
     for (size_t point = 0; field && point < table->count; point++) {
-        const double *row = whirl_table_field(table, point, "modes/critical", 0);
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++)
             count += isfinite(row[i * field->columns]);
     }
@@ -19,7 +19,7 @@ static size_t count_critical(const whirl_table *table) {
 /// Whether frequencies are known but for multiples of the speed, at any point.
 static bool is_modulated(const whirl_table *table) {
     for (size_t point = 0; point < table->count; point++) {
-        const double *modulo = whirl_table_field(table, point, "modes/modulo", 0);
+        const double *modulo = whirl_table_field(table, point, WHIRL_FIELD_MODES_MODULO, 0);
         if (modulo && whirl_table_done(table, point) && isfinite(*modulo)) return true;
     }
     return false;
@@ -40,7 +40,7 @@ void page_critical(const page *to, size_t index) {
     const whirl_table *table = whirl_result_table(to->results[index], "modes");
     char label[UNIT_LABEL_SIZE];
     if (!table || !*table->parameter) return;
-    const whirl_field *field = whirl_layout_field(&table->layout, "modes/critical");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     fprintf(to->stream, "<h3 id=\"critical-%zu\">Critical speeds and stability</h3>\n", index + 1);
     if (is_modulated(table))
         fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
@@ -63,7 +63,7 @@ void page_critical(const page *to, size_t index) {
           "<th class=\"number\">damping ratio</th><th>whirl</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t point = 0; point < table->count; point++) {
-        const double *row = whirl_table_field(table, point, "modes/critical", 0);
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (row[0] >= 1.0 && row[0] <= 3.0)
                 write_row(to->stream, row, whirl_shown_parameter(&to->units[index], table->parameter).size);

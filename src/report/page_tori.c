@@ -28,7 +28,7 @@ static void write_stable(const tori_view *v) {
 /// The frequency of the largest line, as an order or in the unit of frequencies.
 static double shown_frequency(const tori_view *v, size_t point) {
     const whirl_shown_units *units = &v->to->units[v->index];
-    const double order = whirl_table_field(v->table, point, "torus/frequency", v->own.station)[v->own.axis];
+    const double order = whirl_table_field(v->table, point, WHIRL_FIELD_TORUS_FREQUENCY, v->own.station)[v->own.axis];
     const double size = units_order(units, machine_clock(v->machine, v->result, v->table, point));
     return isfinite(size) ? order * size : order;
 }
@@ -45,10 +45,10 @@ static void write_line(const tori_view *v) {
 }
 
 static void write_end(const tori_view *v) {
-    const double *resonance = whirl_table_field(v->table, v->own.last, "torus/resonance", 0);
-    const double limit = point_number(v->table, v->own.last, "torus/limit");
+    const double *resonance = whirl_table_field(v->table, v->own.last, WHIRL_FIELD_TORUS_RESONANCE, 0);
+    const double limit = point_number(v->table, v->own.last, WHIRL_FIELD_TORUS_LIMIT);
     char text[WHIRL_MESSAGE_SIZE];
-    whirl_torus_end_text(point_number(v->table, v->own.last, "torus/end"), resonance[0], resonance[1], text,
+    whirl_torus_end_text(point_number(v->table, v->own.last, WHIRL_FIELD_TORUS_END), resonance[0], resonance[1], text,
                          sizeof text);
     fprintf(v->to->stream, "<td class=\"number\">%.9g</td><td class=\"wide\">",
             v->table->values[v->own.last] / v->unit);
@@ -60,13 +60,13 @@ static void write_end(const tori_view *v) {
 static void write_row(const tori_view *v) {
     FILE *stream = v->to->stream;
     fprintf(stream, "<tr><th class=\"number\">%.0f</th><td class=\"number\">%.9g</td><td class=\"number\">%.0f</td>",
-            point_number(v->table, v->own.first, "torus/number"),
-            point_number(v->table, v->own.first, "torus/begins") / v->unit,
-            point_number(v->table, v->own.first, "torus/branch"));
+            point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_NUMBER),
+            point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_BEGINS) / v->unit,
+            point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_BRANCH));
     if (v->own.found > 0) {
         fprintf(stream, "<td class=\"number\">%.6g to %.6g</td>",
-                point_number(v->table, v->own.first, "torus/rotation"),
-                point_number(v->table, v->own.last, "torus/rotation"));
+                point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_ROTATION),
+                point_number(v->table, v->own.last, WHIRL_FIELD_TORUS_ROTATION));
         write_line(v);
         write_stable(v);
         fprintf(stream, "<td class=\"number\">%zu</td>", v->own.found);
@@ -95,7 +95,7 @@ void page_tori(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = whirl_result_table(result, "tori");
     char label[UNIT_LABEL_SIZE];
-    if (!table || !whirl_layout_field(&table->layout, "torus/number")) return;
+    if (!table || !whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER)) return;
     fprintf(to->stream, "<h3 id=\"tori-%zu\">Quasi-periodic motions</h3>\n", index + 1);
     if (table->count == 0) {
         fputs("<p>Along the branches that were followed no torus begins.</p>\n", to->stream);

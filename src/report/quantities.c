@@ -20,19 +20,19 @@ static numbers array_of(const whirl_table *table, size_t point, const char *fiel
 }
 
 numbers point_section(const whirl_table *table, size_t point, size_t station) {
-    return array_of(table, point, "poincare/section", station, 4);
+    return array_of(table, point, WHIRL_FIELD_POINCARE_SECTION, station, 4);
 }
 
 numbers point_waveform(const whirl_table *table, size_t point, size_t station) {
-    return array_of(table, point, "waveform/samples", station, 2);
+    return array_of(table, point, WHIRL_FIELD_WAVEFORM_SAMPLES, station, 2);
 }
 
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station) {
-    return array_of(table, point, "spectrum/amplitude", station, 5);
+    return array_of(table, point, WHIRL_FIELD_SPECTRUM_AMPLITUDE, station, 5);
 }
 
 numbers point_lines(const whirl_table *table, size_t point, size_t station) {
-    return array_of(table, point, "spectrum/lines", station, 5);
+    return array_of(table, point, WHIRL_FIELD_SPECTRUM_LINES, station, 5);
 }
 
 double point_number(const whirl_table *table, size_t point, const char *field) {
@@ -40,9 +40,9 @@ double point_number(const whirl_table *table, size_t point, const char *field) {
 }
 
 whirl_estimate point_exponent(const whirl_table *table, size_t point) {
-    const double value = whirl_table_number(table, point, "lyapunov/largest", 0);
+    const double value = whirl_table_number(table, point, WHIRL_FIELD_LYAPUNOV_LARGEST, 0);
     if (isnan(value)) return whirl_table_verdict(table, point).exponent;
-    return (whirl_estimate){value, whirl_table_number(table, point, "lyapunov/error", 0)};
+    return (whirl_estimate){value, whirl_table_number(table, point, WHIRL_FIELD_LYAPUNOV_ERROR, 0)};
 }
 
 shown_estimate estimate_shown(whirl_estimate estimate) {
@@ -73,21 +73,22 @@ void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {
-    return whirl_table_number(table, point, "orbit/max_radius", station);
+    return whirl_table_number(table, point, WHIRL_FIELD_ORBIT_MAX_RADIUS, station);
 }
 
 double backward_share(const whirl_table *table, size_t point, size_t station) {
-    return whirl_table_number(table, point, "orbit/backward", station);
+    return whirl_table_number(table, point, WHIRL_FIELD_ORBIT_BACKWARD, station);
 }
 
 double rub_share(const whirl_table *table, size_t point, size_t contact_count) {
     double most = (double)NAN;
-    for (size_t i = 0; i < contact_count; i++) most = fmax(most, whirl_table_number(table, point, "rub/share", i));
+    for (size_t i = 0; i < contact_count; i++)
+        most = fmax(most, whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i));
     return most;
 }
 
 bool has_rub(const whirl_table *table, size_t contact_count) {
-    return contact_count > 0 && whirl_layout_field(&table->layout, "rub/share") != NULL;
+    return contact_count > 0 && whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE) != NULL;
 }
 
 const whirl_table *detail_table(const whirl_result *result) {

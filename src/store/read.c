@@ -283,8 +283,8 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
 /// Of a refined map, the points of its grid.
 static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
     const int64_t most = (int64_t)1 << 28; // all of them are looked at where the map is drawn
-    const bool refined =
-        whirl_layout_field(&table->layout, "map/width") && whirl_layout_field(&table->layout, "map/second");
+    const bool refined = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH) &&
+                         whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
     if (status->code != WHIRL_OK || !refined) return;
     table->refine = (size_t)get_whole_attribute(status, group, "refine", 2, WHIRL_MAX_SQUARE);
     table->grid = (size_t)get_whole_attribute(status, group, "grid", 1, most);
@@ -320,8 +320,8 @@ static void get_slots(whirl_status *status, hid_t group, shape points, whirl_tab
 static void get_points(whirl_status *status, const whirl_table *table, size_t index, const block_taker *taker,
                        column *columns, double *block) {
     const whirl_layout *layout = &table->layout;
-    const bool counted =
-        whirl_layout_field(layout, "trace/revolutions") || whirl_layout_field(layout, "torus/revolutions");
+    const bool counted = whirl_layout_field(layout, WHIRL_FIELD_TRACE_REVOLUTIONS) ||
+                         whirl_layout_field(layout, WHIRL_FIELD_TORUS_REVOLUTIONS);
     for (size_t point = 0; status->code == WHIRL_OK && point < table->count; ++point) {
         double *here = taker ? block : table->blocks + point * layout->size;
         for (size_t i = 0; i < layout->field_count; ++i)
@@ -350,9 +350,9 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
 /// How many starts every place has.
 static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
     const int64_t most = (int64_t)1 << 28;
-    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "starts/number")) return;
+    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_STARTS_NUMBER)) return;
     table->starts = (size_t)get_whole_attribute(status, group, "starts", 1, WHIRL_MAX_STARTS);
-    if (!whirl_layout_field(&table->layout, "starts/neighbour")) return;
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_STARTS_NEIGHBOUR)) return;
     table->neighbours = (size_t)get_whole_attribute(status, group, "neighbours", 1, INT_MAX);
     table->places = (size_t)get_whole_attribute(status, group, "places", 1, most);
 }
@@ -369,7 +369,8 @@ static void check_starts(whirl_status *status, const whirl_table *table) {
 
 /// Whole planes of whole rows, where a map has planes.
 static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_table *table) {
-    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, "map/third") || table->grid > 0) return;
+    if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_THIRD) || table->grid > 0)
+        return;
     get_text_attribute(status, group, "third", table->third, sizeof table->third);
     table->plane = (size_t)get_whole_attribute(status, group, "plane", 1, planned > 0 ? (int64_t)planned : 1);
     if (status->code == WHIRL_OK && (planned % table->plane != 0 || table->plane % table->row != 0))
@@ -390,7 +391,7 @@ static void check_rows(whirl_status *status, shape points, size_t planned, const
 /// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t planned = whirl_table_places(table);
-    const bool is_map = whirl_layout_field(&table->layout, "map/second");
+    const bool is_map = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
     if (status->code == WHIRL_OK && points.rank > 1 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
     if (is_map || strcmp(table->name, "curves") == 0)

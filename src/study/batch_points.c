@@ -16,25 +16,23 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     return study->machine(study->family, &own, value, machine);
 }
 
-static const char *const second_field = "map/second", *const third_field = "map/third";
-
 whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout) {
     if (!batch->second_values) return whirl_ok();
     if (layout->field_count + 2 >= WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
-    study_add_field(layout, second_field, "1", "value of the second parameter, in SI");
-    if (batch->third_values) study_add_field(layout, third_field, "1", "value of the third parameter, in SI");
+    study_add_field(layout, WHIRL_FIELD_MAP_SECOND, "1", "value of the second parameter, in SI");
+    if (batch->third_values) study_add_field(layout, WHIRL_FIELD_MAP_THIRD, "1", "value of the third parameter, in SI");
     if (batch->refine > 0)
-        study_add_field(layout, MAP_WIDTH, "1",
+        study_add_field(layout, WHIRL_FIELD_MAP_WIDTH, "1",
                         "points of the grid along both axes, from this one on, that it stands for: more than 1 where a "
                         "square was not divided");
     return whirl_ok();
 }
 
 void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout, double *block) {
-    const whirl_field *field = whirl_layout_field(layout, second_field);
-    const whirl_field *third = whirl_layout_field(layout, third_field);
-    const whirl_field *width = whirl_layout_field(layout, MAP_WIDTH);
+    const whirl_field *field = whirl_layout_field(layout, WHIRL_FIELD_MAP_SECOND);
+    const whirl_field *third = whirl_layout_field(layout, WHIRL_FIELD_MAP_THIRD);
+    const whirl_field *width = whirl_layout_field(layout, WHIRL_FIELD_MAP_WIDTH);
     if (field && batch->second_values) block[field->offset] = batch->second_values[point];
     if (third && batch->third_values) block[third->offset] = batch->third_values[point];
     if (width) block[width->offset] = 1.0; // what it stands for besides is known in the end

@@ -4,7 +4,7 @@
 #include <string.h>
 
 bool bounds_read(const whirl_table *table, size_t point, size_t stations, double *bounds) {
-    static const char *const fields[] = {"orbit/mean", "orbit/low", "orbit/high"};
+    static const char *const fields[] = {WHIRL_FIELD_ORBIT_MEAN, WHIRL_FIELD_ORBIT_LOW, WHIRL_FIELD_ORBIT_HIGH};
     for (size_t s = 0; s < stations; s++)
         for (size_t f = 0; f < 3; f++) {
             const double *at = whirl_table_field(table, point, fields[f], s);

@@ -158,7 +158,7 @@ static void set_beside(const worker *w, size_t slot) {
     const chains *c = w->chains;
     const whirl_layout *layout = &c->table->layout;
     const whirl_verdict other = whirl_block_verdict(&c->other, w->other);
-    const double revolutions = w->other[whirl_layout_field(&c->other, "regime/revolutions")->offset];
+    const double revolutions = w->other[whirl_layout_field(&c->other, WHIRL_FIELD_REGIME_REVOLUTIONS)->offset];
 #pragma omp critical(whirl_beside)
     {
         if (c->pass->confirming) {

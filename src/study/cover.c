@@ -27,7 +27,7 @@ void whirl_table_cover(const whirl_table *table, size_t *cover) {
     size_t left = grid;
     for (size_t i = 0; i < grid; i++) cover[i] = table->count;
     for (size_t i = 0; i < table->count && table->refine > 0; i++) {
-        const double width = whirl_table_number(table, i, MAP_WIDTH, 0);
+        const double width = whirl_table_number(table, i, WHIRL_FIELD_MAP_WIDTH, 0);
         if (whirl_table_done(table, i) && width > 1.0) cover_square(table, i, width, &left, cover);
     }
     for (size_t i = 0; i < table->count; i++)
@@ -39,7 +39,7 @@ double whirl_table_revolutions(const whirl_table *table) {
     size_t done = 0;
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
-        sum += whirl_table_number(table, i, "regime/revolutions", 0);
+        sum += whirl_table_number(table, i, WHIRL_FIELD_REGIME_REVOLUTIONS, 0);
         done++;
     }
     return done > 0 ? sum / (double)done : (double)NAN;
@@ -53,7 +53,7 @@ double whirl_table_grid_revolutions(const whirl_table *table) {
         whirl_table_cover(table, cover);
         for (size_t i = 0; i < grid; i++) cells[cover[i]]++;
         for (size_t i = 0; i < table->count; i++)
-            if (cells[i] > 0) sum += (double)cells[i] * whirl_table_number(table, i, "regime/revolutions", 0);
+            if (cells[i] > 0) sum += (double)cells[i] * whirl_table_number(table, i, WHIRL_FIELD_REGIME_REVOLUTIONS, 0);
     }
     free(cover);
     free(cells);

@@ -86,7 +86,7 @@ static double usual_change(const step *steps, size_t count, size_t at) {
 }
 
 whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size_t most, size_t *count) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "orbit/mean");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MEAN);
     *count = 0;
     if (!field || table->count < 2 || table->row > 0) return whirl_ok(); // rows of a map begin anew
     step *steps = malloc(table->count * sizeof *steps);

@@ -55,7 +55,7 @@ const double *kept_block(const whirl_table *table, size_t point) {
     else if (!keeper->recall(keeper->context, kept->batch, slot, kept->numbers, size, kept->end, kept->dimension))
         return NULL;
     else if (kept->widths)
-        kept->numbers[whirl_layout_field(&table->layout, MAP_WIDTH)->offset] = kept->widths[point];
+        kept->numbers[whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH)->offset] = kept->widths[point];
     kept->point = point;
     return kept->numbers;
 }

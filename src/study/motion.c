@@ -24,8 +24,8 @@ static void read_section(const whirl_table *table, size_t point, const whirl_fie
 
 motion *motion_read(const whirl_table *table, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
-    const whirl_field *mean = whirl_layout_field(&table->layout, "orbit/mean");
+    const whirl_field *section = whirl_layout_field(&table->layout, WHIRL_FIELD_POINCARE_SECTION);
+    const whirl_field *mean = whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MEAN);
     const size_t stations = section ? section->repeat : mean ? mean->repeat : 0, period = (size_t)verdict.period;
     const bool has_rows = section && verdict.regime == WHIRL_PERIODIC && period >= 1 && period <= section->rows;
     const size_t rows = has_rows ? period : 0;

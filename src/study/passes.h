@@ -158,9 +158,6 @@ void tables_blank(whirl_result *result);
 
 // ---------------------------------------------------------------- batch_points.c
 
-/// The field of the width that a point of a refined map stands for.
-#define MAP_WIDTH "map/width"
-
 /// The fields of the second and third parameters' values, "map/second" and "map/third", in the layout of a batch that
 /// has such values; and of a refined map the width.
 /// WHIRL_BAD_INPUT when it has too many fields.

@@ -34,9 +34,9 @@ whirl_status refine_add_fields(whirl_layout *layout) {
     if (layout->field_count + REFINE_OPTIONS + count > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses and refinement have more than %d fields",
                           WHIRL_MAX_FIELDS);
-    study_add_field(layout, "refine/rounds", "1",
+    study_add_field(layout, WHIRL_FIELD_REFINE_ROUNDS, "1",
                     "rounds of refinement, 0 for a point that was not in doubt or too dear");
-    study_add_field(layout, "refine/revolutions", "revolution",
+    study_add_field(layout, WHIRL_FIELD_REFINE_REVOLUTIONS, "revolution",
                     "spent on refining, second tolerance included; those at n times the study's steps count n times");
     for (size_t i = 0; refine_option(i, &option); i++) {
         char name[WHIRL_NAME_SIZE];
@@ -47,7 +47,7 @@ whirl_status refine_add_fields(whirl_layout *layout) {
 }
 
 double *refine_noted(const whirl_layout *layout, double *block) {
-    const whirl_field *first = whirl_layout_field(layout, "refine/rounds");
+    const whirl_field *first = whirl_layout_field(layout, WHIRL_FIELD_REFINE_ROUNDS);
     return first ? block + first->offset : NULL;
 }
 
@@ -70,7 +70,7 @@ void refine_recall(const double *numbers, pass *p) {
 }
 
 double refine_spent(const whirl_layout *layout, const double *block) {
-    const whirl_field *field = whirl_layout_field(layout, "refine/revolutions");
+    const whirl_field *field = whirl_layout_field(layout, WHIRL_FIELD_REFINE_REVOLUTIONS);
     return field ? block[field->offset] : 0.0;
 }
 

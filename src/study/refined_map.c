@@ -217,7 +217,7 @@ whirl_status refined_maps_work(study_run *run) {
 // ---------------------------------------------------------------- the table at last
 
 static void note_width(const whirl_table *table, size_t point, double width) {
-    const whirl_field *field = whirl_layout_field(&table->layout, MAP_WIDTH);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH);
     if (table->blocks)
         table->blocks[point * table->layout.size + field->offset] = width;
     else

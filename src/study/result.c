@@ -103,11 +103,11 @@ double whirl_table_number(const whirl_table *table, size_t point, const char *fi
 
 double whirl_table_second(const whirl_table *table, size_t point) {
     const bool traced = whirl_analysis_is_traced(table->analyses);
-    return whirl_table_number(table, point, traced ? "trace/second" : "map/second", 0);
+    return whirl_table_number(table, point, traced ? WHIRL_FIELD_TRACE_SECOND : WHIRL_FIELD_MAP_SECOND, 0);
 }
 
 double whirl_table_third(const whirl_table *table, size_t point) {
-    return whirl_table_number(table, point, "map/third", 0);
+    return whirl_table_number(table, point, WHIRL_FIELD_MAP_THIRD, 0);
 }
 
 size_t whirl_table_planned(const whirl_table *table) {

@@ -14,7 +14,7 @@ const double *rows_field(const rows *r, size_t row, const char *field) {
 }
 
 const double *rows_nodes(const rows *r, size_t row) {
-    return rows_field(r, row, "trace/nodes");
+    return rows_field(r, row, WHIRL_FIELD_TRACE_NODES);
 }
 
 whirl_status rows_trace(const rows *r, size_t row, whirl_trace *trace) {
@@ -37,12 +37,12 @@ bool rows_are_one(const rows *r, size_t row, size_t other) {
 }
 
 size_t rows_depth(const rows *r, size_t row) {
-    size_t depth = 0, parent = (size_t)*rows_field(r, row, "trace/parent");
+    size_t depth = 0, parent = (size_t)*rows_field(r, row, WHIRL_FIELD_TRACE_PARENT);
     // Parents stand before their children.
     for (size_t i = row; i-- > 0 && parent > 0;)
         if (number_of(r, i) == parent) {
             depth++;
-            parent = (size_t)*rows_field(r, i, "trace/parent");
+            parent = (size_t)*rows_field(r, i, WHIRL_FIELD_TRACE_PARENT);
         }
     return depth;
 }

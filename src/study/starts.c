@@ -14,31 +14,28 @@ double whirl_halton(size_t index, size_t coordinate) {
     return mirrored;
 }
 
-static const char *const number_field = "starts/number", *const state_field = "starts/state",
-                         *const neighbour_field = "starts/neighbour";
-
 whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_layout *layout) {
     if (batch->starts <= 1) return whirl_ok();
     if (layout->field_count + 3 > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
-    study_add_field(layout, number_field, "1", "number of the start, from 1");
-    study_add_field(layout, state_field, "length", "x, y, vx, vy (where the motion began)");
+    study_add_field(layout, WHIRL_FIELD_STARTS_NUMBER, "1", "number of the start, from 1");
+    study_add_field(layout, WHIRL_FIELD_STARTS_STATE, "length", "x, y, vx, vy (where the motion began)");
     whirl_field *field = &layout->fields[layout->field_count - 1];
     field->extent = WHIRL_PER_STATION;
     field->repeat = stations;
     field->columns = 4;
     layout->size += 4 * stations - 1;
     if (batch->neighbours > 0)
-        study_add_field(layout, neighbour_field, "1",
+        study_add_field(layout, WHIRL_FIELD_STARTS_NEIGHBOUR, "1",
                         "place, from 1, of the neighbour at the end of whose motion this one began; 0: none");
     return whirl_ok();
 }
 
 void starts_note(const whirl_batch *batch, const beginning *start, const whirl_system *system,
                  const whirl_layout *layout, double *block) {
-    const whirl_field *number = whirl_layout_field(layout, number_field);
-    const whirl_field *state = whirl_layout_field(layout, state_field);
-    const whirl_field *neighbour = whirl_layout_field(layout, neighbour_field);
+    const whirl_field *number = whirl_layout_field(layout, WHIRL_FIELD_STARTS_NUMBER);
+    const whirl_field *state = whirl_layout_field(layout, WHIRL_FIELD_STARTS_STATE);
+    const whirl_field *neighbour = whirl_layout_field(layout, WHIRL_FIELD_STARTS_NEIGHBOUR);
     if (batch->starts <= 1 || !number || !state) return;
     block[number->offset] = (double)(start->slot / batch->count + 1);
     for (size_t s = 0; s < state->repeat; s++) {

@@ -33,8 +33,8 @@ typedef struct leg {
 // ---------------------------------------------------------------- where tori begin
 
 static bool begins_there(const whirl_table *branches, size_t row) {
-    return *whirl_table_field(branches, row, "trace/special", 0) == WHIRL_NEIMARK_SACKER &&
-           *whirl_table_field(branches, row, "trace/revolutions", 0) > 0.0;
+    return *whirl_table_field(branches, row, WHIRL_FIELD_TRACE_SPECIAL, 0) == WHIRL_NEIMARK_SACKER &&
+           *whirl_table_field(branches, row, WHIRL_FIELD_TRACE_REVOLUTIONS, 0) > 0.0;
 }
 
 static whirl_status collect(tori *all) {
@@ -84,8 +84,8 @@ static whirl_status begin(const whirl_family *family, const whirl_branch_point *
 /// Distance of a row's closed curve, by its mean, from where one of an orbit's revolutions begins.
 static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit) {
     const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
-    const size_t count = (size_t)*rows_field(r, row, "torus/node_count");
-    const double *nodes = rows_field(r, row, "torus/nodes");
+    const size_t count = (size_t)*rows_field(r, row, WHIRL_FIELD_TORUS_NODE_COUNT);
+    const double *nodes = rows_field(r, row, WHIRL_FIELD_TORUS_NODES);
     double nearest = INFINITY;
     for (size_t k = 0; k < orbit->revolutions; k++) {
         double away = 0.0;
@@ -103,12 +103,12 @@ static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit)
 /// Whether the tori that end at a row shrink to the orbit of a Neimark-Sacker point.
 static bool shrinks_to(const rows *r, size_t row, const whirl_branch_point *point) {
     const double near = 0.01 * fabs(r->batch->bounds[1] - r->batch->bounds[0]), near_turn = 0.05;
-    const double angle = two_pi * *rows_field(r, row, "torus/rotation");
-    return *rows_field(r, row, "torus/end") == WHIRL_TORUS_SHRANK &&
-           *rows_field(r, row, "torus/revolutions") == (double)point->orbit->revolutions &&
-           fabs(*rows_field(r, row, "torus/limit") - point->value) <= near &&
+    const double angle = two_pi * *rows_field(r, row, WHIRL_FIELD_TORUS_ROTATION);
+    return *rows_field(r, row, WHIRL_FIELD_TORUS_END) == WHIRL_TORUS_SHRANK &&
+           *rows_field(r, row, WHIRL_FIELD_TORUS_REVOLUTIONS) == (double)point->orbit->revolutions &&
+           fabs(*rows_field(r, row, WHIRL_FIELD_TORUS_LIMIT) - point->value) <= near &&
            fabs(cos(angle) - cos(point->angle)) <= near_turn &&
-           distance_from(r, row, point->orbit) <= 2.0 * *rows_field(r, row, "torus/radius");
+           distance_from(r, row, point->orbit) <= 2.0 * *rows_field(r, row, WHIRL_FIELD_TORUS_RADIUS);
 }
 
 /// Whether a torus is known that comes from elsewhere and ends there.

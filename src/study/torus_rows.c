@@ -4,7 +4,7 @@
 #include "whirl/result.h"
 
 static void find_largest_line(const whirl_table *table, whirl_tori *own) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "torus/amplitude");
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_AMPLITUDE);
     double largest = -1.0;
     for (size_t station = 0; field && station < field->repeat; station++)
         for (size_t axis = 0; axis < field->columns; axis++) {
@@ -16,12 +16,12 @@ static void find_largest_line(const whirl_table *table, whirl_tori *own) {
 
 whirl_tori whirl_table_tori(const whirl_table *table, size_t first) {
     whirl_tori own = {.first = first, .last = first};
-    while (own.last + 1 < table->count && whirl_table_number(table, own.last + 1, "torus/number", 0) ==
-                                              whirl_table_number(table, first, "torus/number", 0))
+    while (own.last + 1 < table->count && whirl_table_number(table, own.last + 1, WHIRL_FIELD_TORUS_NUMBER, 0) ==
+                                              whirl_table_number(table, first, WHIRL_FIELD_TORUS_NUMBER, 0))
         own.last++;
     for (size_t point = first; point <= own.last; point++) {
-        own.found += isfinite(whirl_table_number(table, point, "torus/rotation", 0));
-        own.stable += whirl_table_number(table, point, "torus/unstable", 0) == 0.0;
+        own.found += isfinite(whirl_table_number(table, point, WHIRL_FIELD_TORUS_ROTATION, 0));
+        own.stable += whirl_table_number(table, point, WHIRL_FIELD_TORUS_UNSTABLE, 0) == 0.0;
     }
     if (own.found > 0) find_largest_line(table, &own);
     return own;

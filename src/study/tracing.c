@@ -61,7 +61,8 @@ static bool leads_to(const rows *r, double value, const double *x, const whirl_o
 /// Whether the value is passed from a row to the next one, along one branch of orbits of as many revolutions.
 static bool passes(const rows *r, size_t row, double value, const whirl_orbit *orbit) {
     const double *values = r->table->values + row;
-    return rows_are_one(r, row, row + 1) && *rows_field(r, row, "trace/revolutions") == (double)orbit->revolutions &&
+    return rows_are_one(r, row, row + 1) &&
+           *rows_field(r, row, WHIRL_FIELD_TRACE_REVOLUTIONS) == (double)orbit->revolutions &&
            (values[0] <= value) != (values[1] <= value);
 }
 
@@ -85,7 +86,8 @@ static bool ended_there(const rows *r, size_t row, const whirl_branch_point *dou
     const double *nodes = rows_nodes(r, row), *later = nodes + k * (size_t)r->batch->record.trace.segments * d;
     const double *values = r->table->values + row;
     const double near = fabs(values[0] - values[-1]) + 1e-6 * span_of(r);
-    if (*rows_field(r, row, "trace/revolutions") != 2.0 * (double)k || fabs(values[0] - doubling->value) > near)
+    if (*rows_field(r, row, WHIRL_FIELD_TRACE_REVOLUTIONS) != 2.0 * (double)k ||
+        fabs(values[0] - doubling->value) > near)
         return false;
     for (size_t i = 0; i < d; i++) x[i] = 0.5 * (nodes[i] + later[i]);
     return leads_to(r, doubling->value, x, doubling->orbit);
@@ -96,7 +98,7 @@ static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
     double *x = calloc(doubling->orbit->dimension + 1, sizeof *x);
     bool taken = false;
     for (size_t row = 1; x && row < r->count && !taken; row++)
-        taken = *rows_field(r, row, "trace/end") == WHIRL_END_HALVED && ended_there(r, row, doubling, x);
+        taken = *rows_field(r, row, WHIRL_FIELD_TRACE_END) == WHIRL_END_HALVED && ended_there(r, row, doubling, x);
     free(x);
     return taken;
 }
@@ -241,7 +243,7 @@ static whirl_status trace_branches(rows *r) {
     for (size_t i = 0; i < r->batch->count && status.code == WHIRL_OK && goes_on(r); i++)
         status = begin_at(r, r->batch->values[i]);
     for (r->at = 0; r->at < r->count && status.code == WHIRL_OK && goes_on(r); r->at++)
-        if (*rows_field(r, r->at, "trace/special") != WHIRL_REGULAR &&
+        if (*rows_field(r, r->at, WHIRL_FIELD_TRACE_SPECIAL) != WHIRL_REGULAR &&
             rows_depth(r, r->at) < (size_t)r->batch->record.trace.switches)
             status = begin_along(r);
     return status;
@@ -260,10 +262,11 @@ static whirl_status machine_in_plane(const void *context, double value, double s
 static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
     const double near = 5e-3 * span_of(r), second = r->batch->second_value;
     for (size_t row = 0; row + 1 < r->count; row++) {
-        const double a = *rows_field(r, row, "trace/second") - second;
-        const double b = *rows_field(r, row + 1, "trace/second") - second;
+        const double a = *rows_field(r, row, WHIRL_FIELD_TRACE_SECOND) - second;
+        const double b = *rows_field(r, row + 1, WHIRL_FIELD_TRACE_SECOND) - second;
         const double *values = r->table->values + row;
-        if (!rows_are_one(r, row, row + 1) || *rows_field(r, row, "trace/special") != (double)point->special) continue;
+        if (!rows_are_one(r, row, row + 1) || *rows_field(r, row, WHIRL_FIELD_TRACE_SPECIAL) != (double)point->special)
+            continue;
         if (a * b > 0.0 || a == b) continue;
         if (fabs(values[0] - a / (b - a) * (values[1] - values[0]) - point->value) < near) return true;
     }
@@ -304,7 +307,7 @@ static whirl_status trace_curves(rows *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < branches->count && status.code == WHIRL_OK && goes_on(r); i++) {
         whirl_trace trace;
-        const double kind = *whirl_table_field(branches, i, "trace/special", 0);
+        const double kind = *whirl_table_field(branches, i, WHIRL_FIELD_TRACE_SPECIAL, 0);
         if (kind == WHIRL_REGULAR || kind == WHIRL_BRANCHING) continue;
         status = whirl_table_trace(branches, i, &trace);
         if (status.code == WHIRL_OK) status = trace_curve(r, &trace);

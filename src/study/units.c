@@ -117,8 +117,8 @@ const char *whirl_result_parameter_unit(const whirl_result *result, const char *
 whirl_unit whirl_field_si(const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     whirl_unit si = whirl_result_si(result, table, field->unit);
     const char *parameter = NULL;
-    if (table && strcmp(field->name, "map/second") == 0) parameter = table->second;
-    if (table && strcmp(field->name, "map/third") == 0) parameter = table->third;
+    if (table && strcmp(field->name, WHIRL_FIELD_MAP_SECOND) == 0) parameter = table->second;
+    if (table && strcmp(field->name, WHIRL_FIELD_MAP_THIRD) == 0) parameter = table->third;
     if (parameter) snprintf(si.name, sizeof si.name, "%s", whirl_result_parameter_unit(result, parameter));
     return si;
 }

@@ -68,15 +68,15 @@ static whirl_status run_levels(const whirl_study *study, const whirl_integrate_o
 
 /// The last `period` rows of a station's section.
 static const double *last_rows(const whirl_table *table, size_t point, size_t station, int period) {
-    const whirl_field *field = whirl_layout_field(&table->layout, "poincare/section");
-    const double *rows = whirl_table_field(table, point, "poincare/section", station);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_POINCARE_SECTION);
+    const double *rows = whirl_table_field(table, point, WHIRL_FIELD_POINCARE_SECTION, station);
     if (!rows || field->rows < (size_t)period) return NULL;
     return rows + (field->rows - (size_t)period) * field->columns;
 }
 
 /// Largest difference of a coordinate between row i of one section and row k of another.
 static double row_distance(const whirl_table *a, const whirl_table *b, size_t point, int period, int i, int k) {
-    const whirl_field *field = whirl_layout_field(&a->layout, "poincare/section");
+    const whirl_field *field = whirl_layout_field(&a->layout, WHIRL_FIELD_POINCARE_SECTION);
     double largest = 0.0;
     for (size_t station = 0; station < field->repeat; station++) {
         const double *one = last_rows(a, point, station, period), *other = last_rows(b, point, station, period);
@@ -89,7 +89,7 @@ static double row_distance(const whirl_table *a, const whirl_table *b, size_t po
 
 static double section_distance(const whirl_table *a, const whirl_table *b, size_t point, int period) {
     double largest = 0.0;
-    if (!whirl_layout_field(&a->layout, "poincare/section")) return (double)NAN;
+    if (!whirl_layout_field(&a->layout, WHIRL_FIELD_POINCARE_SECTION)) return (double)NAN;
     for (int i = 0; i < period; i++) {
         double nearest = (double)INFINITY;
         for (int k = 0; k < period; k++) nearest = fmin(nearest, row_distance(a, b, point, period, i, k));

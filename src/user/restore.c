@@ -26,10 +26,11 @@ static const whirl_field *field_of_any(const whirl_layout *layout, const char *q
 }
 
 static timed_fields fields_of(const whirl_layout *layout) {
-    static const char *const rates[] = {"trace/largest", "trace/multipliers", "trace/volume", "trace/angle"};
+    static const char *const rates[] = {WHIRL_FIELD_TRACE_LARGEST, WHIRL_FIELD_TRACE_MULTIPLIERS,
+                                        WHIRL_FIELD_TRACE_VOLUME, WHIRL_FIELD_TRACE_ANGLE};
     timed_fields f = {.section = field_of_any(layout, "section"),
                       .nodes = field_of_any(layout, "nodes"),
-                      .period = whirl_layout_field(layout, "trace/period")};
+                      .period = whirl_layout_field(layout, WHIRL_FIELD_TRACE_PERIOD)};
     for (size_t i = 0; i < sizeof rates / sizeof *rates; i++) f.rates[i] = whirl_layout_field(layout, rates[i]);
     return f;
 }

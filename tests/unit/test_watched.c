@@ -42,12 +42,7 @@ typedef struct watched {
 } watched;
 
 #define LINE(array, extent, columns, fold, square, name, unit, meaning)                                                \
-    {(extent) == WHIRL_PER_STATION ? "orbit/" name : "rub/" name,                                                      \
-     unit,                                                                                                             \
-     meaning,                                                                                                          \
-     extent,                                                                                                           \
-     columns,                                                                                                          \
-     offsetof(whirl_record, array)},
+    {name, unit, meaning, extent, columns, offsetof(whirl_record, array)},
 static const watched list[] = {WHIRL_WATCHED(LINE)};
 #define FOR_LIST for (const watched *w = list; w < list + sizeof list / sizeof *list; w++)
 

@@ -2,12 +2,13 @@ function cover = cover_of(table, name, plane)
 % COVER_OF  The point that stands for each cell of a plane [rows][columns], 0 where none is there.
 %   Of a refined map that is the first corner of the square around the cell (docs/result-file.md), of several starts one
 %   that goes where most do.
+FIELD = field_names();
 [place, count] = places_of(table);
 columns = double(table.attributes.row);
 rows = count / columns;
 cover = zeros(rows, columns);
-if has_field(table, 'map/width')
-    width = field_of(table, 'map/width');
+if has_field(table, FIELD.map_width)
+    width = field_of(table, FIELD.map_width);
     for i = find(width > 1)'
         first = [floor(place(i) / columns), mod(place(i), columns)] + 1;
         past = first + width(i);

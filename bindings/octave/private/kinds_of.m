@@ -3,12 +3,13 @@ function kinds = kinds_of(table, name, by_attractor)
 %   Members: of (the kind of every point), paleness (of every point, 0 to 1: regimes of little confidence are pale),
 %   and for those kinds that are there, in the order of a legend: number, colours [kinds][3], names. [] where the points
 %   have no verdicts.
+FIELD = field_names();
 kinds = [];
 if by_attractor
     kinds = by_attractors(table, name);
-elseif has_field(table, 'regime/code')
+elseif has_field(table, FIELD.regime_code)
     [names, colours] = regimes();
-    confidence = field_of(table, 'regime/confidence');
+    confidence = field_of(table, FIELD.regime_confidence);
     confidence(isnan(confidence)) = 0;
     paleness = [0.6; 0.3; 0];
     kinds.of = regime_classes(table);
@@ -37,10 +38,11 @@ end
 
 function words = attractor_name(table, name, number, point)
 % Of a basin with its verdict and share, which are those of all its starts: 'attractor 1: P-5 (31 %)'.
+FIELD = field_names();
 words = sprintf('attractor %d', number);
 if number == 0
     words = 'no verdict';
-elseif strcmp(name, 'basin') && has_field(table, 'regime/code')
+elseif strcmp(name, 'basin') && has_field(table, FIELD.regime_code)
     verdicts = flat(table, table.verdict.name);
     shares = flat(table, table.share);
     words = sprintf('%s: %s (%.3g %%)', words, verdicts{point}, 100 * shares(point));

@@ -1,7 +1,8 @@
 function class = regime_classes(table)
 % REGIME_CLASSES  The class of every point's verdict, as an index into the names of regimes.
-code = field_of(table, 'regime/code');
-period = field_of(table, 'regime/period');
+FIELD = field_names();
+code = field_of(table, FIELD.regime_code);
+period = field_of(table, FIELD.regime_period);
 class = 7 * ones(size(code));
 class(code == 1) = 4;
 class(code == 1 & period == 1) = 1;

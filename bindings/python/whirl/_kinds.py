@@ -4,6 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .fields import FIELD
+
 # Of the report and the explorer: told apart by readers of any colour vision.
 REGIMES = {
     "P-1": "#366EFB",
@@ -24,7 +26,7 @@ _OPACITY = (0.4, 0.7, 1.0)  # of low, fair and high confidence
 
 def classes(table):
     """The class of every point's verdict, as an index into :data:`REGIMES`."""
-    code, period = (np.nan_to_num(table[name]).astype(int) for name in ("regime/code", "regime/period"))
+    code, period = (np.nan_to_num(table[name]).astype(int) for name in (FIELD.REGIME_CODE, FIELD.REGIME_PERIOD))
     found = np.full(code.shape, 6)
     found[code == _QUASI_PERIODIC], found[code == _CHAOTIC], found[code == _DIVERGED] = 4, 5, 7
     periodic = code == _PERIODIC
@@ -46,7 +48,7 @@ def _attractor_titles(table):
     first = dict(zip(*np.unique(numbers, return_index=True)))
     titles = {}
     for number, at in sorted(first.items(), key=lambda item: item[0] or np.inf):  # 0 last
-        told = table.name == "basin" and "regime/code" in table
+        told = table.name == "basin" and FIELD.REGIME_CODE in table
         words = f": {table.verdicts.ravel()[at]} ({100.0 * table.shares.ravel()[at]:.3g} %)" if told else ""
         titles[int(number)] = f"{number}{words}" if number > 0 else "no verdict"
     return titles
@@ -68,9 +70,9 @@ def kinds_of(table, attractors=None):
         numbers = table.attractors.ravel()
         shown = [(number, attractor_colour(number), title) for number, title in _attractor_titles(table).items()]
         return Kinds(numbers, np.ones(len(numbers)), shown, "attractor")
-    if "regime/code" not in table:
+    if FIELD.REGIME_CODE not in table:
         return None
-    kinds, confidence = classes(table).ravel(), np.nan_to_num(table["regime/confidence"]).ravel().astype(int)
+    kinds, confidence = classes(table).ravel(), np.nan_to_num(table[FIELD.REGIME_CONFIDENCE]).ravel().astype(int)
     shown = [(kind, list(REGIMES.values())[kind], list(REGIMES)[kind]) for kind in np.unique(kinds)]
     return Kinds(kinds, np.take(_OPACITY, confidence), shown)
 

@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from .fields import FIELD
+
 
 def cover_of(table, plane=0):
     """The point that stands for each cell of a plane [rows][columns], -1 where none is there: of a refined map the
@@ -10,7 +12,7 @@ def cover_of(table, plane=0):
         return np.arange(np.prod(table.shape)).reshape((-1, *table.grid))[plane]
     slot, (rows, row) = table.place, table.grid
     found = np.full((rows * table.planes, row), -1)
-    width = table["map/width"].astype(int) if "map/width" in table else np.ones(len(slot), int)
+    width = table[FIELD.MAP_WIDTH].astype(int) if FIELD.MAP_WIDTH in table else np.ones(len(slot), int)
     for i in np.flatnonzero(width > 1):
         r, c = divmod(slot[i], row)
         ends = r + width[i] + (r + width[i] >= found.shape[0] - 1), c + width[i] + (c + width[i] >= row - 1)

@@ -15,6 +15,7 @@ from ._kinds import ATTRACTORS, REGIMES, attractor_colour, classes, kinds_of, po
 from ._marks import broken, keep_span, label_values, legend, mark_size, new_axes, runs, scaled
 from ._planes import axis_of, cover_of, spread
 from .errors import BadInput
+from .fields import FIELD
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,10 +33,10 @@ _SPECIAL = {
     6: ("grazing", "x"),
 }
 _ADVICE = {
-    "trace/high": "'study: {branch: ...}' in a case follows branches",
-    "trace/second": "'study: {branch: ..., curves: ...}' in a case follows them",
-    "modes/frequency": "add modes to what the case analyses",
-    "unbalance/amplitude": "add unbalance to what the case analyses",
+    FIELD.TRACE_HIGH: "'study: {branch: ...}' in a case follows branches",
+    FIELD.TRACE_SECOND: "'study: {branch: ..., curves: ...}' in a case follows them",
+    FIELD.MODES_FREQUENCY: "add modes to what the case analyses",
+    FIELD.UNBALANCE_AMPLITUDE: "add unbalance to what the case analyses",
 }
 _DIRECTIONS = (("forward", "#0072B2", "^"), ("backward", "#D55E00", "v"), ("neither", "#606060", "o"))
 
@@ -113,10 +114,10 @@ class Plots:
         style
             For ``Axes.plot``.
         """
-        table = self._table(table, "poincare/section")
+        table = self._table(table, FIELD.POINCARE_SECTION)
         index, name = self._station(table, station)
         factors = self._lengths(table)
-        sizes = _flat(table, "poincare/section")[:, index, :, _axis(coordinate)] * factors[:, None]
+        sizes = _flat(table, FIELD.POINCARE_SECTION)[:, index, :, _axis(coordinate)] * factors[:, None]
         values, label = self._parameter(table)
         places = np.broadcast_to(values.ravel()[:, None], sizes.shape)
         chosen, kinds, ax = points_once(table), kinds_of(table), new_axes(ax)
@@ -172,9 +173,9 @@ class Plots:
 
     def lyapunov(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
         """The largest Lyapunov exponent over the parameter with its standard error, in the colours of the regimes."""
-        table = self._table(table, "lyapunov/largest")
+        table = self._table(table, FIELD.LYAPUNOV_LARGEST)
         values, label = self._parameter(table)
-        size, error = table["lyapunov/largest"].ravel(), table["lyapunov/error"].ravel()
+        size, error = table[FIELD.LYAPUNOV_LARGEST].ravel(), table[FIELD.LYAPUNOV_ERROR].ravel()
         chosen, kinds, ax = points_once(table), kinds_of(table), new_axes(ax)
         look = {"linestyle": "none", "marker": ".", "markersize": mark_size(len(chosen)), "elinewidth": 0.5}
         plain = kinds is None or "color" in style
@@ -202,12 +203,12 @@ class Plots:
 
         Tori that begin along them are broad green lines.
         """
-        table = self._table(table, "trace/high")
+        table = self._table(table, FIELD.TRACE_HIGH)
         index, name = self._station(table, station)
         axis = _axis(coordinate)
         values, label = self._parameter(table)
-        highs = table["trace/high"][:, index, axis] * self._lengths(table)
-        number, stable, ax = table["trace/number"].astype(int), table["trace/unstable"] == 0, new_axes(ax)
+        highs = table[FIELD.TRACE_HIGH][:, index, axis] * self._lengths(table)
+        number, stable, ax = table[FIELD.TRACE_NUMBER].astype(int), table[FIELD.TRACE_UNSTABLE] == 0, new_axes(ax)
         for branch in np.unique(number):
             own = np.flatnonzero(number == branch)
             for first, last in runs(stable[own]):
@@ -223,10 +224,10 @@ class Plots:
     def _tori(self, ax, index, axis):
         """The largest displacement on tori, solid where they are stable."""
         tori = self._result.tables.get("tori")
-        if tori is None or "torus/high" not in tori:
+        if tori is None or FIELD.TORUS_HIGH not in tori:
             return
-        values, highs = self._parameter(tori)[0], tori["torus/high"][:, index, axis] * self._lengths(tori)
-        number, unstable = tori["torus/number"].astype(int), tori["torus/unstable"] > 0
+        values, highs = self._parameter(tori)[0], tori[FIELD.TORUS_HIGH][:, index, axis] * self._lengths(tori)
+        number, unstable = tori[FIELD.TORUS_NUMBER].astype(int), tori[FIELD.TORUS_UNSTABLE] > 0
         for torus in np.unique(number):
             own = np.flatnonzero(number == torus)
             own = own[np.argsort(values[own], kind="stable")]
@@ -237,7 +238,7 @@ class Plots:
     @staticmethod
     def _special(ax, table, values, highs):
         """Marks of special points with their values, and what the marks mean."""
-        special = table["trace/special"]
+        special = table[FIELD.TRACE_SPECIAL]
         for kind, (title, marker) in _SPECIAL.items():
             chosen = np.flatnonzero(special == kind)
             if len(chosen):
@@ -256,7 +257,7 @@ class Plots:
         if table.values.size == 0:
             raise BadInput("the table 'curves' has no point: no special point was found to begin a curve")
         (x, xlabel), (y, ylabel) = self._parameter(table), self._parameter(table, second=True)
-        number, special, ax = table["trace/number"].astype(int), table["trace/special"], new_axes(ax)
+        number, special, ax = table[FIELD.TRACE_NUMBER].astype(int), table[FIELD.TRACE_SPECIAL], new_axes(ax)
         kinds = {}
         for curve in np.unique(number):
             own = np.flatnonzero(number == curve)
@@ -272,7 +273,7 @@ class Plots:
 
     def _frequency(self, table):
         """The unit of frequencies: that of the parameter where it is the speed of the shaft, else Hz; and its size."""
-        speed = table["modes/speed"]
+        speed = table[FIELD.MODES_SPEED]
         if not np.allclose(speed, table.values, rtol=1e-9, atol=0.0, equal_nan=True):
             return "Hz", 2.0 * np.pi
         return self._result._shown.unit(table.parameter) or "rad/s", self._result._shown.size(table.parameter)
@@ -283,10 +284,10 @@ class Plots:
         Critical speeds (circles) and thresholds of stability (crosses) have their values beside them; the dashed line
         is once a revolution.
         """
-        table = self._table(table, "modes/frequency")
+        table = self._table(table, FIELD.MODES_FREQUENCY)
         values, label = self._parameter(table)
         unit, size = self._frequency(table)
-        frequency, direction, ax = table["modes/frequency"] / size, table["modes/direction"], new_axes(ax)
+        frequency, direction, ax = table[FIELD.MODES_FREQUENCY] / size, table[FIELD.MODES_DIRECTION], new_axes(ax)
         places = np.broadcast_to(values[:, None], frequency.shape)
         sides = direction > 0.05, direction < -0.05, np.abs(direction) <= 0.05
         for (title, colour, marker), side in zip(_DIRECTIONS, sides):
@@ -294,9 +295,11 @@ class Plots:
             if of.any():
                 own = {"linestyle": "none", "marker": marker, "markersize": 3, "color": colour, "label": title, **style}
                 ax.plot(places[of], frequency[of], **own)
-        ax.plot(values, table["modes/speed"] / size, color="0.6", linewidth=0.8, linestyle="--", label="1X", zorder=0)
+        ax.plot(
+            values, table[FIELD.MODES_SPEED] / size, color="0.6", linewidth=0.8, linestyle="--", label="1X", zorder=0
+        )
         # Modes far above all speeds would press the others together.
-        once = 2.0 * np.nanmax(table["modes/speed"]) / size
+        once = 2.0 * np.nanmax(table[FIELD.MODES_SPEED]) / size
         ax.set_ylim(0.0, min(ax.get_ylim()[1], once) if once > 0.0 else None)
         self._critical(ax, table, size)
         ax.set(xlabel=label, ylabel=f"damped frequency ({unit})")
@@ -306,7 +309,7 @@ class Plots:
     def _critical(self, ax, table, size):
         """Marks of critical speeds and thresholds, with their values."""
         own = self._result._shown.size(table.parameter)
-        rows = table["modes/critical"].reshape(-1, 6)
+        rows = table[FIELD.MODES_CRITICAL].reshape(-1, 6)
         rows = rows[np.isfinite(rows[:, 1]) & (rows[:, 0] > 0)]
         at, height = rows[:, 1] / own, rows[:, 3] / size
         for title, marker, of in (("critical speed", "o", rows[:, 0] == 1), ("threshold", "x", rows[:, 0] > 1)):
@@ -322,7 +325,7 @@ class Plots:
 
         ``ax`` is a pair of axes; the pair is returned.
         """
-        table = self._table(table, "unbalance/amplitude")
+        table = self._table(table, FIELD.UNBALANCE_AMPLITUDE)
         index, name = self._station(table, station)
         factors = self._amplitudes(table)
         values, label = self._parameter(table)
@@ -333,8 +336,8 @@ class Plots:
         above, below = ax
         for axis, colour in enumerate(("#0072B2", "#D55E00")):
             own = {"color": colour, "linewidth": 1.0, "label": "xy"[axis], **style}
-            above.plot(values, table["unbalance/amplitude"][:, index, axis] * factors, **own)
-            lag, jumps = broken(table["unbalance/lag"][:, index, axis])
+            above.plot(values, table[FIELD.UNBALANCE_AMPLITUDE][:, index, axis] * factors, **own)
+            lag, jumps = broken(table[FIELD.UNBALANCE_LAG][:, index, axis])
             below.plot(np.insert(values, jumps, np.nan), lag, **own)
         above.set(ylabel=self._amplitude(name))
         above.set_ylim(bottom=0.0)
@@ -357,9 +360,9 @@ class Plots:
 
         ``point`` is an index, or the value of the parameter in SI, of which the nearest point is taken.
         """
-        table = self._table(table, "poincare/section")
+        table = self._table(table, FIELD.POINCARE_SECTION)
         index, at = self._station(table, station)[0], _index(table, point)
-        section = _flat(table, "poincare/section")[at, index] * self._lengths(table)[at]
+        section = _flat(table, FIELD.POINCARE_SECTION)[at, index] * self._lengths(table)[at]
         ax = new_axes(ax)
         ax.plot(section[:, 0], section[:, 1], **{"marker": ".", "ls": "none", "c": "k", **style})
         return self._plane_of_motion(ax, table, index, at)
@@ -373,14 +376,14 @@ class Plots:
         **style,
     ) -> Axes:
         """The path of a station at a point, with a mark at every revolution where sections were taken."""
-        table = self._table(table, "waveform/samples", every=True)
+        table = self._table(table, FIELD.WAVEFORM_SAMPLES, every=True)
         index, at = self._station(table, station)[0], _index(table, point)
         factor = self._lengths(table)[at]
-        path, ax = _flat(table, "waveform/samples")[at, index] * factor, new_axes(ax)
+        path, ax = _flat(table, FIELD.WAVEFORM_SAMPLES)[at, index] * factor, new_axes(ax)
         ax.plot(path[:, 0], path[:, 1], **{"color": "black", "linewidth": 0.8, **style})
-        if "poincare/section" in table:
+        if FIELD.POINCARE_SECTION in table:
             revolutions = max(1, len(path) // int(table.options["samples_per_revolution"]))
-            marks = _flat(table, "poincare/section")[at, index, -revolutions:, :2] * factor
+            marks = _flat(table, FIELD.POINCARE_SECTION)[at, index, -revolutions:, :2] * factor
             look = {"linestyle": "none", "marker": "o", "markersize": 3, "color": REGIMES["quasi-periodic"]}
             ax.plot(marks[:, 0], marks[:, 1], **look)
         return self._plane_of_motion(ax, table, index, at)
@@ -402,10 +405,10 @@ class Plots:
         **style,
     ) -> Axes:
         """The lines of a point's spectrum over the order: forward and backward whirl, or x alone (``full=False``)."""
-        table = self._table(table, "spectrum/lines")
+        table = self._table(table, FIELD.SPECTRUM_LINES)
         index, name = self._station(table, station)
         at, ax = _index(table, point), new_axes(ax)
-        lines = _flat(table, "spectrum/lines")[at, index]
+        lines = _flat(table, FIELD.SPECTRUM_LINES)[at, index]
         lines = lines[np.isfinite(lines[:, 0])]
         order, (x, _, forward, backward) = lines[:, 0], lines[:, 1:].T * self._amplitudes(table)[at]
         style = {"color": "black", "linewidth": 1.2, **style}
@@ -430,10 +433,10 @@ class Plots:
         **style,
     ) -> Axes:
         """The lines of all spectra over order and parameter: the darker, the larger, to a thousandth of the largest."""
-        table = self._table(table, "spectrum/lines")
+        table = self._table(table, FIELD.SPECTRUM_LINES)
         index, name = self._station(table, station)
         values, label = self._parameter(table)
-        order, x, _, forward, backward = np.moveaxis(_flat(table, "spectrum/lines")[:, index], -1, 0)
+        order, x, _, forward, backward = np.moveaxis(_flat(table, FIELD.SPECTRUM_LINES)[:, index], -1, 0)
         sides = ((order, forward), (-order, backward)) if full else ((order, x),)
         places = np.broadcast_to(values.ravel()[:, None], order.shape)
         at = np.concatenate([side[0].ravel() for side in sides])
@@ -457,7 +460,7 @@ class Plots:
     def _title(self, table, at):
         value = table.values.ravel()[at]
         where = self._result._shown.value(table.parameter, value) if table.parameter else table.name
-        verdict = table.verdicts.ravel()[at] if "regime/code" in table else ""
+        verdict = table.verdicts.ravel()[at] if FIELD.REGIME_CODE in table else ""
         return f"{where}: {verdict}" if verdict else where
 
     # ---------------------------------------------------------------- planes

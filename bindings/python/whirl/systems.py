@@ -30,6 +30,7 @@ import numpy as np
 from . import _identity, errors
 from ._library import check, ffi, lib, word_bytes
 from .running import compute
+from .fields import FIELD
 
 if TYPE_CHECKING:
     from numba.core.typing.templates import Signature
@@ -166,10 +167,10 @@ def _identity_of(what, function):
 def _followed(result):
     """A result some motions of which have numbers; what could not be followed is said."""
     for table in result.tables.values():
-        if "regime/diverged_at" in table:
-            lost = (table["regime/code"] == 0) & (table["regime/diverged_at"] > 0)
-        elif "poincare/section" in table:
-            section = table["poincare/section"]
+        if FIELD.REGIME_DIVERGED_AT in table:
+            lost = (table[FIELD.REGIME_CODE] == 0) & (table[FIELD.REGIME_DIVERGED_AT] > 0)
+        elif FIELD.POINCARE_SECTION in table:
+            section = table[FIELD.POINCARE_SECTION]
             lost = np.isnan(section).reshape(*table.shape, -1).all(axis=-1)
         else:
             continue

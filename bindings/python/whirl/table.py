@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import errors
+from .fields import FIELD
 
 if TYPE_CHECKING:
     import pandas
@@ -94,13 +95,13 @@ class Table(Mapping):
     @cached_property
     def second_values(self) -> np.ndarray | None:
         """The second parameter at every point of a map, in SI; of curves "trace/second"; None where there is none."""
-        name = "map/second" if "map/second" in self.fields else "trace/second" if self.second else None
+        name = FIELD.MAP_SECOND if FIELD.MAP_SECOND in self.fields else FIELD.TRACE_SECOND if self.second else None
         return _fixed(self[name]) if name in self.fields else None
 
     @cached_property
     def third_values(self) -> np.ndarray | None:
         """The third parameter at every point of a map with planes, in SI; None where there is none."""
-        return _fixed(self["map/third"]) if "map/third" in self.fields else None
+        return _fixed(self[FIELD.MAP_THIRD]) if FIELD.MAP_THIRD in self.fields else None
 
     @cached_property
     def branch(self) -> np.ndarray:
@@ -149,7 +150,7 @@ class Table(Mapping):
     @property
     def has_attractors(self) -> bool:
         """Whether the points are different starts of one machine, as those of a basin or of several starts a place."""
-        return self.name == "basin" or "starts/number" in self.fields
+        return self.name == "basin" or FIELD.STARTS_NUMBER in self.fields
 
     @property
     def attractors(self) -> np.ndarray | None:
@@ -256,12 +257,12 @@ class Table(Mapping):
             if values is not None:
                 columns[_apart(name)] = values.ravel()
         columns["branch"] = self.branch.ravel()
-        if "regime/code" in self.fields:
+        if FIELD.REGIME_CODE in self.fields:
             columns["verdict"] = self.verdicts.ravel()
         if self.has_attractors:
             columns.update(attractor=self.attractors.ravel(), share=self.shares.ravel())
         for name, field in self.fields.items():
-            if field.rows == 1 and name not in ("map/second", "map/third"):
+            if field.rows == 1 and name not in (FIELD.MAP_SECOND, FIELD.MAP_THIRD):
                 columns.update(self._columns(name, field, units))
         frame = pd.DataFrame(columns)
         frame.attrs["units"] = {
@@ -309,7 +310,7 @@ class Table(Mapping):
             data[name] = (dims + own, self._lazy(name, field), about)
             if field.columns > 1 and field.column_names:
                 coords[f"{name} column"] = field.column_names
-        if "regime/code" in self.fields:
+        if FIELD.REGIME_CODE in self.fields:
             data["verdict"] = (dims, self._lazy_verdicts())
         if self.has_attractors:
             data["attractor"], data["share"] = (dims, self.attractors), (dims, self.shares)

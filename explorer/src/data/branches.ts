@@ -3,6 +3,7 @@
 import { Diagram } from './diagram';
 import { float64Of, type Run, type StoredTable } from './run';
 import { OrbitOfBranch } from './orbit';
+import { FIELD } from './fields';
 
 /// Kinds of special points, by the number that results have for them.
 export const SPECIALS = [undefined, 'fold', 'crossing', 'doubling', 'torus', 'Hopf', 'graze'] as const;
@@ -38,10 +39,10 @@ export class Branches {
   /// Those over a parameter; undefined where the run has none.
   static of(run: Run | undefined, parameter: string): Branches | undefined {
     const table = run?.tables.find(({ name }) => name === 'branch');
-    if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === 'trace/special'))
+    if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === FIELD.TRACE_SPECIAL))
       return undefined;
     const diagram = Diagram.stored(table, run!.length_scale);
-    const special = (point: number) => diagram.number(point, 'trace/special');
+    const special = (point: number) => diagram.number(point, FIELD.TRACE_SPECIAL);
     const changes = Array.from(diagram.values.keys()).flatMap((point) => {
       const kind = SPECIALS[special(point)];
       return kind ? [{ point, kind }] : [];
@@ -52,12 +53,14 @@ export class Branches {
 
   /// A motion with a time of its own is shown by the bounds of its coordinates, not by a section.
   isFree(point: number): boolean {
-    return this.diagram.number(point, 'trace/revolutions') === 0 && this.diagram.number(point, 'trace/period') > 0;
+    return (
+      this.diagram.number(point, FIELD.TRACE_REVOLUTIONS) === 0 && this.diagram.number(point, FIELD.TRACE_PERIOD) > 0
+    );
   }
 
   /// The branch that a point is of, from 1.
   numberOf(point: number): number {
-    return this.diagram.number(point, 'trace/number');
+    return this.diagram.number(point, FIELD.TRACE_NUMBER);
   }
 
   /// The orbit of a point; undefined where there is no such point, or the page does not hold its nodes.
@@ -66,7 +69,13 @@ export class Branches {
     if (at < 0) return undefined;
     const count = nodeNumbers(this.diagram, point, this.segments);
     const [period, nodes] = [this.nodes.numbers[at]!, this.nodes.numbers.subarray(at + 1, at + 1 + count)];
-    return new OrbitOfBranch(this.diagram, point, SPECIALS[this.diagram.number(point, 'trace/special')], period, nodes);
+    return new OrbitOfBranch(
+      this.diagram,
+      point,
+      SPECIALS[this.diagram.number(point, FIELD.TRACE_SPECIAL)],
+      period,
+      nodes,
+    );
   }
 
   /// The point of a branch that is `steps` orbits further, from its end of lower values to that of higher ones, through
@@ -111,8 +120,8 @@ function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[]
   const pieces: { stable: boolean; points: number[] }[] = [];
   for (let point = 1; point < diagram.count; point++) {
     const before = point - 1;
-    if (diagram.number(point, 'trace/number') !== diagram.number(before, 'trace/number')) continue;
-    const stable = diagram.number(special(before) > 0 ? point : before, 'trace/unstable') === 0;
+    if (diagram.number(point, FIELD.TRACE_NUMBER) !== diagram.number(before, FIELD.TRACE_NUMBER)) continue;
+    const stable = diagram.number(special(before) > 0 ? point : before, FIELD.TRACE_UNSTABLE) === 0;
     const last = pieces.at(-1);
     if (last?.stable === stable && last.points.at(-1) === before) last.points.push(point);
     else pieces.push({ stable, points: [before, point] });
@@ -122,9 +131,9 @@ function piecesOf(diagram: Diagram, special: (point: number) => number): Piece[]
 
 /// How many numbers the nodes of a point are.
 function nodeNumbers(diagram: Diagram, point: number, segments: number): number {
-  const dimension = diagram.column('trace/multipliers')?.rows ?? 0;
-  const round = Math.max(1, diagram.number(point, 'trace/revolutions'));
-  return dimension * round * (diagram.number(point, 'trace/period') > 0 ? segments : 1);
+  const dimension = diagram.column(FIELD.TRACE_MULTIPLIERS)?.rows ?? 0;
+  const round = Math.max(1, diagram.number(point, FIELD.TRACE_REVOLUTIONS));
+  return dimension * round * (diagram.number(point, FIELD.TRACE_PERIOD) > 0 ? segments : 1);
 }
 
 function nodesOf(table: StoredTable, diagram: Diagram, segments: number): Nodes {

@@ -2,6 +2,7 @@
 import type { Field, Layout, SweepPoints, Verdict } from '../engine/protocol';
 import { regimeClass, regimeName, UNDETERMINED } from './regimes';
 import { float32Of, float64Of, type StoredMap, type StoredTable } from './run';
+import { FIELD } from './fields';
 
 /// Numbers of every point: [points][rows].
 export interface Column {
@@ -12,7 +13,7 @@ export interface Column {
 /// What is told of a field.
 export type FieldInfo = Omit<Field, 'offset'>;
 
-const SECTION = 'poincare/section';
+const SECTION = FIELD.POINCARE_SECTION;
 
 function columnKey(field: string, which: number, column: number): string {
   return `${field} ${which} ${column}`;
@@ -76,7 +77,7 @@ export class Diagram {
     else made.lengthScales.fill(lengthScale);
     for (const stored of table.fields) {
       // The section of orbits along a branch is one like that of motions.
-      const field = stored.name === 'trace/section' ? { ...stored, name: SECTION } : stored;
+      const field = stored.name === FIELD.TRACE_SECTION ? { ...stored, name: SECTION } : stored;
       made.fields.set(field.name, field);
       const all = float32Of(field.data);
       const size = table.count * field.rows;
@@ -198,7 +199,7 @@ export class Diagram {
 
   /// Largest share of the time in contact, over all contacts.
   contact(point: number): number {
-    return this.largest(point, 'rub/share', 0);
+    return this.largest(point, FIELD.RUB_SHARE, 0);
   }
 
   /// A number of what there is several of, of the one that has most of it; 0 where none has any.
@@ -212,9 +213,9 @@ export class Diagram {
   }
 
   exponent(point: number): { readonly value: number; readonly error: number } {
-    const from = this.column('lyapunov/largest')
-      ? ['lyapunov/largest', 'lyapunov/error']
-      : ['regime/exponent', 'regime/exponent_error'];
+    const from = this.column(FIELD.LYAPUNOV_LARGEST)
+      ? [FIELD.LYAPUNOV_LARGEST, FIELD.LYAPUNOV_ERROR]
+      : [FIELD.REGIME_EXPONENT, FIELD.REGIME_EXPONENT_ERROR];
     return { value: this.number(point, from[0]!), error: this.number(point, from[1]!) };
   }
 
@@ -232,12 +233,12 @@ export class Diagram {
 
   /// Whether points have verdicts: those of branches have none. An awaited diagram will have them.
   get judged(): boolean {
-    return !this.columns.has(columnKey('trace/special', 0, 0));
+    return !this.columns.has(columnKey(FIELD.TRACE_SPECIAL, 0, 0));
   }
 
   /// Low 0, fair 1, high 2; NaN where the run states none.
   confidence(point: number): number {
-    return this.number(point, 'regime/confidence');
+    return this.number(point, FIELD.REGIME_CONFIDENCE);
   }
 
   /// Smallest and largest value, in SI.
@@ -269,7 +270,7 @@ export class Diagram {
   private nameVerdicts(): void {
     const names = new Map<number, readonly [string, string]>();
     for (let point = 0; point < this.count; point++) {
-      const [code, period] = [this.number(point, 'regime/code'), this.number(point, 'regime/period')];
+      const [code, period] = [this.number(point, FIELD.REGIME_CODE), this.number(point, FIELD.REGIME_PERIOD)];
       const key = 8 * period + code;
       if (!names.has(key)) names.set(key, [regimeName(code, period), '']);
       this.verdicts[point] = names.get(key)!;
@@ -278,7 +279,7 @@ export class Diagram {
 
   private classify(point: number): void {
     this.classes[point] = this.done[point]
-      ? regimeClass(this.number(point, 'regime/code'), this.number(point, 'regime/period'))
+      ? regimeClass(this.number(point, FIELD.REGIME_CODE), this.number(point, FIELD.REGIME_PERIOD))
       : UNDETERMINED;
   }
 }

@@ -4,6 +4,7 @@ import type { Units } from '../model/units';
 import type { Diagram } from './diagram';
 import type { ParameterMap } from './parameter_map';
 import { quantitiesOf, quantityOf, type Quantity } from './quantities';
+import { FIELD } from './fields';
 
 /// Stronger growth and decay are all shown alike.
 const MOST_EXPONENT = 0.5;
@@ -43,14 +44,14 @@ export function mapQuantitiesOf(map: ParameterMap): readonly Quantity[] {
     const column = quantityOf(diagram, id, 0, [], units, '')?.column;
     return column?.rows === 1 && column.data.some(Number.isFinite);
   });
-  const judged = diagram.column('regime/code') !== undefined;
+  const judged = diagram.column(FIELD.REGIME_CODE) !== undefined;
   const attractors = map.attractors.length > 0 ? [ATTRACTOR] : [];
   return [...attractors, ...(judged ? [REGIME, PERIOD] : []), ...there];
 }
 
 /// Revolutions of periodic motions.
 function periodOf(diagram: Diagram, point: number): number {
-  return diagram.number(point, 'regime/code') === PERIODIC ? diagram.number(point, 'regime/period') : NaN;
+  return diagram.number(point, FIELD.REGIME_CODE) === PERIODIC ? diagram.number(point, FIELD.REGIME_PERIOD) : NaN;
 }
 
 function rangeOf(numbers: Float64Array): readonly [number, number] {

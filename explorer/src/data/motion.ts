@@ -1,6 +1,7 @@
 // One motion as the engine found it, by what the panels ask for. Lengths in length scales, as the engine gives them.
 import { fieldNumbers, findField, type MotionResult, type StationInfo } from '../engine/protocol';
 import type { OrbitOfBranch } from './orbit';
+import { FIELD } from './fields';
 
 export interface Pairs {
   readonly x: Float64Array;
@@ -39,7 +40,7 @@ export class Motion {
 
   /// Waveform of the last revolutions; its last sample is at the once-per-revolution mark.
   waveform(station: number): Pairs {
-    const [x, y] = this.columns('waveform/samples', station, 2);
+    const [x, y] = this.columns(FIELD.WAVEFORM_SAMPLES, station, 2);
     return { x: x!, y: y! };
   }
 
@@ -48,17 +49,17 @@ export class Motion {
   }
 
   section(station: number): SectionPoints {
-    const [x, y, vx, vy] = this.columns('poincare/section', station, 4);
+    const [x, y, vx, vy] = this.columns(FIELD.POINCARE_SECTION, station, 4);
     return { x: x!, y: y!, vx: vx!, vy: vy! };
   }
 
   spectrum(station: number): Spectrum {
-    return this.spectral('spectrum/amplitude', station);
+    return this.spectral(FIELD.SPECTRUM_AMPLITUDE, station);
   }
 
   /// Peaks, largest first.
   lines(station: number): Spectrum {
-    return this.spectral('spectrum/lines', station);
+    return this.spectral(FIELD.SPECTRUM_LINES, station);
   }
 
   number(field: string, which = 0, column = 0): number {
@@ -67,10 +68,10 @@ export class Motion {
 
   /// Largest share of the time in contact, NaN where nothing can touch.
   get contact(): number {
-    const field = findField(this.result.layout, 'rub/share');
+    const field = findField(this.result.layout, FIELD.RUB_SHARE);
     if (!field || field.repeat === 0) return NaN;
     let most = 0;
-    for (let which = 0; which < field.repeat; which++) most = Math.max(most, this.number('rub/share', which) || 0);
+    for (let which = 0; which < field.repeat; which++) most = Math.max(most, this.number(FIELD.RUB_SHARE, which) || 0);
     return most;
   }
 
@@ -86,7 +87,7 @@ export class Motion {
     const { verdict } = this.result;
     // That of an orbit with a time of its own is no whole number.
     if (this.orbit || !verdict) return (this.orbit?.period ?? 0) / (2 * Math.PI);
-    const returns = this.number('regime/recurrence') < CLOSED ? this.number('regime/recurrence_period') : 0;
+    const returns = this.number(FIELD.REGIME_RECURRENCE) < CLOSED ? this.number(FIELD.REGIME_RECURRENCE_PERIOD) : 0;
     return verdict.period || (verdict.provisional ? returns : 0);
   }
 

@@ -1,6 +1,7 @@
 // The motion that the page opens with: it is stored, so that it is seen before the engine has computed any.
 import { findField, type Field, type MotionResult } from '../engine/protocol';
 import { float32Of, type Run, type StoredOpening } from './run';
+import { FIELD } from './fields';
 
 /// As the engine would give it.
 export function storedMotion(run: Run, opening: StoredOpening): MotionResult {
@@ -20,7 +21,7 @@ export function storedMotion(run: Run, opening: StoredOpening): MotionResult {
   });
   const layout = { size, fields };
   const { method, method_chosen, steps_per_revolution, transient, record, watch, waveform_revolutions } = opening;
-  const waveform = findField(layout, 'waveform/samples')?.rows ?? 0;
+  const waveform = findField(layout, FIELD.WAVEFORM_SAMPLES)?.rows ?? 0;
   return {
     value: opening.value,
     verdict: { ...opening.verdict, provisional: false, divergedAt: 0 },

@@ -1,6 +1,7 @@
 // The orbit of one point of a branch, stable or not, by what is stored of it.
 import { shown } from '../model/units';
 import type { Diagram } from './diagram';
+import { FIELD } from './fields';
 
 export interface Multiplier {
   readonly real: number;
@@ -91,7 +92,7 @@ export class OrbitOfBranch {
 
   /// By falling modulus; of equilibria eigenvalues by falling real part.
   get multipliers(): readonly Multiplier[] {
-    const [real, imaginary] = [0, 1].map((column) => this.diagram.column('trace/multipliers', 0, column));
+    const [real, imaginary] = [0, 1].map((column) => this.diagram.column(FIELD.TRACE_MULTIPLIERS, 0, column));
     if (!real || !imaginary) return [];
     const first = this.point * real.rows;
     const all = Array.from({ length: real.rows }, (_, i) => ({

@@ -2,6 +2,7 @@
 import { Diagram } from './diagram';
 import { OTHER_PERIODS } from './regimes';
 import { float64Of, type Attractor, type Run, type StoredMap, type StoredTable } from './run';
+import { FIELD } from './fields';
 
 export interface MapAxis {
   readonly parameter: string;
@@ -81,7 +82,7 @@ export function nearestOn({ values, edges }: MapAxis, value: number): number {
 export function regimeKind(diagram: Diagram, point: number): number {
   if (point < 0) return NaN;
   const kind = diagram.classes[point]!;
-  return kind <= OTHER_PERIODS ? diagram.number(point, 'regime/period') : -kind;
+  return kind <= OTHER_PERIODS ? diagram.number(point, FIELD.REGIME_PERIOD) : -kind;
 }
 
 /// A plane of a map with several.

@@ -2,6 +2,7 @@
 import type { StationInfo } from '../engine/protocol';
 import { amplitudeMeasure, lengthMeasure, type Units } from '../model/units';
 import type { Column, Diagram, FieldInfo } from './diagram';
+import { FIELD } from './fields';
 
 export interface Quantity {
   /// As it stands in the address of the page.
@@ -18,11 +19,11 @@ export interface Quantity {
 export const QUANTITIES: readonly Quantity[] = [
   { id: 'x', text: 'x once per revolution', perStation: true },
   { id: 'y', text: 'y once per revolution', perStation: true },
-  { id: 'radius', text: 'Largest radius', perStation: true, field: 'orbit/max_radius' },
-  { id: 'eccentricity', text: 'Eccentricity ratio', perStation: true, field: 'orbit/eccentricity' },
-  { id: 'contact', text: 'Contact share', perStation: false, field: 'rub/share' },
+  { id: 'radius', text: 'Largest radius', perStation: true, field: FIELD.ORBIT_MAX_RADIUS },
+  { id: 'eccentricity', text: 'Eccentricity ratio', perStation: true, field: FIELD.ORBIT_ECCENTRICITY },
+  { id: 'contact', text: 'Contact share', perStation: false, field: FIELD.RUB_SHARE },
   { id: 'exponent', text: 'Largest exponent', perStation: false },
-  { id: 'backward', text: 'Backward whirl share', perStation: true, field: 'orbit/backward' },
+  { id: 'backward', text: 'Backward whirl share', perStation: true, field: FIELD.ORBIT_BACKWARD },
   { id: '1x', text: '1X amplitude of x', perStation: true, spectra: true },
   { id: '1y', text: '1X amplitude of y', perStation: true, spectra: true },
   { id: '1xlag', text: '1X phase lag of x', perStation: true, spectra: true },
@@ -137,24 +138,24 @@ export function quantityOf(
   switch (id) {
     case 'x':
     case 'y':
-      return length('poincare/section', id === 'x' ? 0 : 1, `${id} of ${name} (${unit})`);
+      return length(FIELD.POINCARE_SECTION, id === 'x' ? 0 : 1, `${id} of ${name} (${unit})`);
     case 'radius':
-      return length('orbit/max_radius', 0, `largest radius of ${name} (${unit} 0-p)`);
+      return length(FIELD.ORBIT_MAX_RADIUS, 0, `largest radius of ${name} (${unit} 0-p)`);
     case 'eccentricity':
-      return made('orbit/eccentricity', station, 0, 1, `eccentricity ratio of ${name}`);
+      return made(FIELD.ORBIT_ECCENTRICITY, station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':
-      return largestOfContacts(diagram, 'rub/share', 0, 'share of the time in contact');
+      return largestOfContacts(diagram, FIELD.RUB_SHARE, 0, 'share of the time in contact');
     case 'exponent':
       return (
-        made('lyapunov/largest', 0, 0, 1, 'exponent per revolution') ??
-        made('regime/exponent', 0, 0, 1, 'exponent per revolution')
+        made(FIELD.LYAPUNOV_LARGEST, 0, 0, 1, 'exponent per revolution') ??
+        made(FIELD.REGIME_EXPONENT, 0, 0, 1, 'exponent per revolution')
       );
     case 'backward':
-      return made('orbit/backward', station, 0, 1, `backward whirl of ${name}, share of the time`);
+      return made(FIELD.ORBIT_BACKWARD, station, 0, 1, `backward whirl of ${name}, share of the time`);
     case '1x':
     case '1y': {
       const found = length(
-        'spectrum/synchronous',
+        FIELD.SPECTRUM_SYNCHRONOUS,
         id === '1x' ? 0 : 1,
         `1X amplitude of ${id.slice(1)} of ${name} (${unit} ${units.amplitude})`,
       );
@@ -169,7 +170,7 @@ export function quantityOf(
     case '1xlag':
     case '1ylag':
       return made(
-        'spectrum/synchronous_lag',
+        FIELD.SPECTRUM_SYNCHRONOUS_LAG,
         station,
         id === '1xlag' ? 0 : 1,
         1,

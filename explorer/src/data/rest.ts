@@ -3,6 +3,7 @@
 import type { StationInfo } from '../engine/protocol';
 import { Diagram } from './diagram';
 import type { Run } from './run';
+import { FIELD } from './fields';
 
 /// A harmonic motion of a station: x = xc cos t + xs sin t, y alike.
 export interface Sway {
@@ -112,7 +113,7 @@ export class AtRest {
   /// What is stored of a run; undefined where it has motions.
   static kindOf(run: Run | undefined): AtRest['kind'] | undefined {
     const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field);
-    return has('modes/frequency') ? 'modes' : has('unbalance/amplitude') ? 'unbalance' : undefined;
+    return has(FIELD.MODES_FREQUENCY) ? 'modes' : has(FIELD.UNBALANCE_AMPLITUDE) ? 'unbalance' : undefined;
   }
 
   static of(run: Run | undefined): AtRest | undefined {
@@ -143,7 +144,7 @@ export class AtRest {
 
   /// Largest real part of all eigenvalues, 1/s.
   stability(point: number): number {
-    return this.diagram.number(point, 'modes/stability');
+    return this.diagram.number(point, FIELD.MODES_STABILITY);
   }
 
   /// 1: a mode grows, -1: all die out, 0: they do neither but for rounding.
@@ -155,7 +156,7 @@ export class AtRest {
 
   /// Frequencies are known but for multiples of it, rad/s; NaN where they are known.
   modulo(point: number): number {
-    return this.diagram.number(point, 'modes/modulo');
+    return this.diagram.number(point, FIELD.MODES_MODULO);
   }
 
   /// By rising frequency.
@@ -183,7 +184,7 @@ export class AtRest {
   shape(point: number, mode: number): Sway[] {
     return this.stations.map((info, station) => {
       const number = (column: number) => {
-        const found = this.diagram.column('modes/shape', station, column);
+        const found = this.diagram.column(FIELD.MODES_SHAPE, station, column);
         return found?.data[point * found.rows + mode] ?? NaN;
       };
       // One coordinate that stands for both is a motion along one line.

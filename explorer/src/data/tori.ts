@@ -2,6 +2,7 @@
 // their sections lie.
 import { Diagram } from './diagram';
 import type { Run } from './run';
+import { FIELD } from './fields';
 
 /// One branch of tori.
 export interface Torus {
@@ -26,35 +27,37 @@ export class Tori {
   /// Those over a parameter; undefined where the run has none.
   static of(run: Run | undefined, parameter: string): Tori | undefined {
     const table = run?.tables.find(({ name }) => name === 'tori');
-    if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === 'torus/rotation'))
+    if (!table || table.parameter !== parameter || !table.fields.some(({ name }) => name === FIELD.TORUS_ROTATION))
       return undefined;
     const diagram = Diagram.stored(table, run!.length_scale);
     const found = new Map<number, number[]>();
     for (const point of diagram.values.keys()) {
-      if (Number.isNaN(diagram.number(point, 'torus/rotation'))) continue; // none begins there
-      const number = diagram.number(point, 'torus/number');
+      if (Number.isNaN(diagram.number(point, FIELD.TORUS_ROTATION))) continue; // none begins there
+      const number = diagram.number(point, FIELD.TORUS_NUMBER);
       found.set(number, [...(found.get(number) ?? []), point]);
     }
     const all = Array.from(found, ([number, points]) => ({
       number,
       points,
-      origin: diagram.number(points[0]!, 'torus/point') - 1,
-      curves: diagram.number(points[0]!, 'torus/revolutions'),
+      origin: diagram.number(points[0]!, FIELD.TORUS_POINT) - 1,
+      curves: diagram.number(points[0]!, FIELD.TORUS_REVOLUTIONS),
     }));
     return new Tori(diagram, all);
   }
 
   isStable(point: number): boolean {
-    return this.diagram.number(point, 'torus/unstable') === 0;
+    return this.diagram.number(point, FIELD.TORUS_UNSTABLE) === 0;
   }
 
   /// The value of the parameter at which the radius vanishes after a point; undefined where it does not.
   vanishesAt(point: number): number | undefined {
-    return this.diagram.number(point, 'torus/end') === SHRINKS ? this.diagram.number(point, 'torus/limit') : undefined;
+    return this.diagram.number(point, FIELD.TORUS_END) === SHRINKS
+      ? this.diagram.number(point, FIELD.TORUS_LIMIT)
+      : undefined;
   }
 
   /// Turns round the closed curve from one section to the next.
   rotation(point: number): number {
-    return this.diagram.number(point, 'torus/rotation');
+    return this.diagram.number(point, FIELD.TORUS_ROTATION);
   }
 }

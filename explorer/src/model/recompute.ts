@@ -2,6 +2,7 @@
 // do.
 import { Diagram } from '../data/diagram';
 import type { BatchInfo, Carry, Engine, Look, Setting, SweepProgress } from '../engine/protocol';
+import { FIELD } from '../data/fields';
 
 export interface Plan {
   readonly setting: Setting;
@@ -121,7 +122,7 @@ function carryOf(plan: Plan): Carry {
 /// Places of the points of the first branch that have no verdict yet: first those whose evidence is weakest, of these
 /// the least stable first.
 export function doubtfulFirst(diagram: Diagram, places: readonly number[]): number[] {
-  const agreement = (point: number) => diagram.number(point, 'regime/agreement') || 0;
+  const agreement = (point: number) => diagram.number(point, FIELD.REGIME_AGREEMENT) || 0;
   const exponent = (point: number) => {
     const { value } = diagram.exponent(point);
     return Number.isFinite(value) ? value : Number.MAX_VALUE;

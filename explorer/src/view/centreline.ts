@@ -7,6 +7,7 @@ import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
 import { lengthMeasure, shown } from '../model/units';
 import { Panel, type Subject, type Table } from './panel';
+import { FIELD } from '../data/fields';
 
 /// Angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to 180.
 export function attitude(x: number, y: number): number {
@@ -15,7 +16,9 @@ export function attitude(x: number, y: number): number {
 
 /// The clearance of a point's own machine in its length scales, NaN where there is no bearing.
 function clearanceOf(diagram: Diagram, point: number, station: number): number {
-  return diagram.number(point, 'orbit/max_radius', station) / diagram.number(point, 'orbit/eccentricity', station);
+  return (
+    diagram.number(point, FIELD.ORBIT_MAX_RADIUS, station) / diagram.number(point, FIELD.ORBIT_ECCENTRICITY, station)
+  );
 }
 
 export class CentrelinePanel extends Panel {
@@ -37,7 +40,7 @@ export class CentrelinePanel extends Panel {
   protected table(): Table {
     const { station, units, scales, diagram } = this.subject!;
     const { unit } = lengthMeasure(units, scales);
-    const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
+    const [x, y] = [diagram?.column(FIELD.ORBIT_MEAN, station, 0), diagram?.column(FIELD.ORBIT_MEAN, station, 1)];
     return {
       heading: [
         diagram?.parameter || 'point',
@@ -63,7 +66,9 @@ export class CentrelinePanel extends Panel {
 
   private mean(): readonly [number, number] {
     const { motion, station } = this.subject!;
-    return motion ? [motion.number('orbit/mean', station, 0), motion.number('orbit/mean', station, 1)] : [NaN, NaN];
+    return motion
+      ? [motion.number(FIELD.ORBIT_MEAN, station, 0), motion.number(FIELD.ORBIT_MEAN, station, 1)]
+      : [NaN, NaN];
   }
 
   private sentence(): string {
@@ -109,7 +114,7 @@ export class CentrelinePanel extends Panel {
     place: (x: number, y: number) => readonly [number, number],
     colours: Theme,
   ): void {
-    const [x, y] = [diagram?.column('orbit/mean', station, 0), diagram?.column('orbit/mean', station, 1)];
+    const [x, y] = [diagram?.column(FIELD.ORBIT_MEAN, station, 0), diagram?.column(FIELD.ORBIT_MEAN, station, 1)];
     if (!diagram || !x || !y) return;
     diagram.values.forEach((_, point) => {
       const [mx, my] = [x.data[point]!, y.data[point]!];

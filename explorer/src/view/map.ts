@@ -18,6 +18,7 @@ import { labelled, parameterMeasure, type Scales } from '../model/units';
 import type { Table } from './panel';
 import { OrbitMarks } from './orbit_marks';
 import { Stack, type Along, type Spot, type StackListener } from './stack';
+import { FIELD } from '../data/fields';
 
 export interface MapSubject extends Along {
   readonly diagram: Diagram | undefined;
@@ -303,7 +304,7 @@ export class MapView {
     const { tori } = subject ?? {};
     if (!subject || !tori || (subject.quantity !== 'x' && subject.quantity !== 'y')) return undefined;
     const column = subject.quantity === 'x' ? 0 : 1;
-    const [low, high] = ['torus/section_low', 'torus/section_high'].map((field) =>
+    const [low, high] = [FIELD.TORUS_SECTION_LOW, FIELD.TORUS_SECTION_HIGH].map((field) =>
       lengthsOf(tori.diagram, field, subject.station, column, subject.units),
     );
     const valueFactor = parameterMeasure(subject.unit, subject.units).factor;
@@ -338,7 +339,8 @@ export class MapView {
   private drawExponent(pen: Pen, frame: Frame, colours: Theme): void {
     const { subject } = this;
     const column =
-      subject?.diagram && (subject.diagram.column('lyapunov/largest') ?? subject.diagram.column('regime/exponent'));
+      subject?.diagram &&
+      (subject.diagram.column(FIELD.LYAPUNOV_LARGEST) ?? subject.diagram.column(FIELD.REGIME_EXPONENT));
     if (!subject?.diagram || !column) return;
     pen.strokeStyle = colours.muted;
     pen.lineWidth = frame.ratio;
@@ -396,7 +398,7 @@ export class MapView {
 
   private drawContact(pen: Pen, frame: Frame, colours: Theme): void {
     const diagram = this.subject?.diagram;
-    if (!diagram?.column('rub/share')) return;
+    if (!diagram?.column(FIELD.RUB_SHARE)) return;
     pen.fillStyle = colours.contactShade;
     pen.beginPath();
     this.cells(frame, (point, left, right) => {

@@ -7,6 +7,7 @@ import type { Quality } from '../model/sights';
 import { MapView, type MapListener, type MapSubject } from './map';
 import { fileName, saveMenu } from './panel';
 import type { Mode } from './stack';
+import { FIELD } from '../data/fields';
 
 export interface MapCardListener extends MapListener {
   quantity(id: string): void;
@@ -198,7 +199,7 @@ export class MapCard {
     const entries = counts.flatMap((count, kind) => (count > 0 ? [this.legendEntry(kind, count)] : []));
     const rub = diagram?.values.some((_, point) => diagram.done[point] === 1 && diagram.contact(point) > 0);
     if (rub) entries.push(el('span', { class: 'legend-note key-contact' }, 'contact'));
-    if (diagram?.column('regime/confidence'))
+    if (diagram?.column(FIELD.REGIME_CONFIDENCE))
       entries.push(el('span', { class: 'legend-note key-confidence' }, 'confidence (faint: low)'));
     if (this.subject?.branches) entries.push(el('span', { class: 'legend-note' }, 'orbits: solid stable, dashed not'));
     if (this.subject?.tori) entries.push(el('span', { class: 'legend-note' }, 'tori: bands, edges likewise'));

@@ -9,6 +9,7 @@ import { linearTicks, niceStep } from '../figure/ticks';
 import { lengthMeasure, shown, type Measure } from '../model/units';
 import { Panel, type Subject, type Table } from './panel';
 import { textSize } from '../figure/figure';
+import { FIELD } from '../data/fields';
 
 /// From lengths to the pen's pixels, y upwards.
 interface Place {
@@ -61,8 +62,9 @@ export class OrbitPanel extends Panel {
     if (!motion || motion.diverged) this.note.textContent = motion ? 'The motion diverged: there is no orbit.' : '';
     else {
       const span = (column: number) =>
-        (motion.number('orbit/high', station, column) - motion.number('orbit/low', station, column)) * length.factor;
-      const radius = motion.number('orbit/max_radius', station) * length.factor;
+        (motion.number(FIELD.ORBIT_HIGH, station, column) - motion.number(FIELD.ORBIT_LOW, station, column)) *
+        length.factor;
+      const radius = motion.number(FIELD.ORBIT_MAX_RADIUS, station) * length.factor;
       this.note.textContent =
         `X ${shown(span(0), 3)}, Y ${shown(span(1), 3)} ${length.unit} p-p; ${shown(radius, 3)} ${length.unit} ` +
         '0-p from the centre';
@@ -118,11 +120,11 @@ export class OrbitPanel extends Panel {
     const walls = Math.max(info.gap, info.clearance);
     const reach = this.trail
       ? largest(this.trail.x, this.trail.y)
-      : (motion?.number('orbit/max_radius', station) ?? NaN);
+      : (motion?.number(FIELD.ORBIT_MAX_RADIUS, station) ?? NaN);
     if (!this.trail && !this.whole && motion && Number.isFinite(reach)) {
       const bound = (field: string, column: number) => motion.number(field, station, column);
-      const [left, right] = [bound('orbit/low', 0), bound('orbit/high', 0)];
-      const [low, high] = [bound('orbit/low', 1), bound('orbit/high', 1)];
+      const [left, right] = [bound(FIELD.ORBIT_LOW, 0), bound(FIELD.ORBIT_HIGH, 0)];
+      const [low, high] = [bound(FIELD.ORBIT_LOW, 1), bound(FIELD.ORBIT_HIGH, 1)];
       const half = 0.56 * Math.max(right - left, high - low, 1e-9);
       return { x: (left + right) / 2, y: (low + high) / 2, half };
     }

@@ -25,6 +25,7 @@ import type { Panel, Subject } from './panel';
 import { PoincarePanel } from './poincare';
 import { FullSpectrumPanel, SpectrumPanel } from './spectrum';
 import { WaveformPanel } from './waveform';
+import { FIELD } from '../data/fields';
 
 export interface PaneSubject {
   readonly result: MotionResult | undefined;
@@ -240,7 +241,8 @@ export class Pane {
     const value = parameterMeasure(subject.unit, subject.units);
     const length = lengthMeasure(subject.units, { ...subject.scales, length: motion.result.lengthScale });
     const span = (column: number) =>
-      motion.number('orbit/high', subject.station, column) - motion.number('orbit/low', subject.station, column);
+      motion.number(FIELD.ORBIT_HIGH, subject.station, column) -
+      motion.number(FIELD.ORBIT_LOW, subject.station, column);
     const turns = orbit.period / (2 * Math.PI);
     const row: readonly (readonly [string, string])[] = [
       [labelled(subject.parameter, value.unit), written(orbit.value * value.factor, 9)],

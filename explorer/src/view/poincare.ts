@@ -6,6 +6,7 @@ import { Round } from '../figure/round';
 import type { Theme } from '../figure/theme';
 import { lengthMeasure } from '../model/units';
 import { Panel, type Table } from './panel';
+import { FIELD } from '../data/fields';
 
 type Coordinate = 'x' | 'y' | 'vx' | 'vy';
 
@@ -68,7 +69,7 @@ export class PoincarePanel extends Panel {
     const section = subject.motion.section(subject.station);
     const [across, up] = [section[this.plane[0]], section[this.plane[1]]];
     if (!across.length) return;
-    const least = 0.04 * Math.max(subject.motion.number('orbit/max_radius', subject.station), 1e-12) * factor;
+    const least = 0.04 * Math.max(subject.motion.number(FIELD.ORBIT_MAX_RADIUS, subject.station), 1e-12) * factor;
     const name = (coordinate: Coordinate) =>
       coordinate.startsWith('v') ? `${coordinate[1]}\u2032 (${unit}/rad)` : `${coordinate} (${unit})`;
     const { area, x, y } = drawPlane(
