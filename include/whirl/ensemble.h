@@ -124,8 +124,8 @@ const double *whirl_ensemble_coordinate(const whirl_ensemble *ensemble, size_t i
 /// Forgets what was observed of a lane; contacts that are closed now do not count as begun.
 void whirl_ensemble_forget(whirl_ensemble *ensemble, size_t lane);
 
-/// What was observed of a lane since it was last forgotten, means as sums over the instants. The arrays belong to the
-/// caller; NULL: not wanted.
+/// What was observed of a lane since it was last forgotten, as it is folded: means are sums over the instants, and what
+/// instants give as squares is squares still, until whirl_seen_end. The arrays belong to the caller; NULL: not wanted.
 typedef struct whirl_ensemble_seen {
     double *low, *high; ///< [dimension] bounds of every coordinate; rk4: of velocities at every fourth step
     WHIRL_WATCHED_ARRAYS
@@ -142,7 +142,7 @@ void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_e
 /// Adds an instant.
 void whirl_seen_instant(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching);
 
-/// Makes means of sums over so many instants.
+/// Makes means of sums over so many instants, and roots of squares. No array is NULL.
 void whirl_seen_end(const whirl_system *system, size_t instants, const whirl_ensemble_seen *seen);
 
 #ifdef __cplusplus

@@ -421,28 +421,14 @@ static void close_orbit(const whirl_recorder *r, const motion *m) {
     record_repeat_orbit(m->record, r->options);
 }
 
-// Ensembles give roots of what they have folded, and the root of a sum is no mean of roots: what instants give as
-// squares has to be the largest or the smallest of them.
-#define NO_SUM_OF_SQUARES(array, extent, columns, fold, square, ...)                                                   \
-    _Static_assert(!(square) || (fold) == WHIRL_LARGEST || (fold) == WHIRL_SMALLEST,                                   \
-                   #array " is a mean or sum of squares, which no record closes");
-WHIRL_WATCHED(NO_SUM_OF_SQUARES)
-#undef NO_SUM_OF_SQUARES
-
 static void close_record(const whirl_recorder *r, const motion *m) {
     whirl_record *record = m->record;
 #define SEEN(array, ...) .array = record->array,
     const whirl_ensemble_seen seen = {.low = record->low, .high = record->high, WHIRL_WATCHED(SEEN)};
 #undef SEEN
-    const double share = 1.0 / ((double)r->options->record * r->integrate->steps_per_revolution);
     whirl_ensemble_read(r->ensemble, m->lane, &seen);
     if (is_on_orbit(m)) close_orbit(r, m);
-#define SCALE(array, extent, columns, fold, ...)                                                                       \
-    for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, record->probe_count, record->contact_count);          \
-         (fold) == WHIRL_MEAN && i < all; i++)                                                                         \
-        record->array[i] *= share;
-    WHIRL_WATCHED(SCALE)
-#undef SCALE
+    whirl_seen_end(m->task.system, (size_t)r->options->record * (size_t)r->integrate->steps_per_revolution, &seen);
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
 }
 

@@ -12,6 +12,7 @@
 #include "rk4_lanes.h"
 #include "turns.h"
 #include "vector.h"
+#include "watch.h"
 
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
@@ -636,16 +637,8 @@ static void set(double *array, const whirl_ensemble *e, size_t rows, size_t lane
     for (size_t i = 0; i < rows; i++) array[i * e->lane_count + lane] = value;
 }
 
-/// What a fold begins with.
-static void begin_fold(double *array, const whirl_ensemble *e, size_t rows, size_t lane, whirl_fold fold) {
-    set(array, e, rows, lane, fold == WHIRL_LARGEST ? -INFINITY : fold == WHIRL_SMALLEST ? INFINITY : 0.0);
-}
-
-static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, bool square, double *out) {
-    for (size_t i = 0; out && i < rows; i++) {
-        const double value = array[i * e->lane_count + lane];
-        out[i] = square ? sqrt(value) : value;
-    }
+static void get(const double *array, const whirl_ensemble *e, size_t rows, size_t lane, double *out) {
+    for (size_t i = 0; out && i < rows; i++) out[i] = array[i * e->lane_count + lane];
 }
 
 /// Whether the gap of contact c is closed.
@@ -676,16 +669,16 @@ static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) 
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
     for (size_t p = 0; p < w->probe_count; p++)
-        get(w->max_radius + p * e->lane_count, e, 1, lane, true, &e->state[w->probes[p].x]);
+        e->state[w->probes[p].x] = sqrt(w->max_radius[p * e->lane_count + lane]);
     if (w->contact_count > 0) e->machines[lane]->contacts(e->machines[lane]->model, e->state, force);
 }
 
 void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
     const lanes_observe *w = &e->lanes.observe;
-    begin_fold(w->low, e, e->system->dimension, lane, WHIRL_SMALLEST);
-    begin_fold(w->high, e, e->system->dimension, lane, WHIRL_LARGEST);
+    set(w->low, e, e->system->dimension, lane, fold_none(WHIRL_SMALLEST));
+    set(w->high, e, e->system->dimension, lane, fold_none(WHIRL_LARGEST));
 #define BEGIN(array, extent, columns, fold, ...)                                                                       \
-    begin_fold(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, fold);
+    set(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, fold_none(fold));
     WHIRL_WATCHED(BEGIN)
 #undef BEGIN
     note_contacts(e, lane);
@@ -693,10 +686,10 @@ void whirl_ensemble_forget(whirl_ensemble *e, size_t lane) {
 
 void whirl_ensemble_read(const whirl_ensemble *e, size_t lane, const whirl_ensemble_seen *seen) {
     const lanes_observe *w = &e->lanes.observe;
-    get(w->low, e, e->system->dimension, lane, false, seen->low);
-    get(w->high, e, e->system->dimension, lane, false, seen->high);
-#define GET(array, extent, columns, fold, square, ...)                                                                 \
-    get(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, square, seen->array);
+    get(w->low, e, e->system->dimension, lane, seen->low);
+    get(w->high, e, e->system->dimension, lane, seen->high);
+#define GET(array, extent, columns, ...)                                                                               \
+    get(w->array, e, WHIRL_WATCHED_SIZE(extent, columns, w->probe_count, w->contact_count), lane, seen->array);
     WHIRL_WATCHED(GET)
 #undef GET
     if (seen->contact_force && !by_force(e)) largest_forces(e, lane, seen->contact_force);

@@ -41,8 +41,7 @@ void watch_instant(const whirl_system *system, const double *x, size_t stride, c
 // ---------------------------------------------------------------- for motions that no ensemble carries
 
 static void begin(double *array, size_t count, whirl_fold fold) {
-    const double none = fold == WHIRL_LARGEST ? -(double)INFINITY : fold == WHIRL_SMALLEST ? (double)INFINITY : 0.0;
-    for (size_t i = 0; i < count; i++) array[i] = none;
+    for (size_t i = 0; i < count; i++) array[i] = fold_none(fold);
 }
 
 void whirl_seen_begin(const whirl_system *system, const double *x, const whirl_ensemble_seen *seen, double *touching) {
@@ -62,12 +61,11 @@ void whirl_seen_instant(const whirl_system *system, const double *x, const whirl
 }
 
 void whirl_seen_end(const whirl_system *system, size_t instants, const whirl_ensemble_seen *seen) {
+    const double share = 1.0 / (double)instants;
 #define END(array, extent, columns, fold, square, ...)                                                                 \
     for (size_t i = 0, all = WHIRL_WATCHED_SIZE(extent, columns, system->probe_count, system->contact_count); i < all; \
-         i++) {                                                                                                        \
-        if ((fold) == WHIRL_MEAN) seen->array[i] /= (double)instants;                                                  \
-        if (square) seen->array[i] = sqrt(seen->array[i]);                                                             \
-    }
+         i++)                                                                                                          \
+        seen->array[i] = fold_end(fold, square, seen->array[i], share);
     WHIRL_WATCHED(END)
 #undef END
 }

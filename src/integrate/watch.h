@@ -2,7 +2,20 @@
 #ifndef INTEGRATE_WATCH_H
 #define INTEGRATE_WATCH_H
 
+#include <math.h>
+
 #include "whirl/ensemble.h"
+
+/// What a fold begins with.
+static inline double fold_none(whirl_fold fold) {
+    return fold == WHIRL_LARGEST ? -(double)INFINITY : fold == WHIRL_SMALLEST ? (double)INFINITY : 0.0;
+}
+
+/// What is made of one in the end; `share`: 1 over the number of instants.
+static inline double fold_end(whirl_fold fold, bool square, double folded, double share) {
+    const double value = fold == WHIRL_MEAN ? folded * share : folded;
+    return square ? sqrt(value) : value;
+}
 
 /// Adds the state x to what was seen, whose numbers lie `stride` apart, as those of `touching` [contact_count] do: 1
 /// where contacts were closed at the instant before, then at this one.
