@@ -17,7 +17,7 @@ whirl_rotor *paper_rotor_journal_first(double r_k);
 whirl_rotor *paper_rotor_listed(double r_k);
 
 /// A shaft of `stations` equal discs, each joined to the next; the middle one is out of balance and may rub; both ends
-/// run in an oil film. Scaled so that 1024 steps a revolution carry it stably. Freed by whirl_rotor_free.
+/// run in an oil film. Scaled so that 1024 steps per revolution carry it stably. Freed by whirl_rotor_free.
 whirl_rotor *chain_rotor(size_t stations, double r_k);
 
 /// The overhung rotor of overhung.h at a speed (rad/s): 20 finite elements, reduced. Freed by whirl_rotor_free.

@@ -1,6 +1,6 @@
 /// What the peers of a map do at each of its points: the paper's rotor (rotor.h) with its unbalance as a second
 /// parameter, adaptively at rtol 1e-6 and atol 1e-9, from rest; sections and the bounds of the disc over the last
-/// revolutions, and the growth of a disturbance of 1e-8 by a second motion over the second half.
+/// revolutions, and the growth of a perturbation of 1e-8 by a second motion over the second half.
 #ifndef BENCH_MAP_EQUATIONS_H
 #define BENCH_MAP_EQUATIONS_H
 
@@ -8,7 +8,7 @@
 
 #define MAP_RTOL 1e-6
 #define MAP_ATOL 1e-9
-#define MAP_DISTURBANCE 1e-8
+#define MAP_PERTURBATION 1e-8
 
 enum { MAP_SIDE = 16 };
 

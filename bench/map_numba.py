@@ -12,7 +12,7 @@ from numba import njit
 R_M, XI1, XI2, W = 8.4, 0.0157509, 0.286154, 0.2
 G, S_F, R_DELTA, R_CK, F = 0.115976, 0.0045, 1.2, 10.0, 0.1
 K1, K2, PUSH = 1 / (2 * R_M * W * W), 1 / (4 * W * W), R_CK / (R_M * W * W)
-RTOL, ATOL, DISTURBANCE, SIDE = 1e-6, 1e-9, 1e-8, 16
+RTOL, ATOL, PERTURBATION, SIDE = 1e-6, 1e-9, 1e-8, 16
 TIMES = np.array([0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1])
 STAGES = np.array([[0, 0, 0, 0, 0, 0], [1 / 5, 0, 0, 0, 0, 0], [3 / 40, 9 / 40, 0, 0, 0, 0],
                    [44 / 45, -56 / 15, 32 / 9, 0, 0, 0], [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729, 0, 0],
@@ -88,13 +88,13 @@ def follow(r_k, rho, transient, record):
     for n in range(transient + record):
         if n == watched:
             twin[:] = z
-            twin[0] += DISTURBANCE
+            twin[0] += PERTURBATION
         h, radius = revolve(r_k, rho, z, h, k, y)
         if n >= watched:
             other, _ = revolve(r_k, rho, twin, other, k, y)
             distance = math.sqrt(np.sum((twin - z) ** 2))
-            growth += math.log(distance / DISTURBANCE)
-            twin[:] = z + (twin - z) * (DISTURBANCE / distance)
+            growth += math.log(distance / PERTURBATION)
+            twin[:] = z + (twin - z) * (PERTURBATION / distance)
         if n >= transient:
             largest = max(largest, radius)
             section += z[0]

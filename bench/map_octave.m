@@ -20,7 +20,7 @@ function dz = slope(z, t, r_k, rho)
 end
 
 words = argv(); numbers = cellfun(@str2double, words(end - 2:end));
-transient = numbers(1); record = numbers(2); stride = numbers(3); side = 16; disturbance = 1e-8;
+transient = numbers(1); record = numbers(2); stride = numbers(3); side = 16; perturbation = 1e-8;
 lsode_options("integration method", "adams");
 lsode_options("relative tolerance", 1e-6);
 lsode_options("absolute tolerance", 1e-9);
@@ -33,13 +33,13 @@ for point = 0:stride:side^2 - 1
     z = [0; -0.1; 0; -0.1; 0; 0; 0; 0]; growth = 0; largest = 0;
     for n = 0:transient + record - 1
         if n == watched
-            twin = z; twin(1) += disturbance;
+            twin = z; twin(1) += perturbation;
         end
         path = lsode(machine, z, linspace(0, 2 * pi, 65)); z = path(end, :)';
         if n >= watched
             other = lsode(machine, twin, [0, 2 * pi]);
             apart = other(end, :)' - z; distance = norm(apart);
-            growth += log(distance / disturbance); twin = z + apart * (disturbance / distance);
+            growth += log(distance / perturbation); twin = z + apart * (perturbation / distance);
         end
         if n >= transient
             section += z(1); largest = max(largest, max(hypot(path(:, 1), path(:, 2))));

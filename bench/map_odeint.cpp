@@ -28,13 +28,13 @@ struct machine {
     }
 };
 
-/// Distance of a twin, which is brought back to that of the disturbance.
+/// Distance of a twin, which is brought back to that of the perturbation.
 static double renew(const state &z, state &twin) {
     double distance = 0.0;
     for (size_t i = 0; i < z.size(); i++) distance += (twin[i] - z[i]) * (twin[i] - z[i]);
     distance = std::sqrt(distance);
-    for (size_t i = 0; i < z.size(); i++) twin[i] = z[i] + (twin[i] - z[i]) * (MAP_DISTURBANCE / distance);
-    return distance / MAP_DISTURBANCE;
+    for (size_t i = 0; i < z.size(); i++) twin[i] = z[i] + (twin[i] - z[i]) * (MAP_PERTURBATION / distance);
+    return distance / MAP_PERTURBATION;
 }
 
 int main(int argc, char **argv) {
@@ -51,7 +51,7 @@ int main(int argc, char **argv) {
             const bool last = n >= transient;
             if (n == transient + record - watch) {
                 twin = z;
-                twin[0] += MAP_DISTURBANCE;
+                twin[0] += MAP_PERTURBATION;
             }
             m.revolve(z, [&](const state &at, double) {
                 if (last) largest = std::max(largest, at[0] * at[0] + at[1] * at[1]);

@@ -1,5 +1,5 @@
 /// An overhung rotor of 20 finite elements (84 coordinates) on two oil films, with a disc that may rub: reduced to the
-/// displacements of its three stations and 16 modal coordinates, from rest by RK4 in 512 steps a revolution, which
+/// displacements of its three stations and 16 modal coordinates, from rest by RK4 in 512 steps per revolution, which
 /// resolve its highest mode. What whirl and its peers have in common.
 ///
 /// Time is tau = speed t, displacements are in clearances. With q the 22 coordinates, ' = d/dtau:

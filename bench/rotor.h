@@ -1,5 +1,5 @@
 /// The rotor of all benchmarks: that of the 2015 paper with the printed signs, Sf = 0.0045 and G = 0.115976, from rest
-/// at y1 = y2 = -0.1, by RK4 in 1024 steps a revolution. C and C++.
+/// at y1 = y2 = -0.1, by RK4 in 1024 steps per revolution. C and C++.
 #ifndef BENCH_ROTOR_H
 #define BENCH_ROTOR_H
 

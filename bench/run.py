@@ -320,7 +320,7 @@ def key_ratios(best):
             ("the best loop that the compiler vectorised", vectorised),
             ("the Octave script", best.get("Octave script"))]
     lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: what is "
-             "gathered while a motion is recorded (bounds, contacts, 64 samples a revolution) costs "
+             "gathered while a motion is recorded (bounds, contacts, 64 samples per revolution) costs "
              f"{100 * (bare / watched - 1):.0f} percent while it is gathered. Times as fast as:", ""]
     lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
     return lines
@@ -329,7 +329,7 @@ def key_ratios(best):
 TEXT = """# Benchmarks
 
 How fast whirl's kernels are, beside other programs that do the same: the rotor of the 2015 paper (printed signs, Sf =
-0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps a revolution. A *step* is one step of
+0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps per revolution. A *step* is one step of
 one machine. `make bench` measures it anew and writes this page.
 
 All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts; by processor
@@ -371,7 +371,7 @@ STUDY = """
 ## The whole diagram
 
 `bench/t1.yaml`: 512 values of r_k, 1100 revolutions of transient and 100 recorded, from case file to result file; the
-best of {rounds} rounds. With exponents, a disturbance is followed over 650 of the 1200 revolutions in a lane of its
+best of {rounds} rounds. With exponents, a perturbation is followed over 650 of the 1200 revolutions in a lane of its
 own: 1.54 times the steps.
 
 {study}
@@ -458,7 +458,7 @@ BRANCHES = """
 Periodic orbits of the paper's rotor without its stator, with multipliers and special points, at a hundred values of r_k
 from 0.6 to 0.37, in points a second of one core. AUTO-07p has the equations compiled, with exact derivatives
 (`tests/peers/auto`), and so many intervals of so many points, and its tolerances, as the names say; 1e-7 are those of
-its demonstrations, with 1e-5 for special points. whirl reads a case, and takes eight segments a revolution, which go
+its demonstrations, with 1e-5 for special points. whirl reads a case, and takes eight segments per revolution, which go
 side by side. Errors are the largest of all points: of a coordinate at tau = 0 and of a multiplier, against orbits found
 at rtol 1e-13; and that of the Neimark-Sacker point at {torus:.12f}. Load before {before:.1f}, after {after:.1f}.
 
@@ -628,7 +628,7 @@ OVERHUNG = """
 ## A rotor of finite elements
 
 An overhung rotor of 20 elements (84 coordinates), reduced to its three stations and 8 modes a plane (22 coordinates),
-in two films, with gravity, unbalance and a rub at the disc (`bench/overhung.h`); RK4 in {steps} steps a revolution,
+in two films, with gravity, unbalance and a rub at the disc (`bench/overhung.h`); RK4 in {steps} steps per revolution,
 which resolve its highest mode, at 628 rad/s and, side by side, up to 1000. The peers read the same reduced matrices.
 Those that take fixed steps proved first that they do the same: y of the left journal after 20 revolutions, the last
 ones with contact, agrees to 1e-6 with {end:.10f} of RK4; adaptive ones, at rtol 1e-6 and atol 1e-9, agree to 1e-4 with
@@ -756,7 +756,7 @@ set format x "10^{{%T}}"
 set xrange [1e3:3e8]
 set yrange [-0.7:{len(rows) - 0.3}]
 set xlabel "steps of RK4 a second, one core"
-set title "The rotor of the 2015 paper, 1024 steps a revolution"
+set title "The rotor of the 2015 paper, 1024 steps per revolution"
 set grid x
 set style fill solid
 unset key

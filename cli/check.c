@@ -123,7 +123,7 @@ static whirl_status warn_of_steps(const char *path, const whirl_study *study, co
     const whirl_status status = needed_steps(study, batch, &needed);
     if (needed > 0.0)
         fprintf(stderr,
-                "%s: warning: %d steps a revolution are unstable for this machine in its first revolutions (%s): it "
+                "%s: warning: %d steps per revolution are unstable for this machine in its first revolutions (%s): it "
                 "needs %.0f or "
                 "more, or method auto\n",
                 path, batch->integrate.steps_per_revolution, batch->name, needed);

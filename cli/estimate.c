@@ -62,7 +62,7 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     const bool both = batch->carry == WHIRL_CARRY_BOTH, carried = batch->carry != WHIRL_CARRY_NONE;
     const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
     const double whole = (double)batch->record.transient + batch->record.record;
-    // The twin that tells how a disturbance grows goes along while a motion is watched.
+    // The twin that tells how a perturbation grows goes along while a motion is watched.
     const bool twin = batch->record.growth == WHIRL_GROWTH_LARGEST;
     const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;

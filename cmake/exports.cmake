@@ -7,7 +7,7 @@ function(whirl_declared header names)
   file(READ ${header} text)
   string(REGEX REPLACE "//[^\n]*|typedef[^\n]*" "" text "${text}")
   string(REGEX MATCHALL "whirl_[a-z0-9_]+\\(" found "${text}")
-  # What elements of one's own call has short names in the sources.
+  # What custom elements call has short names in the sources.
   string(REGEX MATCHALL "#define [a-z_]+ whirl_[a-z_]+\n" renamed "${text}")
   string(REGEX REPLACE "#define [a-z_]+ |\n" "" renamed "${renamed}")
   string(REPLACE "(" "" found "${found}")

@@ -36,7 +36,7 @@ function(whirl_kernel source folder result)
   set(${result} ${${result}} PARENT_SCOPE)
 endfunction()
 
-# Adds an element of one's own to a target: the file that defines it, compiled as the library's elements are.
+# Adds a custom element to a target: the file that defines it, compiled as the library's elements are.
 #   whirl_element(<target> <file.c>)
 function(whirl_element target source)
   get_filename_component(source ${source} ABSOLUTE)

@@ -17,7 +17,7 @@ HEADER = ROOT / "include/whirl/fields.h"
 NAMES = dict(re.findall(r'^#define WHIRL_FIELD_(\w+)\s+\\?\s*"([^"]+)"', HEADER.read_text(), re.MULTILINE))
 WRITTEN = "written by scripts/fields.py from include/whirl/fields.h"
 
-PYTHON = f'''"""Names of the fields of results, for all that would be misspelt in silence; {WRITTEN}."""
+PYTHON = f'''"""Names of the fields of results; {WRITTEN}."""
 
 
 class FIELD:

@@ -31,7 +31,8 @@ PARTS = {
     "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
                     "docs/octave", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
     "Reference": ["docs/reference/keys", "whirl(1) <docs/whirl>", "C API <api/index>", "Python API <api/python>",
-                  "docs/result-file", "docs/journal", "cases/index", "examples/index", "ABI of libwhirl <docs/abi>"],
+                  "docs/glossary", "docs/result-file", "docs/journal", "cases/index", "examples/index",
+                  "ABI of libwhirl <docs/abi>"],
     "What it rests on": ["docs/theory", "docs/verification-manual", "docs/benchmarks"],
     "The project": ["ARCHITECTURE", "CONTRIBUTING", "Portability <docs/portability>", "CHANGELOG"],
 }
@@ -106,7 +107,7 @@ def lay_out_reference(build, work, source):
 
 
 def lay_out_element_headers(folder):
-    """The headers that are installed for elements of one's own, as they are: macros of theirs are no plain C."""
+    """The headers that are installed for custom elements, as they are: macros of theirs are no plain C."""
     installed = re.search(r"install\(FILES ([^)]*)\n\s*DESTINATION \S*/whirl/element\)",
                           (ROOT / "cmake/install.cmake").read_text())[1].split()
     told = []

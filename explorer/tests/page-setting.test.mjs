@@ -359,7 +359,7 @@ test('a comma is refused with a sentence, and nothing is guessed', async () => {
   assert.equal(await page.textContent('.pane-a .trouble'), '');
   assert.equal(await page.textContent('.pane-a .reason'), before);
   await page.click('.computation summary');
-  const steps = page.getByLabel('Steps a revolution');
+  const steps = page.getByLabel('Steps per revolution');
   for (const [text, sentence] of [
     ['1,024', /1,024 has a comma/],
     ['12.5', /12\.5 is not a whole number from 8 to 65536/],

@@ -1,7 +1,7 @@
 /// Analyses: what is said of one point (one parameter set, one start).
 ///
 /// First a motion is *recorded* (whirl_record_motion): states once per revolution, waveforms, extremes, contact
-/// statistics and the growth of a small disturbance are gathered while the integrator runs. Then each *analysis*
+/// statistics and the growth of a small perturbation are gathered while the integrator runs. Then each *analysis*
 /// turns the record into numbers. The numbers of a point lie in one block of doubles whose *layout* names them:
 /// analyses describe their fields, and case files, result files and exports follow from that.
 #ifndef WHIRL_ANALYZE_H
@@ -25,7 +25,7 @@ extern "C" {
 
 // ---------------------------------------------------------------- recording
 
-/// What is followed of small disturbances while a motion is watched.
+/// What is followed of small perturbations while a motion is watched.
 typedef enum whirl_growth {
     WHIRL_GROWTH_NONE = 0, ///< none
     WHIRL_GROWTH_LARGEST,  ///< one, by a second trajectory, which any system has
@@ -63,7 +63,7 @@ const whirl_member *whirl_trace_members(void);
 typedef struct whirl_record_options {
     int transient; ///< revolutions that pass before anything is recorded, >= 0
     int record;    ///< revolutions recorded, >= 1
-    /// Revolutions before the end over which the Poincare section and the growth of a disturbance are followed,
+    /// Revolutions before the end over which the Poincare section and the growth of a perturbation are followed,
     /// record <= watch <= transient + record; 0: the record and the second half of the transient, of which at most
     /// the larger of 1000 and record.
     int watch;
@@ -101,7 +101,7 @@ int whirl_record_samples(const whirl_record_options *options, int steps_per_revo
 /// WHIRL_BAD_INPUT with a sentence where options mean nothing or contradict each other.
 whirl_status whirl_record_options_check(const whirl_record_options *options);
 
-/// The same, and where all disturbances are to be followed and the system gives no Jacobian or the method takes none
+/// The same, and where all perturbations are to be followed and the system gives no Jacobian or the method takes none
 /// along.
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
@@ -133,7 +133,7 @@ typedef struct whirl_record_orbit {
     size_t multiplier_count;   ///< coordinates that do not turn on and on; 0: no orbit was found
     double *multipliers;       ///< [dimension][2] real and imaginary parts, by falling modulus
     double volume;             ///< sum of ln|multiplier| by the divergence along the orbit; NaN where it is not known
-    double revolutions;        ///< that Newton's method took, with all disturbances
+    double revolutions;        ///< that Newton's method took, with all perturbations
     /// Revolution after which the motion was set upon the orbit: the record holds its revolutions again and again, and
     /// growths by its multipliers. 0: the motion ran all its way.
     double set_at;
@@ -166,10 +166,10 @@ typedef struct whirl_record {
     double *points;       ///< room for them with angles on circles; NULL where there are none
     size_t record_count;  ///< of these the last ones, which are the record
 
-    size_t growth_count; ///< 0 when no disturbance was followed
-    double *growth;      ///< [growth_count] ln of the disturbance's growth in each watched revolution
-    double *growths; ///< [growth_count][dimension] of all disturbances, orthonormal ones; NULL when one was followed
-    double *volume;  ///< [growth_count] what their sum is exactly (whirl_disturbances.volume); NULL likewise
+    size_t growth_count; ///< 0 when no perturbation was followed
+    double *growth;      ///< [growth_count] ln of the perturbation's growth in each watched revolution
+    double *growths; ///< [growth_count][dimension] of all perturbations, orthonormal ones; NULL when one was followed
+    double *volume;  ///< [growth_count] what their sum is exactly (whirl_perturbations.volume); NULL likewise
 
     size_t sample_count;           ///< samples of the waveform over the record, 0 when not wanted
     size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
@@ -207,9 +207,9 @@ void whirl_record_free(whirl_record *record);
 
 /// What recording would gather of a motion that stays on an orbit, stable or not, from its first node on: each segment
 /// is followed from its own node. As many revolutions are recorded as the options say; there is no transient, and
-/// neither disturbances nor orbits are looked for. Revolutions of an orbit with a time of its own lie between instants:
-/// cubics join these. Bounds and all that is watched are those of once round the orbit. Of an orbit its dimension,
-/// revolutions, period and nodes count. Errors as whirl_orbit_observe and whirl_record_motion.
+/// neither perturbations nor orbits are looked for. Revolutions of an orbit with a time of its own lie between
+/// instants: cubics join these. Bounds and all that is watched are those of once round the orbit. Of an orbit its
+/// dimension, revolutions, period and nodes count. Errors as whirl_orbit_observe and whirl_record_motion.
 whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *orbit,
                                 const whirl_orbit_options *options, const whirl_record_options *wanted,
                                 whirl_record **record);
@@ -284,14 +284,14 @@ typedef struct whirl_estimate {
     double value, error; ///< the mean, its standard error
 } whirl_estimate;
 
-/// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a disturbance over the watched
-/// revolutions after the first tenth, with the standard error of block means and, where all disturbances were followed,
-/// by what the sum of their exponents misses. NaN where nothing was followed, or that is too much
+/// Largest Lyapunov exponent per revolution (natural logarithm): the mean growth of a perturbation over the watched
+/// revolutions after the first tenth, with the standard error of block means and, where all perturbations were
+/// followed, by what the sum of their exponents misses. NaN where nothing was followed, or that is too much
 /// (whirl_lyapunov_spectrum).
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record);
 
 /// All Lyapunov exponents per revolution [dimension], as whirl_lyapunov_largest has the first one. False, and NaN,
-/// where not all disturbances were followed, or where the sum of the exponents misses that by the divergence by more
+/// where not all perturbations were followed, or where the sum of the exponents misses that by the divergence by more
 /// than their standard errors and by more than a thousandth of their sizes.
 bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponents);
 
@@ -304,7 +304,7 @@ typedef enum whirl_regime {
     WHIRL_UNDETERMINED = 0, ///< the evidence does not decide
     WHIRL_PERIODIC,         ///< it returns after some revolutions: P-k
     WHIRL_QUASI_PERIODIC,   ///< it has frequencies of its own
-    WHIRL_CHAOTIC,          ///< small disturbances grow
+    WHIRL_CHAOTIC,          ///< small perturbations grow
     WHIRL_DIVERGING         ///< it left its bounds
 } whirl_regime;
 
@@ -358,7 +358,7 @@ typedef struct whirl_verdict {
     int later_period;          ///< k of P-k then, else 0
     // evidence
     whirl_estimate exponent; ///< largest, per revolution
-    bool exponents_failed;   ///< all disturbances were followed, and the sum of their growth is wrong: none counts
+    bool exponents_failed;   ///< all perturbations were followed, and the sum of their growth is wrong: none counts
     double recurrence;       ///< smallest over k of the largest return distance |z(n+k) - z(n)|, over the size of the
                              ///< motion
     int recurrence_period;   ///< the k that gives it (the smallest k below the tolerance, where there is one)
@@ -403,7 +403,7 @@ whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integra
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
 /// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.
-/// Chaos that ends was a transient: the confidence is low then, and fair where the copy does not tell. The order of
+/// Transient chaos was a transient: the confidence is low then, and fair where the copy does not tell. The order of
 /// copies changes nothing.
 void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all);
 
@@ -461,7 +461,7 @@ typedef struct whirl_spectrum {
     double *x, *y, *forward, *backward; ///< [count] amplitudes, zero to peak; one block, freed by whirl_spectrum_free
     size_t line_count;                  ///< of lines
     whirl_line lines[WHIRL_MAX_LINES];  ///< interpolated peaks, largest first
-    whirl_synchronous synchronous;      ///< NaN where there are fewer than 3 samples a revolution
+    whirl_synchronous synchronous;      ///< NaN where there are fewer than 3 samples per revolution
 } whirl_spectrum;
 
 /// Spectrum of probe `probe` up to `highest_order`. WHIRL_BAD_INPUT when the record has no waveform.
@@ -533,7 +533,7 @@ const char *whirl_analysis_of_verdicts(void);
 /// The choice with all analyses of kept waveforms where some are kept, and without them where none are.
 whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options);
 
-/// Makes options record what the chosen analyses are made of: the waveform, the growth of disturbances. What is
+/// Makes options record what the chosen analyses are made of: the waveform, the growth of perturbations. What is
 /// recorded already stays.
 void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options);
 

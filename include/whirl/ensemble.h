@@ -37,25 +37,25 @@ void whirl_ensemble_free(whirl_ensemble *ensemble);
 
 /// Room for `lanes` (at least 1) machines of any method and of any system with as many coordinates, probes and contacts
 /// as this one, which must outlive the ensemble: integrators carry them one after the other, and `followed`
-/// disturbances of each (0 to the dimension) along with it. A machine has to outlive its stay in a lane. Errors as
+/// perturbations of each (0 to the dimension) along with it. A machine has to outlive its stay in a lane. Errors as
 /// whirl_integrator_new; that of an unknown method and those of whirl_integrator_follow are told by
 /// whirl_ensemble_load.
 whirl_status whirl_ensemble_alone(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                   size_t followed, whirl_ensemble **ensemble);
 
-/// Whether all disturbances of machines of this system can go along in lanes with these options: rotors of up to 256
-/// coordinates whose forces do not jump, by rk4 that walks over contacts. All others go alone.
+/// Whether all perturbations of machines of this system can go along in lanes with these options: rotors of up to 256
+/// coordinates whose forces do not jump, by rk4 that does not locate contacts. All others go alone.
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options);
 
-/// As whirl_ensemble_new, with room for as many machines as are fast, and for all disturbances of each.
+/// As whirl_ensemble_new, with room for as many machines as are fast, and for all perturbations of each.
 whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_integrate_options *options,
                                         whirl_ensemble **ensemble);
 
-/// Whether parts of the period go in lanes, with disturbances: rotors of up to 256 coordinates by dop853.
+/// Whether parts of the period go in lanes, with perturbations: rotors of up to 256 coordinates by dop853.
 bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options);
 
 /// As whirl_ensemble_new, for at least `lanes` (at least 1) machines that each go over a part of the period of their
-/// own, with room for `followed` disturbances of each (0 to the dimension).
+/// own, with room for `followed` perturbations of each (0 to the dimension).
 whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
                                  size_t followed, whirl_ensemble **ensemble);
 
@@ -63,10 +63,10 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
 /// before; at first they are whole periods.
 void whirl_ensemble_part(whirl_ensemble *ensemble, size_t lane, double from, double length);
 
-/// Lets disturbances go along with a lane of one of the last three in the next revolution, as whirl_integrator_carry
+/// Lets perturbations go along with a lane of one of the last three in the next revolution, as whirl_integrator_carry
 /// has them; of whirl_ensemble_variational, all of them, those of all lanes with growth or all without; of
 /// whirl_ensemble_flow, as many as there is room for, without. They belong to the caller.
-void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_disturbances *disturbances);
+void whirl_ensemble_carry(whirl_ensemble *ensemble, size_t lane, whirl_perturbations *perturbations);
 
 /// Lanes that there are: those asked for, rounded up to whole vectors.
 size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);

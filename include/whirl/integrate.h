@@ -50,9 +50,9 @@ typedef struct whirl_method {
     const char *name;    ///< as written in a case file
     const char *meaning; ///< one line
     bool adaptive;       ///< uses rtol and atol, and finds the zeros of the switching functions
-    bool follows;        ///< takes disturbances along (whirl_integrator_follow), as many as there are coordinates
+    bool follows;        ///< takes perturbations along (whirl_integrator_follow), as many as there are coordinates
     /// Takes one along, and needs to: its steps and orders are chosen so abruptly that a second trajectory would differ
-    /// by them, not by a small disturbance.
+    /// by them, not by a small perturbation.
     bool follows_one;
 } whirl_method;
 
@@ -89,8 +89,8 @@ whirl_status whirl_integrator_new(const whirl_system *system, const whirl_integr
 whirl_motion whirl_integrator_revolve(whirl_integrator *integrator, double *x, whirl_observe_fn observe,
                                       void *observer);
 
-/// Disturbances, infinitely small, that go with a motion.
-typedef struct whirl_disturbances {
+/// Perturbations, infinitely small, that go with a motion.
+typedef struct whirl_perturbations {
     size_t count;    ///< 1 to dimension
     double *vectors; ///< [count][dimension]
     /// [count] With it the vectors stay orthonormal, and these are the natural logarithms of what their lengths were
@@ -99,21 +99,21 @@ typedef struct whirl_disturbances {
     /// matrix.
     double *growth;
     /// Integral of the divergence of the right-hand side over a revolution, and ln|det| of what happened at switches:
-    /// the sum of the growth of all disturbances. Not a number where the system gives no divergence or the motion slid
+    /// the sum of the growth of all perturbations. Not a number where the system gives no divergence or the motion slid
     /// along a switch.
     double volume;
-} whirl_disturbances;
+} whirl_perturbations;
 
-/// Makes room for up to `most` disturbances. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the
+/// Makes room for up to `most` perturbations. WHIRL_BAD_INPUT with a sentence where the system gives no Jacobian or the
 /// method takes not so many along; WHIRL_NO_MEMORY.
 whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most);
 
-/// whirl_integrator_revolve with disturbances by the variational equations: the exact derivative of the method's steps
+/// whirl_integrator_revolve with perturbations by the variational equations: the exact derivative of the method's steps
 /// and, at switches where the right-hand side jumps, the saltation matrix. There must be room for them. With fixed
 /// steps the motion is the same to the bit. Steps of an adaptive method are as long as both tolerate: the state's error
-/// its own tolerance, that of every disturbance rtol of its length, which an equilibrium would leave to steps of any
-/// length. By CVODE the equations of the disturbance are integrated beside the motion, and volume stays unknown.
-whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+/// its own tolerance, that of every perturbation rtol of its length, which an equilibrium would leave to steps of any
+/// length. By CVODE the equations of the perturbation are integrated beside the motion, and volume stays unknown.
+whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                                     whirl_observe_fn observe, void *observer);
 
 /// Frees an integrator; NULL is none.
@@ -138,7 +138,7 @@ whirl_status whirl_method_probe(const whirl_system *system, const whirl_integrat
 
 /// What a revolution says of the steps of a fixed-step method.
 typedef struct whirl_step_check {
-    /// Largest factor by which one step multiplies a disturbance, over what the machine itself makes of it where that
+    /// Largest factor by which one step multiplies a perturbation, over what the machine itself makes of it where that
     /// grows: |R(h lambda)| / max(1, |exp(h lambda)|) over the eigenvalues lambda of the Jacobian, where it is
     /// stiffest. The step is unstable above 1.
     double growth;

@@ -36,8 +36,8 @@ typedef struct whirl_orbit_options {
 /// steps.
 whirl_orbit_options whirl_orbit_default(void);
 
-/// A Floquet multiplier, by which a small disturbance changes over the orbit's period; of an equilibrium an eigenvalue
-/// of its Jacobian, by which disturbances grow in the system's unit of time.
+/// A Floquet multiplier, by which a small perturbation changes over the orbit's period; of an equilibrium an eigenvalue
+/// of its Jacobian, by which perturbations grow in the system's unit of time.
 typedef struct whirl_multiplier {
     double real, imaginary; ///< its parts
 } whirl_multiplier;

@@ -72,7 +72,7 @@ typedef struct whirl_system {
     size_t repeats;
 
     /// The right-hand side has kinks that no switch tells of (Hertz contacts): adaptive steps of two motions side by
-    /// side err differently there, so that disturbances are followed by the Jacobian, and such motions go alone.
+    /// side err differently there, so that perturbations are followed by the Jacobian, and such motions go alone.
     bool kinked;
 
     /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
@@ -87,7 +87,7 @@ typedef struct whirl_system {
     void (*rhs_on_sides)(const void *model, double t, const double *forcing, const double *x, const double *sides,
                          double *dxdt);
 
-    /// Optional: the derivative J = df/dx of the right-hand side applied to `count` disturbances: dx and ddxdt are
+    /// Optional: the derivative J = df/dx of the right-hand side applied to `count` perturbations: dx and ddxdt are
     /// [count][dimension]. With sides NULL x decides on which side of the switches the laws are.
     void (*tangent)(const void *model, double t, const double *forcing, const double *x, const double *sides,
                     size_t count, const double *dx, double *ddxdt);

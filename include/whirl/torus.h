@@ -56,7 +56,7 @@ typedef struct whirl_torus {
     /// Smallest q up to 12 with a whole p so that the rotation number is within 0.05/q^2 of p/q: near such a resonance
     /// the motion may lock to an orbit of q times as many revolutions. 0 where there is none.
     size_t resonance;
-    /// Normal Lyapunov exponents, natural logarithms per revolution, falling: growth of disturbances across the torus.
+    /// Normal Lyapunov exponents, natural logarithms per revolution, falling: growth of perturbations across the torus.
     /// Those along it, whose exponents are 0, are left out; the torus is stable where all are below 0.
     size_t exponent_count;
     double *exponents;       ///< [exponent_count]

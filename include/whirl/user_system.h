@@ -1,4 +1,4 @@
-/// A system of one's own: its slopes are a function of the caller's, and it is studied as rotors are.
+/// A custom system: its slopes are a function of the caller's, and it is studied as rotors are.
 ///
 ///     whirl_user_system_new("Duffing", 2, &system);
 ///     whirl_user_system_parameter(system, "gamma", 0.3, "1", "0.3");
@@ -38,7 +38,7 @@ typedef int (*whirl_user_rates_fn)(double t, const double *x, const double *p, d
 typedef int (*whirl_user_lanes_fn)(size_t count, size_t row, const double *t, const double *x, const double *p,
                                    double *dxdt, void *context);
 
-/// Writes the derivative of the slopes by x applied to a disturbance dx [dimension]: ddxdt = (df/dx) dx.
+/// Writes the derivative of the slopes by x applied to a perturbation dx [dimension]: ddxdt = (df/dx) dx.
 typedef int (*whirl_user_tangent_fn)(double t, const double *x, const double *p, const double *dx, double *ddxdt,
                                      void *context);
 
@@ -88,7 +88,7 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period);
 whirl_status whirl_user_system_speed(whirl_user_system *system, const char *parameter);
 
 /// Says that slopes have kinks (contacts of springs, dry friction smoothed over a short way): the growth of
-/// disturbances then follows the derivative, for two motions side by side would be told apart by the lengths of their
+/// perturbations then follows the derivative, for two motions side by side would be told apart by the lengths of their
 /// steps. Slopes that jump (contacts with dampers) have none: where differences meet a jump of such a system, or of one
 /// whose exponents are asked for, the run ends with WHIRL_NUMERICAL_FAILURE, which says where.
 whirl_status whirl_user_system_kinked(whirl_user_system *system);

@@ -1,6 +1,6 @@
 // Rest: a motion that stays, to what its steps resolve, where the equations let nothing move. Its size is that of the
-// errors of its steps, so that neither returns nor a disturbance beside it tell anything: the equilibrium does, and the
-// eigenvalues about it. See docs/theory.md, "Rest".
+// errors of its steps, so that neither returns nor a perturbation beside it tell anything: the equilibrium does, and
+// the eigenvalues about it. See docs/theory.md, "Rest".
 #include "at_rest.h"
 
 #include <math.h>

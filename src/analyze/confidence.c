@@ -81,7 +81,7 @@ static double settling_exponent(const evidence *e) {
     return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
 }
 
-/// An equilibrium draws in all that is within a hundredth of what a revolution shortens; that a disturbance beside the
+/// An equilibrium draws in all that is within a hundredth of what a revolution shortens; that a perturbation beside the
 /// motion dies out, too, excludes a small cycle there. (Rounding, and errors of steps, bound how fast it is seen to.)
 static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
     const double slowest = fmax(0.5 * v->exponent.value, -0.1), sharp = settling_exponent(e);
@@ -105,7 +105,7 @@ static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evide
     return regular && !may_lock ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-/// Whether disturbances grow alike in both halves.
+/// Whether perturbations grow alike in both halves.
 static bool grows_steadily(const evidence *e) {
     const size_t half = e->growth_count / 2;
     const whirl_estimate early = estimate_mean(e->growth, half), late = estimate_mean(e->growth + half, half);
@@ -152,7 +152,7 @@ static double settling_factor(const whirl_verdict *v, const evidence *e, const w
     return bounded_factor(1.0 + needed / record->revolutions);
 }
 
-/// A motion settles whose returns shrink, or whose disturbances die out.
+/// A motion settles whose returns shrink, or whose perturbations die out.
 static bool still_settles(const whirl_verdict *v, const evidence *e) {
     return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
 }
@@ -168,7 +168,8 @@ static double exponent_factor(whirl_estimate exponent) {
     return short_of > 1.0 ? bounded_factor(short_of * short_of) : usual_factor;
 }
 
-/// Whether the motion stays, to rounding, on one that disturbances leave, as a balanced rotor does that starts at rest.
+/// Whether the motion stays, to rounding, on one that perturbations leave, as a balanced rotor does that starts at
+/// rest.
 static bool stays_on_unstable(const whirl_verdict *v, const evidence *e) {
     return v->recurrence <= e->rounding && v->exponent.value > 0.0 && is_clear(v->exponent);
 }

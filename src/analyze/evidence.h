@@ -10,12 +10,12 @@ typedef struct evidence {
     section points;
     double size;         ///< of the motion
     double rounding;     ///< distances over the size that say nothing
-    size_t growth_count; ///< after the first tenth, in which the disturbance turns
+    size_t growth_count; ///< after the first tenth, in which the perturbation turns
     const double *growth;
     recurrence returns;
     regularity averages;
     whirl_estimate exponent;
-    whirl_estimate second; ///< sharp, of regular motions; NaN where not all disturbances were followed
+    whirl_estimate second; ///< sharp, of regular motions; NaN where not all perturbations were followed
     bool forced;           ///< by a phase that fits no revolution: then a stable motion does not return
     bool exponents_failed; ///< then there is no growth that says anything
 } evidence;

@@ -1,4 +1,4 @@
-// All Lyapunov exponents: mean logarithmic growths of orthonormal disturbances (Benettin et al. 1980), with the sum
+// All Lyapunov exponents: mean logarithmic growths of orthonormal perturbations (Benettin et al. 1980), with the sum
 // that they must have and the dimension that they give the attractor (Kaplan, Yorke 1979).
 #include <math.h>
 #include <stdlib.h>

@@ -40,7 +40,7 @@ static const field_plan fields[FIELD_COUNT] = {
          "sum of the multipliers' logarithms less that by the divergence; missing where the smallest is below 1e-12",
          WHIRL_PER_POINT, 1, NULL},
     [REVOLUTIONS] = {WHIRL_FIELD_FLOQUET_REVOLUTIONS, "revolution",
-                     "revolutions that Newton's method took, with all disturbances", WHIRL_PER_POINT, 1, NULL},
+                     "revolutions that Newton's method took, with all perturbations", WHIRL_PER_POINT, 1, NULL},
     [SET_AT] = {WHIRL_FIELD_FLOQUET_SET_AT, "revolution",
                 "revolution after which the motion was set upon it (0: it ran all its way)", WHIRL_PER_POINT, 1, NULL},
 };

@@ -11,7 +11,7 @@ static whirl_status check_needs(const char *name, const analysis_plan *plan, con
     }
     if (plan->needs_growth > options->growth) {
         return whirl_fail(WHIRL_BAD_INPUT, "the analysis '%s' needs the growth of %s, but %s followed", name,
-                          plan->needs_growth == WHIRL_GROWTH_ALL ? "all disturbances" : "a disturbance",
+                          plan->needs_growth == WHIRL_GROWTH_ALL ? "all perturbations" : "a perturbation",
                           options->growth == WHIRL_GROWTH_NONE ? "none is" : "only one is");
     }
     return whirl_ok();

@@ -1,4 +1,4 @@
-// The largest Lyapunov exponent: the mean logarithmic growth of a small disturbance.
+// The largest Lyapunov exponent: the mean logarithmic growth of a small perturbation.
 #include "lyapunov.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "section.h"
 #include "turns.h"
 
-/// A disturbance that vanished altogether has shrunk at least to the smallest double.
+/// A perturbation that vanished altogether has shrunk at least to the smallest double.
 static const double strongest_decay = -745.0;
 
 static double block_mean(const double *values, size_t length) {
@@ -71,12 +71,12 @@ whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t 
 
 // ---------------------------------------------------------------- all exponents
 
-/// While the disturbances turn towards their directions they do not count.
+/// While the perturbations turn towards their directions they do not count.
 static size_t first_counted(const whirl_record *record) {
     return record->growth_count / 10;
 }
 
-/// Mean growth of disturbance `which`; `values` [growth_count] is workspace.
+/// Mean growth of perturbation `which`; `values` [growth_count] is workspace.
 static whirl_estimate mean_growth(const whirl_record *record, size_t which, double *values) {
     const size_t first = first_counted(record), n = record->dimension;
     for (size_t i = first; i < record->growth_count; i++) values[i - first] = record->growths[i * n + which];
@@ -147,7 +147,7 @@ whirl_estimate second_exponent(const whirl_record *record) {
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record) {
     if (record->motion != WHIRL_BOUNDED) return (whirl_estimate){NAN, NAN};
     if (record->growth_count == 0) return (whirl_estimate){NAN, NAN};
-    // While the disturbance turns towards the direction of fastest growth it does not count.
+    // While the perturbation turns towards the direction of fastest growth it does not count.
     const size_t aligning = record->growth_count / 10;
     const growth_balance balance = balance_growth(record);
     if (balance.failed) return (whirl_estimate){NAN, NAN};

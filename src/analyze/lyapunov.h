@@ -17,27 +17,27 @@ whirl_estimate estimate_mean(const double *values, size_t count);
 /// halves of the sequence. The error is that disagreement: no standard error, and worth nothing for a chaotic motion.
 whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t period);
 
-/// The growth of all disturbances beside what their sum must be.
+/// The growth of all perturbations beside what their sum must be.
 typedef struct growth_balance {
     double sum, exact; ///< of all exponents, and by the divergence; NaN where it is not known
     double miss;       ///< their distance, which is an error of the integration: 0 where it is not known
     /// It is more than the standard errors and more than a thousandth of all exponents' sizes: the steps did not carry
-    /// the disturbances, and no exponent means anything.
+    /// the perturbations, and no exponent means anything.
     bool failed;
 } growth_balance;
 
-/// Whether a bounded motion took all disturbances along.
+/// Whether a bounded motion took all perturbations along.
 bool follows_all(const whirl_record *record);
 
 /// The means and standard errors of all growths of such a motion, exponents [dimension], and their balance; `values`
 /// [growth_count] is workspace.
 growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values);
 
-/// The sharp mean (estimate_regular_mean) of the growth of the second of all disturbances, after the first tenth of the
-/// revolutions. NaN where not all were followed, or there is no memory.
+/// The sharp mean (estimate_regular_mean) of the growth of the second of all perturbations, after the first tenth of
+/// the revolutions. NaN where not all were followed, or there is no memory.
 whirl_estimate second_exponent(const whirl_record *record);
 
-/// The balance alone. All zero where not all disturbances were followed, or there is no memory.
+/// The balance alone. All zero where not all perturbations were followed, or there is no memory.
 growth_balance balance_growth(const whirl_record *record);
 
 #endif

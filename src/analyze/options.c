@@ -17,7 +17,7 @@ static const whirl_member members[] = {
           "revolutions before the record"),
     WHOLE("record", record, "integrate", "record", "100", 1, WHIRL_MAX_RECORD, false, "revolutions recorded"),
     WHOLE("watch", watch, "integrate", "watch", "0", 0, WHIRL_MAX_TRANSIENT + WHIRL_MAX_RECORD, true,
-          "last revolutions over which the section and the growth of a disturbance are followed, at least those "
+          "last revolutions over which the section and the growth of a perturbation are followed, at least those "
           "recorded; 0: the record and half the transient, of that at most the larger of 1000 and record"),
     FLAG(settle, "integrate", "yes",
          "yes: the transient ends early where the motion has settled on a periodic orbit to 1e-11"),
@@ -38,7 +38,7 @@ static const whirl_member members[] = {
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
-          "disturbances that are followed: 0 none, 1 one, 2 all"),
+          "perturbations that are followed: 0 none, 1 one, 2 all"),
     // What a case says anew of its details.
     WHOLE(NULL, transient, "detail", "transient", "", 0, WHIRL_MAX_TRANSIENT, false,
           "revolutions before the record; as in integrate where absent"),
@@ -158,15 +158,15 @@ whirl_status whirl_record_options_check(const whirl_record_options *options) {
     return whirl_ok();
 }
 
-/// Whether all disturbances can be followed, where they are to be.
+/// Whether all perturbations can be followed, where they are to be.
 static whirl_status check_growth(const whirl_system *system, const char *name, const whirl_record_options *options) {
     const whirl_method *method;
     if (options->growth != WHIRL_GROWTH_ALL) return whirl_ok();
     if (!system->tangent)
-        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow all disturbances");
+        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow all perturbations");
     if (whirl_method_find(name, &method).code == WHIRL_OK && !method->follows)
         return whirl_fail(WHIRL_BAD_INPUT,
-                          "method %s takes no disturbances along, expected rk4, dop853 or rodas5p for all exponents",
+                          "method %s takes no perturbations along, expected rk4, dop853 or rodas5p for all exponents",
                           name);
     return whirl_ok();
 }

@@ -4,8 +4,8 @@
 
 #include "record_block.h"
 
-/// What a revolution with a disturbance costs more than one without.
-static const double disturbed = 0.5;
+/// What a revolution with a perturbation costs more than one without.
+static const double perturbed = 0.5;
 
 /// Steps of Newton's method that a search takes, and the share of a point's revolutions that it may cost.
 static const double steps = 3.0, most_share = 0.25;
@@ -18,7 +18,7 @@ static const double neutral = 1e-9;
 
 bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k, double spent) {
     const double revolutions = (double)options->transient + (double)options->record;
-    return (spent + steps * (double)k) * (1.0 + disturbed * (double)dimension) <= most_share * revolutions;
+    return (spent + steps * (double)k) * (1.0 + perturbed * (double)dimension) <= most_share * revolutions;
 }
 
 size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options) {

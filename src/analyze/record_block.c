@@ -183,18 +183,18 @@ void record_close_turns(whirl_record *record) {
     }
 }
 
-void record_place_disturbances(const whirl_record *record, size_t count, double *disturbances) {
+void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations) {
     const double pi = 3.14159265358979323846;
     const size_t n = record->dimension, steady = n - turns_count(record->turns, n);
-    memset(disturbances, 0, count * n * sizeof *disturbances);
+    memset(perturbations, 0, count * n * sizeof *perturbations);
     for (size_t i = 0, at = 0, last = steady; i < n; i++) {
         const bool turning = turns_on(record->turns, i);
-        if (count < n) disturbances[i] = turning ? 0.0 : 1.0 / sqrt((double)n);
+        if (count < n) perturbations[i] = turning ? 0.0 : 1.0 / sqrt((double)n);
         if (count < n) continue;
-        if (turning) disturbances[last++ * n + i] = 1.0;
+        if (turning) perturbations[last++ * n + i] = 1.0;
         if (turning) continue;
         const double angle = pi * (double)++at / (double)(steady + 1);
         for (size_t k = 0; k < steady; k++)
-            disturbances[k * n + i] = sqrt(2.0 / (double)(steady + 1)) * sin((double)(k + 1) * angle);
+            perturbations[k * n + i] = sqrt(2.0 / (double)(steady + 1)) * sin((double)(k + 1) * angle);
     }
 }

@@ -34,12 +34,12 @@ void record_close_turns(whirl_record *record);
 void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a);
 
-/// Disturbances [count][dimension] as they are at first: a single one across all axes; of all of them the k-th is sin(k
-/// theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k theta)/sin(theta) are
-/// polynomials of rising degree in cos(theta), any k axes see the first k of them as independent ones: also where the
-/// motion leaves planes, or other groups of coordinates, to themselves, the fastest growth comes first (along the axes,
-/// the first ones would stay in the first group). What turns on and on has axes of its own, the last: made orthogonal
-/// in turn, the others never know of it, and their growth is that of the rest alone.
-void record_place_disturbances(const whirl_record *record, size_t count, double *disturbances);
+/// Perturbations [count][dimension] as they are at first: a single one across all axes; of all of them the k-th is
+/// sin(k theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k
+/// theta)/sin(theta) are polynomials of rising degree in cos(theta), any k axes see the first k of them as independent
+/// ones: also where the motion leaves planes, or other groups of coordinates, to themselves, the fastest growth comes
+/// first (along the axes, the first ones would stay in the first group). What turns on and on has axes of its own, the
+/// last: made orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
+void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations);
 
 #endif

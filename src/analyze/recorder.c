@@ -1,7 +1,7 @@
 // Recording many motions in the lanes of an ensemble: side by side, or one after the other where integrators carry
 // them.
 //
-// A motion takes one lane, and a second one for its twin while a disturbance is followed. Lanes in use are kept
+// A motion takes one lane, and a second one for its twin while a perturbation is followed. Lanes in use are kept
 // together at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes
 // before new ones. None of this changes a bit of any motion.
 #include <math.h>
@@ -26,14 +26,14 @@ typedef struct motion {
     int revolution; ///< done so far
     size_t lane, twin_lane;
     trajectory_twin twin;
-    settling *settling;     ///< NULL when every transient runs to its end
-    approach *approach;     ///< NULL when no orbit is looked for before that
-    int first_recorded;     ///< revolution
-    shot *shot;             ///< the motion waits for it; or NULL
-    double *x;              ///< [2 dimension] its state, and its twin's
-    double *disturbances;   ///< [disturbed][dimension]
-    whirl_disturbances set; ///< the same while an integrator carries them, else none
-    double *saved;          ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
+    settling *settling;      ///< NULL when every transient runs to its end
+    approach *approach;      ///< NULL when no orbit is looked for before that
+    int first_recorded;      ///< revolution
+    shot *shot;              ///< the motion waits for it; or NULL
+    double *x;               ///< [2 dimension] its state, and its twin's
+    double *perturbations;   ///< [perturbed][dimension]
+    whirl_perturbations set; ///< the same while an integrator carries them, else none
+    double *saved;           ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
 } motion;
 
 struct whirl_recorder {
@@ -41,10 +41,10 @@ struct whirl_recorder {
     const whirl_record_options *options;
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
-    whirl_ensemble *variational; ///< that carries all disturbances, beside the other one; or NULL
+    whirl_ensemble *variational; ///< that carries all perturbations, beside the other one; or NULL
     shooter *shooter;            ///< that looks for orbits, or NULL
     size_t dimension, lane_count;
-    size_t beside;           ///< disturbances of a motion that are carried by the Jacobian
+    size_t beside;           ///< perturbations of a motion that are carried by the Jacobian
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
@@ -63,12 +63,12 @@ static bool has_twins(const whirl_recorder *r) {
     return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
 }
 
-/// Whether it was set upon an orbit whose multipliers tell how disturbances grow.
+/// Whether it was set upon an orbit whose multipliers tell how perturbations grow.
 static bool is_on_orbit(const motion *m) {
     return m->record->orbit.set_at > 0.0;
 }
 
-/// Whether the growth of disturbances is followed.
+/// Whether the growth of perturbations is followed.
 static bool is_followed(const whirl_recorder *r, const motion *m) {
     return m->revolution >= r->first_watched && !is_on_orbit(m);
 }
@@ -128,7 +128,7 @@ static void leave_lanes(whirl_recorder *r, motion *m) {
     }
 }
 
-/// Puts a motion into a lane, and its twin into another while a disturbance is followed.
+/// Puts a motion into a lane, and its twin into another while a perturbation is followed.
 static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
@@ -163,10 +163,10 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
     *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
-    m->disturbances = m->x + 2 * r->dimension;
+    m->perturbations = m->x + 2 * r->dimension;
     m->twin = twin_of(r->integrate, task->system, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
-    if (m->record && r->beside > 0) record_place_disturbances(m->record, r->beside, m->disturbances);
+    if (m->record && r->beside > 0) record_place_perturbations(m->record, r->beside, m->perturbations);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     m->first_recorded = r->options->transient;
     if (m->record && follows(r, m)) twin_begin(&m->twin, m->x);
@@ -188,7 +188,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->first_recorded, sizeof m->first_recorded);
     archive_part(a, &m->twin.distance, sizeof m->twin.distance);
-    archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // disturbances follow
+    archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // perturbations follow
     if (m->settling) settling_archive(m->settling, a);
     if (m->approach) approach_archive(m->approach, a);
     size_t shooting = m->shot ? m->shot->revolutions : 0;
@@ -288,12 +288,12 @@ static whirl_status fill(whirl_recorder *r) {
 
 // ---------------------------------------------------------------- a revolution
 
-/// Lets the disturbances of a motion go along with a lane of an ensemble.
+/// Lets the perturbations of a motion go along with a lane of an ensemble.
 static void carry_beside(const whirl_recorder *r, motion *m, whirl_ensemble *ensemble, size_t lane) {
     whirl_record *record = m->record;
     const size_t count = record->growth_count;
     double *growth = record->growths ? record->growths + count * record->dimension : &record->growth[count];
-    m->set = (whirl_disturbances){.count = r->beside, .vectors = m->disturbances, .growth = growth};
+    m->set = (whirl_perturbations){.count = r->beside, .vectors = m->perturbations, .growth = growth};
     whirl_ensemble_carry(ensemble, lane, &m->set);
 }
 
@@ -373,7 +373,7 @@ static void follow_twin(whirl_recorder *r, motion *m) {
     whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
 }
 
-/// Carries the disturbances of all motions that are watched, where they have an ensemble of their own.
+/// Carries the perturbations of all motions that are watched, where they have an ensemble of their own.
 static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
@@ -574,7 +574,7 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     return status;
 }
 
-/// How many disturbances go along with a motion that an integrator carries: a second trajectory shows the largest
+/// How many perturbations go along with a motion that an integrator carries: a second trajectory shows the largest
 /// growth, but by methods whose steps change abruptly, or of systems with kinks.
 static size_t count_beside(const whirl_system *system, const whirl_integrate_options *integrate,
                            const whirl_record_options *options) {

@@ -1,5 +1,5 @@
 // What a chaotic motion may end on. Chaos that has lost its hold (a crisis) goes on for as long as it pleases among the
-// remains of its attractor; what it ends on is stable and lies where it goes. See docs/theory.md, "Chaos that ends".
+// remains of its attractor; what it ends on is stable and lies where it goes. See docs/theory.md, "Transient chaos".
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -108,7 +108,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [EXPONENT_ERROR] = {WHIRL_FIELD_REGIME_EXPONENT_ERROR, "1/revolution",
                         "evidence: its error, and how far a second tolerance differs", WHIRL_PER_POINT, 1, NULL},
     [STEP_GROWTH] = {WHIRL_FIELD_REGIME_STEP_GROWTH, "1",
-                     "evidence: growth of a disturbance in one fixed step that the machine does not have: above 1 the "
+                     "evidence: growth of a perturbation in one fixed step that the machine does not have: above 1 the "
                      "step is unstable",
                      WHIRL_PER_POINT, 1, NULL},
     [STEP_ERROR] = {WHIRL_FIELD_REGIME_STEP_ERROR, "1",

@@ -90,11 +90,11 @@ typedef struct flight {
 struct shooter {
     whirl_ensemble *ensemble;
     size_t dimension, lanes;
-    double tolerance;         ///< by which an orbit may fail to close
-    whirl_disturbances *sets; ///< [lanes]
-    double *vectors;          ///< [lanes][dimension][dimension]
-    flight *flights;          ///< [lanes]
-    size_t used;              ///< lanes, in front
+    double tolerance;          ///< by which an orbit may fail to close
+    whirl_perturbations *sets; ///< [lanes]
+    double *vectors;           ///< [lanes][dimension][dimension]
+    flight *flights;           ///< [lanes]
+    size_t used;               ///< lanes, in front
 };
 
 /// Methods with a tolerance go by one at which Newton's method sees a smooth map, and the orbit is known by two digits
@@ -123,7 +123,7 @@ whirl_status shooter_new(const whirl_system *system, const whirl_integrate_optio
     *out = NULL;
     whirl_status status = whirl_method_find(integrate->method, &method);
     if (status.code == WHIRL_OK && (!system->tangent || !method->follows))
-        status = whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, or method %s takes no disturbances along",
+        status = whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, or method %s takes no perturbations along",
                             integrate->method);
     shooter *s = status.code == WHIRL_OK ? calloc(1, sizeof *s) : NULL;
     if (!s) return status.code == WHIRL_OK ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : status;
@@ -158,13 +158,13 @@ size_t shooter_lanes(const shooter *s) {
     return s->lanes;
 }
 
-/// Unit disturbances go along with the next revolution of a lane.
+/// Unit perturbations go along with the next revolution of a lane.
 static void begin_revolution(shooter *s, size_t lane) {
     const size_t d = s->dimension;
     double *vectors = s->vectors + lane * d * d;
     memset(vectors, 0, d * d * sizeof *vectors);
     for (size_t i = 0; i < d; i++) vectors[i * (d + 1)] = 1.0;
-    s->sets[lane] = (whirl_disturbances){.count = d, .vectors = vectors};
+    s->sets[lane] = (whirl_perturbations){.count = d, .vectors = vectors};
     whirl_ensemble_carry(s->ensemble, lane, &s->sets[lane]);
 }
 

@@ -18,7 +18,7 @@ typedef struct shot {
     whirl_multiplier *values;   ///< [kept] multipliers by falling modulus
     double residual;            ///< by which it fails to close, over its largest coordinate
     double volume;              ///< sum of ln|multiplier| by the divergence; NaN where the system gives none
-    double carried;             ///< revolutions that were computed, with all disturbances
+    double carried;             ///< revolutions that were computed, with all perturbations
     bool found;
     bool flies, done; ///< it is under way, or has come to its end
 } shot;
@@ -42,7 +42,7 @@ double shot_distance(const shot *s, const double *x);
 /// has a tolerance.
 typedef struct shooter shooter;
 
-/// WHIRL_BAD_INPUT where the system gives no Jacobian, or the method takes no disturbances along. Freed by
+/// WHIRL_BAD_INPUT where the system gives no Jacobian, or the method takes no perturbations along. Freed by
 /// shooter_free.
 whirl_status shooter_new(const whirl_system *system, const whirl_integrate_options *integrate, shooter **out);
 void shooter_free(shooter *s);

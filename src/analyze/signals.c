@@ -21,7 +21,7 @@ size_t whirl_signals_orders(size_t count, size_t samples, double highest_order) 
 
 static whirl_status check_turned(const double *x, const double *y, size_t count, size_t samples) {
     if (samples < 3)
-        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples a revolution, expected 3 or more", samples);
+        return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples per revolution, expected 3 or more", samples);
     if (count % samples != 0)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples, expected whole revolutions of %zu", count, samples);
     if (count / samples < WHIRL_SIGNALS_FEWEST_REVOLUTIONS)

@@ -62,7 +62,7 @@ static double largest_of(const double *samples, size_t count) {
     return largest;
 }
 
-/// Into a spectrum with room for its bins, of `turn` samples a revolution. false: no memory.
+/// Into a spectrum with room for its bins, of `turn` samples per revolution. false: no memory.
 static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins,
                     whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + bins) * sizeof *x);

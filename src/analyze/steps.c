@@ -81,10 +81,11 @@ void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps) {
 
 bool steps_reason(const whirl_verdict *verdict, char *text, size_t size) {
     if (are_unstable(verdict->step_growth))
-        snprintf(text, size,
-                 "the fixed step is unstable: it makes a disturbance %.3g times as large that the machine does not let "
-                 "grow; what it computed is no motion of the machine",
-                 verdict->step_growth);
+        snprintf(
+            text, size,
+            "the fixed step is unstable: it makes a perturbation %.3g times as large that the machine does not let "
+            "grow; what it computed is no motion of the machine",
+            verdict->step_growth);
     else if (verdict->step_error > wrong_error)
         snprintf(text, size,
                  "the fixed steps are far too long: a revolution by them ends %.2g of the motion's size from where the "

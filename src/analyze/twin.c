@@ -1,4 +1,5 @@
-// The growth of a small disturbance (Benettin et al. 1980), by a second trajectory that is drawn back every revolution.
+// The growth of a small perturbation (Benettin et al. 1980), by a second trajectory that is drawn back every
+// revolution.
 #include "twin.h"
 
 #include <float.h>
@@ -6,7 +7,7 @@
 
 #include "turns.h"
 
-/// Size of the disturbance relative to the state: far above rounding, far below anything that matters. Also in
+/// Size of the perturbation relative to the state: far above rounding, far below anything that matters. Also in
 /// tolerances.
 static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
 
@@ -20,7 +21,7 @@ static double norm(const trajectory_twin *twin, const double *x) {
     return sqrt(sum);
 }
 
-/// Angles are not disturbed, whatever turn they are in.
+/// Angles are not perturbed, whatever turn they are in.
 static void twin_place(trajectory_twin *twin, const double *x) {
     for (size_t i = 0; i < twin->dimension; i++)
         twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);

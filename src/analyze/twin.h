@@ -1,4 +1,4 @@
-/// A disturbance followed by a second trajectory.
+/// A perturbation followed by a second trajectory.
 #ifndef ANALYZE_TWIN_H
 #define ANALYZE_TWIN_H
 
@@ -10,7 +10,7 @@
 /// A second trajectory close to the first, drawn back to its distance after every revolution (Benettin et al. 1980).
 typedef struct trajectory_twin {
     size_t dimension;
-    const double *turns, *angles; ///< as whirl_system has them: what turns is not disturbed
+    const double *turns, *angles; ///< as whirl_system has them: what turns is not perturbed
     double share;                 ///< of the state's size (twin_share)
     double least;                 ///< distance, in the state's units
     double distance;

@@ -11,7 +11,7 @@
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;
 
-/// Where no disturbance was followed, returns must be as good as rounding allows.
+/// Where no perturbation was followed, returns must be as good as rounding allows.
 static const double blind_tolerance = 1e-9;
 
 /// How closely the averages of a quasi-periodic motion must agree, and those of chaos may, in decimal digits.
@@ -20,7 +20,7 @@ static const double regular_digits = 2.5, irregular_digits = 6.0;
 /// Exponents of this size and below are not told from zero; how well the exponent of a torus must be known to be zero.
 static const double least_exponent = 2e-3, neutral_error = 1e-2;
 
-/// A quasi-periodic exponent is zero within its error and this, to which a disturbance of finite size is followed.
+/// A quasi-periodic exponent is zero within its error and this, to which a perturbation of finite size is followed.
 static const double neutral_rounding = 3e-7;
 
 /// K of the 0-1 test of motions that do not walk at random.
@@ -44,8 +44,8 @@ static whirl_estimate returning_exponent(const evidence *e) {
     return estimate_regular_mean(e->growth + before, e->returns.window, period);
 }
 
-/// Whether disturbances die out alike in both halves, and by so much in all that those of a drift that slows down would
-/// not: where the distance to a lock that is almost there shrinks as x' = -a x^2, their rate r = 2 a x falls by
+/// Whether perturbations die out alike in both halves, and by so much in all that those of a drift that slows down
+/// would not: where the distance to a lock that is almost there shrinks as x' = -a x^2, their rate r = 2 a x falls by
 /// 1/(1 + r t/2).
 static bool dies_out_evenly(const evidence *e, size_t period) {
     const double share = 0.2, folds = 2.0;
@@ -58,7 +58,7 @@ static bool dies_out_evenly(const evidence *e, size_t period) {
            -late.value * (double)e->growth_count >= folds;
 }
 
-/// P-k: the motion returns, disturbances die out, and the k points stand clearly further apart than they still have to
+/// P-k: the motion returns, perturbations die out, and the k points stand clearly further apart than they still have to
 /// go. The last tells a period from a slow spiral that is seen stroboscopically: with multipliers r e^(+-i 2 pi p/k)
 /// it returns after k revolutions to within 1 - r^k of its distance to the limit.
 ///
@@ -78,7 +78,7 @@ static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     return left_to_go <= nearest && e->returns.separation > 100.0 * left_to_go && evenly;
 }
 
-/// Whether disturbances still grow, or at least do not clearly die out, in the last revolutions: a motion that was
+/// Whether perturbations still grow, or at least do not clearly die out, in the last revolutions: a motion that was
 /// chaotic and then fell onto a periodic one is not chaotic.
 static bool grows_to_the_end(const evidence *e) {
     const size_t window = e->returns.window < e->growth_count ? e->returns.window : e->growth_count;
@@ -94,7 +94,7 @@ static bool may_be_leaving(const evidence *e) {
            zero_one_test(&e->points, e->size) <= regular_walk;
 }
 
-/// Chaos: disturbances grow, faster than a slow departure from some other motion would explain over the watched
+/// Chaos: perturbations grow, faster than a slow departure from some other motion would explain over the watched
 /// revolutions, and the motion is steady but not regular.
 static bool is_chaotic(const evidence *e) {
     const double least = fmax(least_exponent, 2.0 / (double)e->points.count);
@@ -108,7 +108,7 @@ static bool is_neutral(whirl_estimate exponent) {
     return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error;
 }
 
-/// Quasi-periodic, up to the curves: the motion is regular but never returns, and disturbances neither grow nor die
+/// Quasi-periodic, up to the curves: the motion is regular but never returns, and perturbations neither grow nor die
 /// out; where a phase forces it that fits no revolution they may die out.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
@@ -117,7 +117,7 @@ static bool may_be_quasi_periodic(const evidence *e) {
            e->returns.distance > recurrence_tolerance;
 }
 
-/// Revolutions once round the curve of what drifts along one: disturbances neither grow nor die out for certain.
+/// Revolutions once round the curve of what drifts along one: perturbations neither grow nor die out for certain.
 static double slow_round(const evidence *e, double chaos) {
     const bool neutral = fabs(e->exponent.value) <= fmax(sigmas * e->exponent.error, least_exponent);
     return neutral && chaos <= regular_walk ? drift_round(&e->points, &e->returns, e->size) : (double)NAN;
@@ -153,8 +153,8 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
     return v;
 }
 
-/// Rest: the equilibrium draws in what is so near, and no disturbance beside the motion says otherwise. (Steps
-/// that do not carry disturbances may carry the motion no better.)
+/// Rest: the equilibrium draws in what is so near, and no perturbation beside the motion says otherwise. (Steps
+/// that do not carry perturbations may carry the motion no better.)
 static bool is_at_rest(const evidence *e, const whirl_record_rest *rest) {
     const bool grows = e->growth_count > 0 && e->exponent.value > sigmas * e->exponent.error;
     return rest->found && !e->exponents_failed && !grows && -expm1(rest->growth) > 10.0 * rest->distance;
@@ -178,7 +178,7 @@ static bool is_smooth(const whirl_verdict *v) {
            fabs(log(v->recurrence_trend)) <= trend;
 }
 
-/// What a phase forces that fits no revolution, and disturbances die out, is a torus of at least that phase and the
+/// What a phase forces that fits no revolution, and perturbations die out, is a torus of at least that phase and the
 /// shaft's. Else closed curves are looked for; without them it stays open, but for a torus of three frequencies: its
 /// section is a surface, and two exponents are zero, or averages agree as on nothing else. What goes round a single
 /// curve that is not smooth may be such a torus, unless a second exponent is clearly below zero: then it is not
@@ -219,7 +219,7 @@ static whirl_verdict chaotic_verdict(const evidence *e) {
     return verdict;
 }
 
-/// Steps that do not carry disturbances may carry the motion no better.
+/// Steps that do not carry perturbations may carry the motion no better.
 static void distrust(whirl_verdict *verdict) {
     verdict->exponents_failed = true;
     verdict->agreement = verdict->confidence = WHIRL_LOW;

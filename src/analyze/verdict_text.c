@@ -66,7 +66,7 @@ static void exponent_text(const whirl_verdict *v, char *text, size_t size) {
     if (v->exponents_failed) {
         snprintf(text, size, "the exponents failed: their sum is not what the equations give");
     } else if (isnan(exponent.value)) {
-        snprintf(text, size, "no disturbance was followed");
+        snprintf(text, size, "no perturbation was followed");
     } else {
         snprintf(text, size, "largest exponent %.4f +- %.1g per revolution", exponent.value,
                  fmax(exponent.error, 1e-4));
@@ -89,7 +89,7 @@ static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *t
         snprintf(refuge, sizeof refuge, "; a stable equilibrium lies where it goes, on which it may end");
     else if (v->refuge > 0)
         snprintf(refuge, sizeof refuge, "; a stable P-%d lies where it goes, on which it may end", v->refuge);
-    snprintf(text, size, "small disturbances grow: %s; averages of two halves agree to %.1f digits only%s%s%s",
+    snprintf(text, size, "small perturbations grow: %s; averages of two halves agree to %.1f digits only%s%s%s",
              exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", refuge, lasting);
 }
 
@@ -107,10 +107,11 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     } else if (v->advice.remedy == WHIRL_OTHER_START) {
         snprintf(text, size, "stays where it started, on an unstable motion that nothing pushes it off (%s)", exponent);
     } else if (weigh_swelling(v)) {
-        snprintf(text, size,
-                 "grows: by %.4g per revolution, as disturbances do (%s); it leaves an unstable motion, and is lost or "
-                 "comes to another one",
-                 v->swelling, exponent);
+        snprintf(
+            text, size,
+            "grows: by %.4g per revolution, as perturbations do (%s); it leaves an unstable motion, and is lost or "
+            "comes to another one",
+            v->swelling, exponent);
     } else if (v->recurrence <= recurrence_tolerance) {
         snprintf(text, size,
                  "returns after %d revolution%s to %.1e of its size, but it is not certain that it has settled (%s)",
@@ -122,7 +123,7 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
                  v->recurrence_trend, v->recurrence, exponent);
     } else if (dies_out) {
         snprintf(text, size,
-                 "disturbances die out (%s), but it %s; best return %.1e of its size: it settles slowly or repeats "
+                 "perturbations die out (%s), but it %s; best return %.1e of its size: it settles slowly or repeats "
                  "after more",
                  exponent, unreturned, v->recurrence);
     } else if (!isnan(v->round)) {
@@ -151,7 +152,7 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
         snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
                  v->curves, plural(v->curves), v->unlocked);
     else if (v->frequencies == 2)
-        snprintf(what, sizeof what, "is regular: a phase that fits no revolution forces it, and disturbances die out");
+        snprintf(what, sizeof what, "is regular: a phase that fits no revolution forces it, and perturbations die out");
     else if (v->frequencies > 0)
         snprintf(what, sizeof what, "has two exponents of zero: its section is a surface");
     else

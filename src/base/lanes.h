@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// Machines side by side, each lane at its own time and on its own sides of the switches, with disturbances. All arrays
-/// are vectors of the instruction set that the function is made for.
+/// Machines side by side, each lane at its own time and on its own sides of the switches, with perturbations. All
+/// arrays are vectors of the instruction set that the function is made for.
 typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
@@ -17,13 +17,13 @@ typedef struct lanes_view {
     const size_t *places; ///< [part_count] where those of each part begin; NULL: each has its own
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
-    size_t tangents;      ///< disturbances that follow the state
-    const void *q, *v;    ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the disturbances
+    size_t tangents;      ///< perturbations that follow the state
+    const void *q, *v;    ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the perturbations
     void *a;              ///< [1 + tangents][degrees + states]
     void *divergence;     ///< one quantity: trace of the Jacobian; NULL: not wanted
 } lanes_view;
 
-/// Writes the accelerations of the state and those of the disturbances by the Jacobian, with the slopes of the states
+/// Writes the accelerations of the state and those of the perturbations by the Jacobian, with the slopes of the states
 /// of first order after them, and the divergence. Accelerations are sums of terms in proportion to the forcing and of
 /// others that do not depend on it, unless the system is `modulated`.
 typedef void lanes_flow(const lanes_view *view);

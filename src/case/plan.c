@@ -74,7 +74,7 @@ static void check_record(case_reader *reader, const plan_parts *parts, const whi
     const double highest = whirl_record_samples(options, steps) / 2.0;
     if (settings_find(&parts->keep, "highest_order") && options->highest_order > highest)
         problem_at(reader->problems, place_of(&parts->keep, "highest_order"),
-                   "is %.10g, expected at most %.10g, half the samples a revolution (keep.samples)",
+                   "is %.10g, expected at most %.10g, half the samples per revolution (keep.samples)",
                    options->highest_order, highest);
 }
 

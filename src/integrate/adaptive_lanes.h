@@ -60,8 +60,8 @@ typedef struct dop853_work {
 typedef struct rodas5p_work {
     double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees], [rates] increments of the stages
     sparsity *sparsity;
-    double *unit_q, *unit_v;       ///< [1 + disturbances][degrees], [rates] the state, then sums of unit disturbances
-    double *by;                    ///< [1 + disturbances][rates] slope, Jacobian in such sums of columns
+    double *unit_q, *unit_v;       ///< [1 + perturbations][degrees], [rates] the state, then sums of unit perturbations
+    double *by;                    ///< [1 + perturbations][rates] slope, Jacobian in such sums of columns
     double *matrix;                ///< [rates][rates] rows, decomposed
     double *pivot;                 ///< [rates] reciprocals
     double *doubtful;              ///< 1 where a pivot says nothing good
@@ -92,7 +92,7 @@ typedef struct adaptive_lanes {
     const size_t *mates;  ///< of one slot, [rates]: the next state whose size is measured with that one's; NULL: none
     bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;          ///< motions can slide along a switch
-    size_t followed;      ///< disturbances that there is room for: states, slopes and stages are [1 + followed][...]
+    size_t followed;      ///< perturbations that there is room for: states, slopes and stages are [1 + followed][...]
     size_t tangents;      ///< that go along in this revolution
     double period, rtol, atol, limit;
     // One machine a lane.
@@ -113,7 +113,7 @@ typedef struct adaptive_lanes {
     double *whole, *tries; ///< the step within which it is, and steps taken to find it
     double *value, *rate;  ///< [switch_count] switching functions and their derivatives at t
     double *slope;         ///< [rates] slopes of v at t
-    double *divergence;    ///< at t, where disturbances go along
+    double *divergence;    ///< at t, where perturbations go along
     double *volume;        ///< its integral
     // Of the step.
     double *length, *lengths;     ///< tried; [degrees] the same for every degree
@@ -149,9 +149,9 @@ typedef struct adaptive_lanes {
     lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
     size_t exchanged_count;
     lane_queue *queue;
-    stepper *stepper;              ///< for slots that are looked at one by one; the ensemble's
-    whirl_disturbances *alongside; ///< of such a slot
-    double *block;                 ///< all arrays
+    stepper *stepper;               ///< for slots that are looked at one by one; the ensemble's
+    whirl_perturbations *alongside; ///< of such a slot
+    double *block;                  ///< all arrays
 } adaptive_lanes;
 
 typedef void adaptive_lanes_revolve(const adaptive_lanes *lanes);
@@ -176,7 +176,7 @@ typedef struct lanes_method {
     adaptive_lanes_revolve *const *revolves;
     const one_slot *one;
     bool implicit; ///< solves equations: looks for the zeros of its matrix first
-    /// Tries the step of a stepper's state for the disturbances that go along; gives the norm of their estimated error
+    /// Tries the step of a stepper's state for the perturbations that go along; gives the norm of their estimated error
     /// over the tolerance.
     double (*try_varied)(stepper *c);
     int dense;                     ///< polynomials of the interpolant
@@ -199,7 +199,7 @@ static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size
 adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape);
 
 /// A workspace for systems of that structure with that instruction set, for so many lanes (0: many) with so many
-/// disturbances; the ensemble is set for every revolution. NULL where there is no memory.
+/// perturbations; the ensemble is set for every revolution. NULL where there is no memory.
 adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
                                    const whirl_integrate_options *options, const isa *set, size_t lane_count,
                                    size_t followed);

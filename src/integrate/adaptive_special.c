@@ -26,7 +26,7 @@ static void end(const adaptive_lanes *lanes, size_t slot, whirl_motion motion) {
 
 // ---------------------------------------------------------------- by the stepper
 
-/// The state, set 0, or a disturbance: x [dimension].
+/// The state, set 0, or a perturbation: x [dimension].
 static void give_set(const adaptive_lanes *lanes, size_t slot, size_t set, double *x) {
     const size_t n = lanes->degrees, rates = lanes->rates;
     for (size_t d = 0; d < n; d++) x[d] = *at(lanes, lanes->q, set * n + d, slot);
@@ -41,7 +41,7 @@ static void take_set(const adaptive_lanes *lanes, size_t slot, size_t set, const
 
 static void give_state(const adaptive_lanes *lanes, size_t slot) {
     stepper *c = lanes->stepper;
-    whirl_disturbances *along = lanes->alongside;
+    whirl_perturbations *along = lanes->alongside;
     give_set(lanes, slot, 0, c->x);
     for (size_t k = 0; k < lanes->tangents; k++) give_set(lanes, slot, k + 1, along->vectors + k * lanes->dimension);
     if (lanes->tangents > 0) along->volume = lanes->volume[slot];
@@ -50,7 +50,7 @@ static void give_state(const adaptive_lanes *lanes, size_t slot) {
 }
 
 static void take_state(const adaptive_lanes *lanes, size_t slot) {
-    const whirl_disturbances *along = lanes->alongside;
+    const whirl_perturbations *along = lanes->alongside;
     take_set(lanes, slot, 0, lanes->stepper->x);
     for (size_t k = 0; k < lanes->tangents; k++) take_set(lanes, slot, k + 1, along->vectors + k * lanes->dimension);
     if (lanes->tangents > 0) lanes->volume[slot] = along->volume;
@@ -217,7 +217,7 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     if (!(lanes->t[slot] < lanes->until[slot])) lanes->running[slot] = 0.0;
 }
 
-/// With disturbances the stepper lands, which carries them over the switch.
+/// With perturbations the stepper lands, which carries them over the switch.
 static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;

@@ -11,8 +11,8 @@
 #include "stepper.h"
 #include "stiffest.h"
 
-/// Steps a revolution up to which nothing is gained by another method: rodas5p takes hundreds at the usual tolerances,
-/// each worth several of them.
+/// Steps per revolution up to which nothing is gained by another method: rodas5p takes hundreds at the usual
+/// tolerances, each worth several of them.
 static const double crawl = 1000.0;
 
 enum { PROBED = 16, COUNTED = 4, PHASES = 16 };
@@ -45,7 +45,7 @@ static double part_done(const whirl_integrator *integrator) {
     return c->tried < integrator->most_steps ? 1.0 : fmin(c->t / integrator->system->period, 1.0);
 }
 
-/// Steps a revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as
+/// Steps per revolution that keep dop853 stable at the stiffest phase seen, where they are more than what counts as
 /// crawling; else 0.
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane

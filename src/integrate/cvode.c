@@ -5,8 +5,8 @@
 // between, and CVODE, which steps past a switch before it looks back, never meets a law that changes within its step;
 // what happens at a zero, sliding included, is decided as for dop853 (sides.c). Of other systems the state decides.
 //
-// A disturbance goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their own
-// would differ by their steps and orders, which are chosen anew for each, more than by the disturbance.
+// A perturbation goes along by the variational equations, as CVODES carries sensitivities: two trajectories of their
+// own would differ by their steps and orders, which are chosen anew for each, more than by the perturbation.
 #include <cvodes/cvodes.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
@@ -21,9 +21,9 @@
 
 enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
 
-/// How well a disturbance is known, of its own length and of the unit one that it was at the beginning of the
+/// How well a perturbation is known, of its own length and of the unit one that it was at the beginning of the
 /// revolution.
-static const double disturbance_rtol = 1e-7, disturbance_atol = 1e-9;
+static const double perturbation_rtol = 1e-7, perturbation_atol = 1e-9;
 
 typedef struct cvode {
     const whirl_system *system;
@@ -35,10 +35,10 @@ typedef struct cvode {
     SUNMatrix matrix;
     SUNLinearSolver linear;
     SUNNonlinearSolver nonlinear;
-    N_Vector disturbance[1];            ///< [0] NULL until one was followed
-    SUNNonlinearSolver for_disturbance; ///< of Adams
-    whirl_disturbances *set;            ///< of the present revolution, or NULL
-    int *roots;                         ///< [switch_count] what CVODE is told and says of its roots
+    N_Vector perturbation[1];            ///< [0] NULL until one was followed
+    SUNNonlinearSolver for_perturbation; ///< of Adams
+    whirl_perturbations *set;            ///< of the present revolution, or NULL
+    int *roots;                          ///< [switch_count] what CVODE is told and says of its roots
 } cvode;
 
 static int right_hand_side(realtype t, N_Vector x, N_Vector slope, void *data) {
@@ -76,8 +76,8 @@ static void end(whirl_integrator *integrator) {
     if (work->memory) CVodeFree(&work->memory);
     if (work->linear) SUNLinSolFree(work->linear);
     if (work->nonlinear) SUNNonlinSolFree(work->nonlinear);
-    if (work->for_disturbance) SUNNonlinSolFree(work->for_disturbance);
-    if (work->disturbance[0]) N_VDestroy(work->disturbance[0]);
+    if (work->for_perturbation) SUNNonlinSolFree(work->for_perturbation);
+    if (work->perturbation[0]) N_VDestroy(work->perturbation[0]);
     if (work->matrix) SUNMatDestroy(work->matrix);
     if (work->state) N_VDestroy(work->state);
     if (work->context) SUNContext_Free(&work->context);
@@ -153,7 +153,7 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return start(integrator, CV_BDF);
 }
 
-/// What the stepper needs that decides on sides, to carry the disturbance over switches.
+/// What the stepper needs that decides on sides, to carry the perturbation over switches.
 static void set_variation(const whirl_integrator *integrator, stepper *sides) {
     const cvode *work = integrator->workspace;
     sides->variation.set = work->set;
@@ -173,14 +173,14 @@ static void find_sides(const cvode *work) {
     memcpy(NV_DATA_S(work->state), c->x, bytes);
 }
 
-// ---------------------------------------------------------------- a disturbance
+// ---------------------------------------------------------------- a perturbation
 
-static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *disturbance, N_Vector *change, void *data,
+static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *perturbation, N_Vector *change, void *data,
                 N_Vector spare, N_Vector other) {
     const cvode *work = data;
     const whirl_system *system = work->system;
     double forcing[WHIRL_MAX_FORCING], *out = NV_DATA_S(change[0]);
-    const double *vector = NV_DATA_S(disturbance[0]);
+    const double *vector = NV_DATA_S(perturbation[0]);
     (void)count, (void)slope, (void)spare, (void)other;
     if (work->sides) {
         stepper_apply_jacobian(work->sides, t, NV_DATA_S(x), 1, vector, out);
@@ -193,40 +193,40 @@ static int vary(int count, realtype t, N_Vector x, N_Vector slope, N_Vector *dis
     return 0;
 }
 
-/// Room for a disturbance, the first time that there is one.
-static int prepare_disturbance(cvode *work) {
-    double tolerance[] = {disturbance_atol};
-    work->disturbance[0] = N_VClone(work->state);
-    if (!work->disturbance[0]) return CV_MEM_FAIL;
-    N_VConst(0.0, work->disturbance[0]);
-    int code = CVodeSensInit(work->memory, 1, CV_STAGGERED, vary, work->disturbance);
-    if (code == CV_SUCCESS) code = CVodeSensSStolerances(work->memory, disturbance_rtol, tolerance);
+/// Room for a perturbation, the first time that there is one.
+static int prepare_perturbation(cvode *work) {
+    double tolerance[] = {perturbation_atol};
+    work->perturbation[0] = N_VClone(work->state);
+    if (!work->perturbation[0]) return CV_MEM_FAIL;
+    N_VConst(0.0, work->perturbation[0]);
+    int code = CVodeSensInit(work->memory, 1, CV_STAGGERED, vary, work->perturbation);
+    if (code == CV_SUCCESS) code = CVodeSensSStolerances(work->memory, perturbation_rtol, tolerance);
     if (code == CV_SUCCESS) code = CVodeSetSensErrCon(work->memory, SUNTRUE);
     if (code != CV_SUCCESS || !work->nonlinear) return code;
-    work->for_disturbance = SUNNonlinSol_FixedPointSens(1, work->state, 0, work->context);
-    return work->for_disturbance ? CVodeSetNonlinearSolverSensStg(work->memory, work->for_disturbance) : CV_MEM_FAIL;
+    work->for_perturbation = SUNNonlinSol_FixedPointSens(1, work->state, 0, work->context);
+    return work->for_perturbation ? CVodeSetNonlinearSolverSensStg(work->memory, work->for_perturbation) : CV_MEM_FAIL;
 }
 
-/// The disturbance as it is now, for what happens at a switch or at the end; false where CVODES cannot say.
-static bool fetch_disturbance(const cvode *work) {
+/// The perturbation as it is now, for what happens at a switch or at the end; false where CVODES cannot say.
+static bool fetch_perturbation(const cvode *work) {
     realtype t;
-    N_Vector at[] = {work->disturbance[0]};
+    N_Vector at[] = {work->perturbation[0]};
     if (!work->set) return true;
     if (CVodeGetSens(work->memory, &t, at) != CV_SUCCESS) return false;
     memcpy(work->set->vectors, NV_DATA_S(at[0]), work->system->dimension * sizeof *work->set->vectors);
     return true;
 }
 
-/// Starts CVODE afresh at t, with the disturbance or without.
+/// Starts CVODE afresh at t, with the perturbation or without.
 static int restart(cvode *work, double t) {
     int code = CVodeReInit(work->memory, t, work->state);
     if (code != CV_SUCCESS) return code;
-    if (!work->set) return work->disturbance[0] ? CVodeSensToggleOff(work->memory) : CV_SUCCESS;
+    if (!work->set) return work->perturbation[0] ? CVodeSensToggleOff(work->memory) : CV_SUCCESS;
     const size_t bytes = work->system->dimension * sizeof(double);
-    if (!work->disturbance[0]) code = prepare_disturbance(work);
+    if (!work->perturbation[0]) code = prepare_perturbation(work);
     if (code != CV_SUCCESS) return code;
-    memcpy(NV_DATA_S(work->disturbance[0]), work->set->vectors, bytes);
-    return CVodeSensReInit(work->memory, CV_STAGGERED, work->disturbance);
+    memcpy(NV_DATA_S(work->perturbation[0]), work->set->vectors, bytes);
+    return CVodeSensReInit(work->memory, CV_STAGGERED, work->perturbation);
 }
 
 // ---------------------------------------------------------------- switches
@@ -252,7 +252,7 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
         const int code = CVode(work->memory, target, work->state, t, CV_NORMAL);
         if (code == CV_ROOT_RETURN) {
             if (++*switches > MAX_SWITCHINGS) return WHIRL_STUCK;
-            if (!fetch_disturbance(work)) return WHIRL_STUCK;
+            if (!fetch_perturbation(work)) return WHIRL_STUCK;
             if (work->sides) cross(work, *t);
             if (restart(work, *t) != CV_SUCCESS) return WHIRL_STUCK;
             CVodeSetStopTime(work->memory, integrator->system->period);
@@ -265,14 +265,14 @@ static whirl_motion advance(const whirl_integrator *integrator, double *t, doubl
     }
 }
 
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     cvode *work = integrator->workspace;
     const double period = integrator->system->period;
     const int samples = observe ? integrator->options.steps_per_revolution : 1;
     const size_t bytes = integrator->system->dimension * sizeof *x;
     memcpy(NV_DATA_S(work->state), x, bytes);
-    work->set = disturbances;
+    work->set = perturbations;
     if (work->sides) set_variation(integrator, work->sides);
     if (work->sides) find_sides(work);
     if (restart(work, 0.0) != CV_SUCCESS) return WHIRL_STUCK;
@@ -287,11 +287,11 @@ static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_distu
         if (motion == WHIRL_BOUNDED && observe) observe(observer, target, NV_DATA_S(work->state));
     }
     memcpy(x, NV_DATA_S(work->state), bytes);
-    if (disturbances && motion == WHIRL_BOUNDED) {
-        if (!fetch_disturbance(work)) return WHIRL_STUCK;
-        disturbances->volume = (double)NAN; // CVODES takes no integral along
-        if (disturbances->growth)
-            make_orthonormal(integrator->system->dimension, 1, disturbances->vectors, disturbances->growth);
+    if (perturbations && motion == WHIRL_BOUNDED) {
+        if (!fetch_perturbation(work)) return WHIRL_STUCK;
+        perturbations->volume = (double)NAN; // CVODES takes no integral along
+        if (perturbations->growth)
+            make_orthonormal(integrator->system->dimension, 1, perturbations->vectors, perturbations->growth);
     }
     return motion;
 }

@@ -19,9 +19,9 @@ double dop853_amplification(double real, double imaginary) {
     return hypot(x, y);
 }
 
-// ---------------------------------------------------------------- disturbances
+// ---------------------------------------------------------------- perturbations
 
-/// The disturbances at which slope i is taken, [size].
+/// The perturbations at which slope i is taken, [size].
 static void take_stage(const stepper_variation *v, int i, size_t size, double h, double *out) {
     for (size_t d = 0; d < size; d++) {
         double sum = 0.0;
@@ -30,7 +30,8 @@ static void take_stage(const stepper_variation *v, int i, size_t size, double h,
     }
 }
 
-/// The error of disturbance `which` over the step, as the kernel has it of the state, over the tolerance of its length.
+/// The error of perturbation `which` over the step, as the kernel has it of the state, over the tolerance of its
+/// length.
 static double estimated_error(const stepper *c, size_t which) {
     const stepper_variation *v = &c->variation;
     const size_t first = which * c->dimension;

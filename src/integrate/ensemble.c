@@ -23,15 +23,15 @@ struct whirl_ensemble {
     size_t row_count; ///< of the block
     double limit;
     rk4_lanes lanes;
-    adaptive_lanes *adaptive; ///< NULL for rk4
-    stepper *stepper;         ///< for steps near switches; NULL: not needed
-    whirl_disturbances along; ///< of that one
-    double *room, *parts;     ///< its workspace; [lane_count][2] parts of the period that lanes go over; NULL: none
-    alone_lanes *alone;       ///< lanes that integrators carry; NULL: kernels do
-    double *ended;            ///< [lane] whirl_motion
-    const double *shown;      ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
+    adaptive_lanes *adaptive;  ///< NULL for rk4
+    stepper *stepper;          ///< for steps near switches; NULL: not needed
+    whirl_perturbations along; ///< of that one
+    double *room, *parts;      ///< its workspace; [lane_count][2] parts of the period that lanes go over; NULL: none
+    alone_lanes *alone;        ///< lanes that integrators carry; NULL: kernels do
+    double *ended;             ///< [lane] whirl_motion
+    const double *shown;       ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
     const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
-    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
+    whirl_perturbations **beside;  ///< [lane_count] that go along in the next revolution; NULL: none
     size_t *contact_probe;
     size_t *order;           ///< [lane_count] in which lanes go their own way
     double *state;           ///< [dimension] workspace
@@ -50,11 +50,11 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 }
 
 /// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
-enum { MOST_DISTURBANCES = 256 };
+enum { MOST_PERTURBATIONS = 256 };
 
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {
     return whirl_ensemble_takes(system, options) && !adaptive_in_lanes(options) && !options->located &&
-           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_DISTURBANCES;
+           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_PERTURBATIONS;
 }
 
 /// Rows of the block, and where each array begins.
@@ -63,7 +63,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t forces = by_force(e) ? contacts : 0;
     const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
                  located = e->lanes.located.switches ? 1 : 0;
-    const size_t switches = e->lanes.located.switch_count, followed = e->lanes.disturbances;
+    const size_t switches = e->lanes.located.switch_count, followed = e->lanes.perturbations;
     const size_t sets = 1 + followed, some = followed > 0 ? 1 : 0;
     size_t row = 0;
 #define PART(array, extent, columns, ...)                                                                              \
@@ -150,7 +150,7 @@ static void fill_shape(whirl_ensemble *e) {
 
 /// The logarithms of all products of lengths, which begin afresh.
 static void note_lengths(const rk4_lanes *lanes) {
-    for (size_t i = 0; i < lanes->disturbances * lanes->lane_count; i++) {
+    for (size_t i = 0; i < lanes->perturbations * lanes->lane_count; i++) {
         lanes->growth[i] += log(lanes->lengths[i]);
         lanes->lengths[i] = 1.0;
     }
@@ -173,19 +173,19 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
 }
 
-/// An adaptive method, with the stepper that looks at lanes near switches, and what both need for disturbances.
+/// An adaptive method, with the stepper that looks at lanes near switches, and what both need for perturbations.
 static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const whirl_integrate_options *options,
                             size_t lanes) {
-    const size_t most = e->lanes.disturbances, n = e->system->dimension;
+    const size_t most = e->lanes.perturbations, n = e->system->dimension;
     e->adaptive = adaptive_lanes_new(own, e->system, options, e->isa, lanes, most);
     e->stepper = stepper_new(own, e->system, options);
     if (!e->adaptive || !e->stepper) return false;
     e->adaptive->stepper = e->stepper;
     if (most == 0) return true;
-    e->room = calloc((DISTURBANCE_ROWS * (1 + most) + SPARE_ROWS + most) * n, sizeof *e->room);
+    e->room = calloc((PERTURBATION_ROWS * (1 + most) + SPARE_ROWS + most) * n, sizeof *e->room);
     if (!e->room) return false;
     stepper_follow(e->stepper, most, e->room + most * n);
-    e->along = (whirl_disturbances){.count = most, .vectors = e->room};
+    e->along = (whirl_perturbations){.count = most, .vectors = e->room};
     e->adaptive->alongside = &e->along;
     return true;
 }
@@ -216,7 +216,7 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     const size_t observed = system->lanes->instance ? 7 * degrees + 4 * system->lanes->contact_count : 0;
     const size_t steps = 5 * system->dimension - 3 * degrees; // the state, a stage's, three slopes
     const size_t numbers = system->lanes->part(system->model, e->lanes.places);
-    const size_t rows = numbers + (1 + e->lanes.disturbances) * steps + observed;
+    const size_t rows = numbers + (1 + e->lanes.perturbations) * steps + observed;
     const size_t bytes = rows * e->isa->lanes * sizeof(double);
     size_t i = 0;
     while (choices[i] > 1 && choices[i] * bytes > first_cache) i++;
@@ -252,9 +252,9 @@ static whirl_ensemble *begin(const whirl_system *system, const whirl_integrate_o
     return e;
 }
 
-/// Lanes of kernels, with disturbances.
+/// Lanes of kernels, with perturbations.
 static whirl_status make(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
-                         size_t disturbances, whirl_ensemble **out) {
+                         size_t perturbations, whirl_ensemble **out) {
     whirl_status status = check_options(system, options);
     if (status.code != WHIRL_OK) return status;
     whirl_ensemble *e = begin(system, options);
@@ -263,7 +263,7 @@ static whirl_status make(const whirl_system *system, const whirl_integrate_optio
     if (status.code == WHIRL_OK) {
         fill_shape(e);
         fill_lanes(e, options);
-        e->lanes.disturbances = disturbances;
+        e->lanes.perturbations = perturbations;
         if (e->lanes.places && attach_location(e, options, lanes))
             status = finish(e, lanes > 0 ? lanes : fast_lanes(e), out);
         else
@@ -286,13 +286,13 @@ whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_
                                         whirl_ensemble **out) {
     *out = NULL;
     if (whirl_ensemble_follows(system, options)) return make(system, options, 0, system->dimension, out);
-    return whirl_fail(WHIRL_BAD_INPUT, "disturbances of this system do not go in lanes, expected a rotor without "
-                                       "jumps of its forces, and rk4 that walks over contacts");
+    return whirl_fail(WHIRL_BAD_INPUT, "perturbations of this system do not go in lanes, expected a rotor without "
+                                       "jumps of its forces, and rk4 that does not locate contacts");
 }
 
 bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options) {
     return system->lanes && system->tangent && adaptive_in_lanes(options) == &dop853_in_lanes &&
-           system->dimension <= MOST_DISTURBANCES;
+           system->dimension <= MOST_PERTURBATIONS;
 }
 
 whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,
@@ -302,7 +302,7 @@ whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integra
         return whirl_fail(WHIRL_BAD_INPUT, "parts of the period of this system do not go in lanes, expected a rotor of "
                                            "up to 256 coordinates and method dop853");
     if (followed > system->dimension)
-        return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           followed, system->dimension);
     whirl_status status = make(system, options, lanes, followed, out);
     if (status.code != WHIRL_OK) return status;
@@ -408,7 +408,7 @@ whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_sys
     return whirl_ok();
 }
 
-/// Puts the state (set 0) or a disturbance x [dimension] into a lane.
+/// Puts the state (set 0) or a perturbation x [dimension] into a lane.
 static void place(whirl_ensemble *e, size_t lane, size_t set, const double *x) {
     const size_t degrees = e->lanes.degrees, rates = e->lanes.rates;
     for (size_t d = 0; d < degrees; d++) e->lanes.q[(set * degrees + d) * e->lane_count + lane] = x[d];
@@ -433,7 +433,7 @@ void whirl_ensemble_state(const whirl_ensemble *e, size_t lane, double *x) {
     for (size_t i = 0; i < e->system->dimension; i++) x[i] = whirl_ensemble_coordinate(e, i)[lane];
 }
 
-void whirl_ensemble_carry(whirl_ensemble *e, size_t lane, whirl_disturbances *set) {
+void whirl_ensemble_carry(whirl_ensemble *e, size_t lane, whirl_perturbations *set) {
     e->beside[lane] = set;
 }
 
@@ -514,17 +514,17 @@ static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_
     hand_out(e, e->alone->samples, samples, observe);
 }
 
-/// Puts the disturbances that go along into their lanes; whether there are any.
-static bool begin_disturbances(whirl_ensemble *e, size_t count) {
+/// Puts the perturbations that go along into their lanes; whether there are any.
+static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     bool any = false;
     for (size_t lane = 0; lane < count; lane++) any = any || e->beside[lane];
     memset(e->state, 0, e->system->dimension * sizeof *e->state);
     for (size_t lane = 0; any && lane < count; lane++) {
-        const whirl_disturbances *set = e->beside[lane];
+        const whirl_perturbations *set = e->beside[lane];
         if (!set && !e->adaptive) continue; // steps of their own would be chosen by what is left there
         lanes->volume[lane] = 0.0;
-        for (size_t k = 0; k < lanes->disturbances; k++) {
+        for (size_t k = 0; k < lanes->perturbations; k++) {
             place(e, lane, k + 1, set ? set->vectors + k * e->system->dimension : e->state);
             lanes->lengths[k * e->lane_count + lane] = 1.0;
             lanes->growth[k * e->lane_count + lane] = 0.0;
@@ -534,14 +534,14 @@ static bool begin_disturbances(whirl_ensemble *e, size_t count) {
 }
 
 /// And takes them out.
-static void end_disturbances(whirl_ensemble *e, size_t count) {
+static void end_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     const size_t degrees = lanes->degrees, rates = lanes->rates;
     for (size_t lane = 0; lane < count; lane++) {
-        whirl_disturbances *set = e->beside[lane];
+        whirl_perturbations *set = e->beside[lane];
         if (!set) continue;
         double *out = set->vectors;
-        for (size_t k = 1; k <= lanes->disturbances; k++) {
+        for (size_t k = 1; k <= lanes->perturbations; k++) {
             for (size_t d = 0; d < degrees; d++) *out++ = lanes->q[(k * degrees + d) * e->lane_count + lane];
             for (size_t d = 0; d < rates; d++) *out++ = lanes->v[(k * rates + d) * e->lane_count + lane];
             if (set->growth) set->growth[k - 1] = lanes->growth[(k - 1) * e->lane_count + lane];
@@ -575,7 +575,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     lanes.observing = observe && (observe->extremes || samples > 0);
     lanes.sample_stride = samples > 0 ? observe->stride : 0;
     lanes.parts = e->parts;
-    lanes.tangents = begin_disturbances(e, count) ? e->lanes.disturbances : 0;
+    lanes.tangents = begin_perturbations(e, count) ? e->lanes.perturbations : 0;
     lanes.queue->next = 0;
     lanes.queue->count = count;
     lanes.queue->order = e->order;
@@ -585,7 +585,7 @@ static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemb
     for (size_t lane = 0; samples < wanted && lane < count; lane++) e->ended[lane] = WHIRL_STUCK; // for want of memory
     lanes.method->revolves[e->isa->number](&lanes);
     hand_out(e, lanes.samples, samples, observe);
-    if (lanes.tangents > 0) end_disturbances(e, count);
+    if (lanes.tangents > 0) end_perturbations(e, count);
 }
 
 /// Brings angles back.
@@ -598,7 +598,7 @@ static void wrap(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Whether disturbances that go along stay orthonormal, and their growth is wanted.
+/// Whether perturbations that go along stay orthonormal, and their growth is wanted.
 static bool are_measured(const whirl_ensemble *e, size_t count) {
     bool any = false;
     for (size_t lane = 0; lane < count; lane++) any = any || (e->beside[lane] && e->beside[lane]->growth);
@@ -608,7 +608,7 @@ static bool are_measured(const whirl_ensemble *e, size_t count) {
 static void revolve_rk4(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     rk4_lanes lanes = e->lanes;
     if (!are_measured(e, count)) lanes.lengths = NULL;
-    if (!begin_disturbances(e, count)) lanes.disturbances = 0;
+    if (!begin_perturbations(e, count)) lanes.perturbations = 0;
     lanes.used = count;
     lanes.vectors = (count + e->isa->lanes - 1) / e->isa->lanes;
     if (observe) {
@@ -618,7 +618,7 @@ static void revolve_rk4(whirl_ensemble *e, size_t count, const whirl_ensemble_ob
         lanes.context = observe->context;
     }
     rk4_lanes_revolves[e->isa->number](&lanes);
-    if (lanes.disturbances > 0) end_disturbances(e, count);
+    if (lanes.perturbations > 0) end_perturbations(e, count);
 }
 
 void whirl_ensemble_revolve(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {

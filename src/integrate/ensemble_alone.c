@@ -100,7 +100,7 @@ static size_t make_room(alone_lanes *alone, size_t samples) {
 
 static void revolve_lane(const alone_lanes *alone, watched_lane *w) {
     whirl_integrator *own = alone->integrator[w->lane];
-    whirl_disturbances *beside = alone->beside[w->lane];
+    whirl_perturbations *beside = alone->beside[w->lane];
     const whirl_observe_fn watch = w->observe ? observe : NULL;
     double *x = alone->state;
     for (size_t i = 0; i < alone->dimension; i++) x[i] = *number_in(w, alone->x, i);

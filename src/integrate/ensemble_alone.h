@@ -7,7 +7,7 @@
 
 typedef struct alone_lanes {
     whirl_integrate_options options;
-    size_t followed; ///< disturbances for which there is room
+    size_t followed; ///< perturbations for which there is room
     size_t dimension, lane_count;
     whirl_integrator **integrator; ///< [lane_count] NULL: nobody is there
     double *state;                 ///< [dimension] workspace
@@ -16,7 +16,7 @@ typedef struct alone_lanes {
     // The ensemble that is served.
     double *x, *ended;             ///< [dimension][lane_count]; [lane_count] whirl_motion
     const whirl_system **machines; ///< [lane_count]
-    whirl_disturbances **beside;   ///< [lane_count] that go along in the next revolution; NULL: none
+    whirl_perturbations **beside;  ///< [lane_count] that go along in the next revolution; NULL: none
     const lanes_observe *watched;
 } alone_lanes;
 

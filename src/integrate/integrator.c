@@ -69,13 +69,13 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
-/// Makes room for so many disturbances.
+/// Makes room for so many perturbations.
 static whirl_status make_room(whirl_integrator *integrator, size_t most) {
     const size_t rows = integrator->method->rows * (1 + most) + SPARE_ROWS;
     double *slopes = realloc(integrator->slopes, rows * integrator->system->dimension * sizeof *slopes);
-    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu disturbances", most);
+    if (!slopes) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu perturbations", most);
     integrator->slopes = slopes;
-    integrator->most_disturbances = most;
+    integrator->most_perturbations = most;
     return whirl_ok();
 }
 
@@ -116,22 +116,22 @@ whirl_status whirl_integrator_follow(whirl_integrator *integrator, size_t most) 
     const method *own = integrator->method;
     const size_t n = integrator->system->dimension;
     if (!integrator->system->tangent)
-        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow disturbances");
+        return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one to follow perturbations");
     if (!own->about.follows && !(own->about.follows_one && most <= 1))
         return whirl_fail(WHIRL_BAD_INPUT, "method %s takes %s, expected rk4, dop853 or rodas5p", own->about.name,
-                          own->about.follows_one ? "no more than one disturbance along" : "no disturbances along");
+                          own->about.follows_one ? "no more than one perturbation along" : "no perturbations along");
     if (most > n)
-        return whirl_fail(WHIRL_BAD_INPUT, "%zu disturbances are to be followed, expected at most the dimension, %zu",
+        return whirl_fail(WHIRL_BAD_INPUT, "%zu perturbations are to be followed, expected at most the dimension, %zu",
                           most, n);
     return make_room(integrator, most);
 }
 
-whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+whirl_motion whirl_integrator_carry(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                                     whirl_observe_fn observe, void *observer) {
-    if (disturbances->count > integrator->most_disturbances) return WHIRL_STUCK;
-    disturbances->volume = 0.0;
-    for (size_t i = 0; disturbances->growth && i < disturbances->count; i++) disturbances->growth[i] = 0.0;
-    return wrap(integrator->system, x, integrator->method->revolve(integrator, x, disturbances, observe, observer));
+    if (perturbations->count > integrator->most_perturbations) return WHIRL_STUCK;
+    perturbations->volume = 0.0;
+    for (size_t i = 0; perturbations->growth && i < perturbations->count; i++) perturbations->growth[i] = 0.0;
+    return wrap(integrator->system, x, integrator->method->revolve(integrator, x, perturbations, observe, observer));
 }
 
 void whirl_integrator_free(whirl_integrator *integrator) {

@@ -11,10 +11,10 @@ struct whirl_integrator {
     whirl_integrate_options options;
     const struct method *method;
     void *workspace; ///< of the method
-    size_t most_disturbances;
+    size_t most_perturbations;
     size_t most_steps; ///< that the adaptive methods of rotors try in all: then revolutions end early; 0: any number
-    /// [method->rows][1 + most_disturbances][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
-    /// disturbances
+    /// [method->rows][1 + most_perturbations][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
+    /// perturbations
     double *slopes;
 };
 
@@ -22,8 +22,8 @@ typedef struct method {
     whirl_method about;
     /// Makes the workspace of an integrator whose other members are set.
     whirl_status (*start)(whirl_integrator *integrator);
-    /// `disturbances` is NULL where there are none.
-    whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+    /// `perturbations` is NULL where there are none.
+    whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer);
     size_t rows; ///< of the workspace `slopes`
     void (*end)(whirl_integrator *integrator);

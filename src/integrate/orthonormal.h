@@ -1,4 +1,4 @@
-/// Orthonormal sets of disturbances.
+/// Orthonormal sets of perturbations.
 #ifndef INTEGRATE_ORTHONORMAL_H
 #define INTEGRATE_ORTHONORMAL_H
 

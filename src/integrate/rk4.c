@@ -23,7 +23,7 @@ static void flow(const lanes_view *view) {
 
 typedef struct rk4 {
     rk4_one one;
-    stepper *beside;  ///< that knows what disturbances feel at switches
+    stepper *beside;  ///< that knows what perturbations feel at switches
     double numbers[]; ///< the table of values of time, and those of now
 } rk4;
 
@@ -35,7 +35,7 @@ static whirl_status start(whirl_integrator *integrator) {
     if (work) work->beside = stepper_new(NULL, system, &integrator->options);
     if (!work || !work->beside) {
         free(work);
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps a revolution", steps);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for %d steps per revolution", steps);
     }
     work->one = rk4_one_of(flow, system, system->dimension);
     rk4_lanes *lanes = &work->one.lanes;
@@ -58,14 +58,14 @@ static whirl_status start(whirl_integrator *integrator) {
 typedef struct revolution {
     const rk4 *work;
     double period;
-    whirl_disturbances *set; ///< in the lane; NULL: none
-    int done;                ///< steps
+    whirl_perturbations *set; ///< in the lane; NULL: none
+    int done;                 ///< steps
     whirl_observe_fn observe;
     void *observer;
 } revolution;
 
-/// What a step has not done to disturbances.
-static void mend_disturbances(const revolution *r) {
+/// What a step has not done to perturbations.
+static void mend_perturbations(const revolution *r) {
     const rk4_lanes *lanes = &r->work->one.lanes;
     const bool due = r->done % rk4_orthonormal_steps(lanes->steps) == 0 || r->done == lanes->steps;
     unlocated_saltate(r->work->beside, r->done * lanes->step, lanes->k[0], lanes->v, r->set);
@@ -77,37 +77,37 @@ static void after_step(void *context) {
     revolution *r = context;
     const rk4_lanes *lanes = &r->work->one.lanes;
     r->done++;
-    if (r->set) mend_disturbances(r);
+    if (r->set) mend_perturbations(r);
     if (r->observe) r->observe(r->observer, r->period * ((double)r->done / lanes->steps), lanes->v);
 }
 
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     rk4 *work = integrator->workspace;
     rk4_one *one = &work->one;
     rk4_lanes *lanes = &one->lanes;
     const whirl_system *system = integrator->system;
-    const size_t n = system->dimension, row = (1 + integrator->most_disturbances) * n;
-    whirl_disturbances own = disturbances ? *disturbances : (whirl_disturbances){.count = 0};
+    const size_t n = system->dimension, row = (1 + integrator->most_perturbations) * n;
+    whirl_perturbations own = perturbations ? *perturbations : (whirl_perturbations){.count = 0};
     const size_t size = own.count * n * sizeof *x;
     revolution r = {.work = work, .period = system->period, .observe = observe, .observer = observer};
     rk4_one_place(one, integrator->slopes, row);
     memcpy(lanes->v, x, n * sizeof *x);
-    if (disturbances) {
-        own.vectors = memcpy(lanes->v + n, disturbances->vectors, size);
+    if (perturbations) {
+        own.vectors = memcpy(lanes->v + n, perturbations->vectors, size);
         r.set = &own;
         stepper_place(work->beside, system, 0.0);
         unlocated_begin(work->beside, x);
     }
-    lanes->disturbances = own.count;
-    lanes->sample_stride = observe || disturbances ? 1 : 0;
+    lanes->perturbations = own.count;
+    lanes->sample_stride = observe || perturbations ? 1 : 0;
     lanes->sample = after_step;
     lanes->context = &r;
     rk4_lanes_scalar(lanes);
     memcpy(x, lanes->v, n * sizeof *x);
-    if (disturbances) {
-        memcpy(disturbances->vectors, own.vectors, size);
-        disturbances->volume = own.volume + one->volume;
+    if (perturbations) {
+        memcpy(perturbations->vectors, own.vectors, size);
+        perturbations->volume = own.volume + one->volume;
     }
     return state_motion(integrator, x);
 }

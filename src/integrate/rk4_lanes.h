@@ -1,4 +1,4 @@
-/// RK4 over vector lanes, with disturbances: the block of memory that a kernel works on.
+/// RK4 over vector lanes, with perturbations: the block of memory that a kernel works on.
 #ifndef INTEGRATE_RK4_LANES_H
 #define INTEGRATE_RK4_LANES_H
 
@@ -48,13 +48,13 @@ typedef struct rk4_lanes {
     double step;
     const volatile bool *stop;        ///< as the options have it
     const double *forcing;            ///< [2 steps + 1][forcing_count]
-    size_t disturbances;              ///< that go along: all states, slopes and stages are [1 + disturbances][...]
+    size_t perturbations;             ///< that go along: all states, slopes and stages are [1 + perturbations][...]
     size_t *places;                   ///< of numbers, as a view has them
     double *numbers, *q, *v;          ///< [degrees], [rates]
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     double *divergence[4], *volume;   ///< [1] at the stages of a step, and its integral
-    /// [disturbances] products of what was left of them since the last call of `note`, which takes their logarithms;
+    /// [perturbations] products of what was left of them since the last call of `note`, which takes their logarithms;
     /// NULL: they are not made orthonormal.
     double *lengths, *growth;
     void (*note)(const struct rk4_lanes *lanes);
@@ -66,7 +66,7 @@ typedef struct rk4_lanes {
     void *context;
 } rk4_lanes;
 
-/// Steps from one time that disturbances are made orthonormal to the next: 64 times in a revolution, so that fast
+/// Steps from one time that perturbations are made orthonormal to the next: 64 times in a revolution, so that fast
 /// decays do not drown in rounding, and at its end.
 static inline int rk4_orthonormal_steps(int steps) {
     enum { TIMES = 64 };
@@ -82,10 +82,10 @@ typedef struct rk4_one {
     double divergence[4], volume;
 } rk4_one;
 
-/// Without disturbances, and without what depends on the steps and their values of time.
+/// Without perturbations, and without what depends on the steps and their values of time.
 rk4_one rk4_one_of(lanes_flow *flow, const void *model, size_t dimension);
 
-/// Rows of its memory; `row` is the length of each, in numbers: the first holds the state, then its disturbances.
+/// Rows of its memory; `row` is the length of each, in numbers: the first holds the state, then its perturbations.
 enum { RK4_ROWS = 5 };
 void rk4_one_place(rk4_one *one, double *rows, size_t row);
 

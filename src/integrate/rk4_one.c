@@ -32,8 +32,8 @@ double rk4_amplification(double real, double imaginary) {
 
 // ---------------------------------------------------------------- steps of a stepper
 
-/// A step from `start`, with so many disturbances.
-static void step(stepper *c, double *rows, size_t row, double h, size_t disturbances) {
+/// A step from `start`, with so many perturbations.
+static void step(stepper *c, double *rows, size_t row, double h, size_t perturbations) {
     rk4_lanes *lanes = &c->fixed.lanes;
     rk4_one_place(&c->fixed, rows, row);
     memcpy(lanes->v, c->start, c->dimension * sizeof *lanes->v);
@@ -43,7 +43,7 @@ static void step(stepper *c, double *rows, size_t row, double h, size_t disturba
     lanes->forcing_count = 1;
     lanes->steps = 1;
     lanes->step = h;
-    lanes->disturbances = disturbances;
+    lanes->perturbations = perturbations;
     rk4_lanes_scalar(lanes);
 }
 

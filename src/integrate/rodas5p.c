@@ -5,7 +5,7 @@
 #include "adaptive_lanes.h"
 #include "method.h"
 
-// ---------------------------------------------------------------- disturbances
+// ---------------------------------------------------------------- perturbations
 
 /// from + the sum of the rows before row `count`, by weights.
 static void sum_rows(size_t size, const double *weights, int count, double *const *rows, const double *from,
@@ -15,7 +15,7 @@ static void sum_rows(size_t size, const double *weights, int count, double *cons
         for (size_t d = 0; d < size; d++) out[d] += weights[j] * rows[j][d];
 }
 
-/// The derivative of the step: with increments w of a disturbance d along those u of the state,
+/// The derivative of the step: with increments w of a perturbation d along those u of the state,
 ///
 ///     (1/(gamma h) - J) w_i = J(t_i, x_i) (d + sum_j a_ij w_j) + sum_j g_ij/h w_j + (J d)' (u_i, h d_i)
 ///
@@ -55,7 +55,7 @@ static double integrated_divergence(stepper *c) {
     return c->length * sum;
 }
 
-/// The norm of the error of disturbance `which`, the last increment.
+/// The norm of the error of perturbation `which`, the last increment.
 static double estimated_error(const stepper *c, size_t which) {
     const size_t n = c->dimension;
     const double *error = c->variation.k[RODAS5P_STAGES - 1] + which * n;
@@ -85,7 +85,7 @@ static size_t group(size_t rates) {
 
 static size_t lay_out(adaptive_lanes *lanes, double *block) {
     rodas5p_work *own = &lanes->rodas5p;
-    const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + own->sparsity->disturbances;
+    const size_t n = lanes->degrees, m = lanes->rates, sets = 1 + own->sparsity->perturbations;
     const struct {
         double **array;
         size_t rows;
@@ -109,9 +109,9 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
     return row;
 }
 
-/// The disturbances, which stay.
+/// The perturbations, which stay.
 static void prepare(adaptive_lanes *lanes) {
-    const size_t n = lanes->degrees, m = lanes->rates, *by = lanes->rodas5p.sparsity->disturbance;
+    const size_t n = lanes->degrees, m = lanes->rates, *by = lanes->rodas5p.sparsity->perturbation;
     for (size_t slot = 0; slot < lanes->slots; slot++) {
         for (size_t d = 0; d < n; d++) lanes->rodas5p.unit_q[((1 + by[d]) * n + d) * lanes->slots + slot] = 1.0;
         for (size_t d = 0; d < m; d++) lanes->rodas5p.unit_v[((1 + by[n + d]) * m + d) * lanes->slots + slot] = 1.0;

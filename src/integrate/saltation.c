@@ -1,4 +1,4 @@
-// The saltation matrix: a disturbed motion meets the switch a little earlier or later and has the other slope for that
+// The saltation matrix: a perturbed motion meets the switch a little earlier or later and has the other slope for that
 // long.
 #include "saltation.h"
 
@@ -11,11 +11,11 @@ static double dot(size_t n, const double *a, const double *b) {
 }
 
 double saltate(size_t dimension, const double *before, const double *after, const double *gradient, double by_time,
-               size_t count, double *disturbances) {
+               size_t count, double *perturbations) {
     const double rate = dot(dimension, gradient, before) + by_time;
     if (!(fabs(rate) > 0.0)) return 0.0;
     for (size_t k = 0; k < count; k++) {
-        double *u = disturbances + k * dimension;
+        double *u = perturbations + k * dimension;
         const double earlier = dot(dimension, gradient, u) / rate;
         for (size_t i = 0; i < dimension; i++) u[i] += (after[i] - before[i]) * earlier;
     }

@@ -1,16 +1,16 @@
-/// What a switch at which the right-hand side jumps does to disturbances (Aizerman, Gantmakher 1958; Leine, Nijmeijer
+/// What a switch at which the right-hand side jumps does to perturbations (Aizerman, Gantmakher 1958; Leine, Nijmeijer
 /// 2004).
 #ifndef INTEGRATE_SALTATION_H
 #define INTEGRATE_SALTATION_H
 
 #include <stddef.h>
 
-/// Applies S = I + (f+ - f-) n^T/(n^T f- + dh/dt) to `count` disturbances [count][dimension], where a motion meets the
+/// Applies S = I + (f+ - f-) n^T/(n^T f- + dh/dt) to `count` perturbations [count][dimension], where a motion meets the
 /// switch h(t, x) = 0 with the slope f- `before` and leaves it with f+ `after`; n = dh/dx is `gradient`, dh/dt
 /// `by_time`. Gives ln|det S|, which is ln|(n^T f+ + dh/dt)/(n^T f- + dh/dt)|: minus infinity where the motion slides
-/// along the switch from now on. A motion that only touches the switch (n^T f- + dh/dt = 0) leaves disturbances as they
-/// are.
+/// along the switch from now on. A motion that only touches the switch (n^T f- + dh/dt = 0) leaves perturbations as
+/// they are.
 double saltate(size_t dimension, const double *before, const double *after, const double *gradient, double by_time,
-               size_t count, double *disturbances);
+               size_t count, double *perturbations);
 
 #endif

@@ -3,9 +3,9 @@
 
 #include <stdlib.h>
 
-/// Columns without a common row share a disturbance, which tells of all of them at once (Curtis, Powell, Reid 1974):
-/// each takes the first whose rows it does not meet. told [columns][rows]: of what rows a disturbance tells.
-static void share_disturbances(sparsity *out, const bool *table, size_t rows, size_t columns, bool *told) {
+/// Columns without a common row share a perturbation, which tells of all of them at once (Curtis, Powell, Reid 1974):
+/// each takes the first whose rows it does not meet. told [columns][rows]: of what rows a perturbation tells.
+static void share_perturbations(sparsity *out, const bool *table, size_t rows, size_t columns, bool *told) {
     for (size_t c = 0; c < columns; c++) {
         size_t own = 0;
         for (size_t i = 0; i < rows; i++)
@@ -14,8 +14,8 @@ static void share_disturbances(sparsity *out, const bool *table, size_t rows, si
                 i = (size_t)-1;
             }
         for (size_t i = 0; i < rows; i++) told[own * rows + i] |= table[i * columns + c];
-        out->disturbance[c] = own;
-        if (own >= out->disturbances) out->disturbances = own + 1;
+        out->perturbation[c] = own;
+        if (own >= out->perturbations) out->perturbations = own + 1;
     }
 }
 
@@ -58,11 +58,11 @@ sparsity *sparsity_new(size_t n, size_t m, void (*depends)(const void *model, bo
         return NULL;
     }
     bool *matrix = table + 2 * m * width;
-    out->disturbance = (size_t *)(out + 1);
+    out->perturbation = (size_t *)(out + 1);
     if (depends) depends(model, table);
     for (size_t i = 0; !depends && i < m * width; i++) table[i] = true;
-    share_disturbances(out, table, m, width, table + m * width);
-    size_t *next = list(&out->by_q, out->disturbance + width, table, m, width, n, ALL);
+    share_perturbations(out, table, m, width, table + m * width);
+    size_t *next = list(&out->by_q, out->perturbation + width, table, m, width, n, ALL);
     next = list(&out->by_v, next, table + n, m, width, m, ALL);
     for (size_t i = 0; i < m; i++)
         for (size_t c = 0; c < m; c++) matrix[i * m + c] = table[i * width + n + c] || (c < n && table[i * width + c]);

@@ -13,8 +13,8 @@ typedef struct sparse_rows {
 } sparse_rows;
 
 typedef struct sparsity {
-    size_t disturbances;
-    size_t *disturbance;      ///< [dimension] by which a column is found, that of a position or of a rate
+    size_t perturbations;
+    size_t *perturbation;     ///< [dimension] by which a column is found, that of a position or of a rate
     sparse_rows by_q, by_v;   ///< the Jacobian of the rates by positions and by rates
     sparse_rows lower, upper; ///< of the decomposed sum of both, below and above the diagonal
 } sparsity;

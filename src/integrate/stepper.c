@@ -171,7 +171,7 @@ static double try_varied(stepper *c) {
     return c->method ? c->method->try_varied(c) : rk4_try_varied(c);
 }
 
-/// The same for the disturbances that go along: they are as sure as the state. Where they have no error that is a
+/// The same for the perturbations that go along: they are as sure as the state. Where they have no error that is a
 /// number the state decides.
 static double try_all(stepper *c, double h) {
     const double error = try_step(c, h);

@@ -18,9 +18,9 @@ enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE, CUBIC 
 struct adaptive_lanes;
 struct lanes_method;
 
-/// Disturbances that go with a motion, and their workspace.
+/// Perturbations that go with a motion, and their workspace.
 typedef struct stepper_variation {
-    whirl_disturbances *set;                  ///< NULL: none
+    whirl_perturbations *set;                 ///< NULL: none
     double *k[DOP853_STAGES], *stage, *upper; ///< [count][dimension], rows of [1 + most] in a line
     double *end;                              ///< [count][dimension] at the end of the step that was tried
     double volume;                            ///< its part of the set's
@@ -28,7 +28,7 @@ typedef struct stepper_variation {
 } stepper_variation;
 
 /// Of its workspace, each of (1 + most) vectors, but for the last SPARE_ROWS, which are vectors.
-enum { DISTURBANCE_ROWS = DOP853_STAGES + 3 };
+enum { PERTURBATION_ROWS = DOP853_STAGES + 3 };
 
 /// Rows of a stepper's workspace, so that what calls one another does not share one: values, sides.
 enum { ROW_VALUE, ROW_FOUND, ROW_FROM, ROW_TO, ROW_SIDES, ROW_SIDES_OF_MEAN, ROW_SEARCH };
@@ -83,7 +83,7 @@ whirl_motion stepper_begin(stepper *c, const whirl_system *system, const double 
 /// step to try next, slot->h.
 void stepper_place(stepper *c, const whirl_system *system, double t);
 
-/// Gives it the workspace of up to so many disturbances: [DISTURBANCE_ROWS][1 + most] and [SPARE_ROWS] vectors
+/// Gives it the workspace of up to so many perturbations: [PERTURBATION_ROWS][1 + most] and [SPARE_ROWS] vectors
 /// [dimension].
 void stepper_follow(stepper *c, size_t most, double *room);
 
@@ -114,37 +114,37 @@ void stepper_guarded(const stepper *c, double t, const double *x, double *values
 /// At the end of a step on switch `which`: beyond it, or along it.
 void stepper_cross(stepper *c, size_t which);
 
-/// At the beginning of a revolution: disturbances off a switch that is slid along are there at once, drawn along what
+/// At the beginning of a revolution: perturbations off a switch that is slid along are there at once, drawn along what
 /// its two sides differ by.
 void stepper_vary_begin(stepper *c);
 
 /// The Jacobian at (t, x) on the present sides, sliding included (of at most as many vectors as there is room for
-/// disturbances), applied to `vectors`: these and out are [count][dimension].
+/// perturbations), applied to `vectors`: these and out are [count][dimension].
 void stepper_apply_jacobian(const stepper *c, double t, const double *x, size_t count, const double *vectors,
                             double *out);
 
-/// Takes a step of rk4 of the state from `start`, and that of the disturbances that go along.
+/// Takes a step of rk4 of the state from `start`, and that of the perturbations that go along.
 void rk4_try_step(stepper *c, double h);
 double rk4_try_varied(stepper *c);
 
-/// The error that disturbance `which` may have over the step that was tried. Equations of disturbances are linear: they
-/// know no absolute tolerance.
+/// The error that perturbation `which` may have over the step that was tried. Equations of perturbations are linear:
+/// they know no absolute tolerance.
 double stepper_varied_tolerance(const stepper *c, size_t which);
 
 /// The divergence at (t, x) on the present sides; not a number along switches.
 double stepper_divergence(const stepper *c, double t, const double *x);
 
-/// Lets the disturbances go on at the end of the step that was tried, before the motion does.
+/// Lets the perturbations go on at the end of the step that was tried, before the motion does.
 void stepper_vary(stepper *c);
 
-/// stepper_cross, with the saltation of the disturbances.
+/// stepper_cross, with the saltation of the perturbations.
 void stepper_cross_varied(stepper *c, size_t which);
 
 /// Notes the state x where a step of rk4 begins that goes over switches, at c->t.
 void unlocated_begin(stepper *c, const double *x);
 
-/// Changes disturbances at the end (t, x) of that step, which began with that slope, for all switches between.
-void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_disturbances *disturbances);
+/// Changes perturbations at the end (t, x) of that step, which began with that slope, for all switches between.
+void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_perturbations *perturbations);
 
 /// The switches that are slid along; gives how many.
 size_t stepper_list_sliding(const stepper *c, size_t list[MAX_SLIDING]);

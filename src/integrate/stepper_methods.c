@@ -15,15 +15,15 @@ static whirl_status start(whirl_integrator *integrator) {
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %s", integrator->method->about.name);
 }
 
-static void set_variation(const whirl_integrator *integrator, whirl_disturbances *disturbances) {
+static void set_variation(const whirl_integrator *integrator, whirl_perturbations *perturbations) {
     stepper *c = integrator->workspace;
-    c->variation.set = disturbances;
-    if (disturbances) stepper_follow(c, integrator->most_disturbances, integrator->slopes);
+    c->variation.set = perturbations;
+    if (perturbations) stepper_follow(c, integrator->most_perturbations, integrator->slopes);
 }
 
-static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_disturbances *disturbances) {
+static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_perturbations *perturbations) {
     stepper *c = integrator->workspace;
-    set_variation(integrator, disturbances);
+    set_variation(integrator, perturbations);
     const whirl_motion motion = stepper_begin(c, integrator->system, x);
     if (motion == WHIRL_BOUNDED) stepper_vary_begin(c);
     return motion;
@@ -48,14 +48,14 @@ static bool is_cut_short(const whirl_integrator *integrator) {
 }
 
 /// Steps of rk4 end at every instant, the others where they like.
-static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_disturbances *disturbances,
+static whirl_motion revolve(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer) {
     stepper *c = integrator->workspace;
     const double period = integrator->system->period;
     const int instants = integrator->options.steps_per_revolution;
     int instant = 1;
     c->observed = c->slot && observe;
-    whirl_motion motion = begin(integrator, x, disturbances);
+    whirl_motion motion = begin(integrator, x, perturbations);
     while (motion == WHIRL_BOUNDED && c->t < period && !is_cut_short(integrator)) {
         motion = stepper_step(c, c->slot ? period : period * ((double)instant / instants));
         if (motion == WHIRL_BOUNDED && (observe || !c->slot))
@@ -79,7 +79,7 @@ const method auto_method = {
     .about = {"auto", "what suits the machine: dop853, or rodas5p where its steps would crawl", true, true, false},
     .start = start,
     .revolve = revolve,
-    .rows = DISTURBANCE_ROWS,
+    .rows = PERTURBATION_ROWS,
     .end = end,
     .lanes = &dop853_in_lanes,
 };
@@ -88,7 +88,7 @@ const method dop853_method = {
     .about = {"dop853", "Dormand-Prince of order 8(5,3), steps by the tolerance, contacts located", true, true, false},
     .start = start,
     .revolve = revolve,
-    .rows = DISTURBANCE_ROWS,
+    .rows = PERTURBATION_ROWS,
     .end = end,
     .lanes = &dop853_in_lanes,
 };
@@ -98,7 +98,7 @@ const method rodas5p_method = {
               true, true, false},
     .start = start,
     .revolve = revolve,
-    .rows = DISTURBANCE_ROWS,
+    .rows = PERTURBATION_ROWS,
     .end = end,
     .lanes = &rodas5p_in_lanes,
     .work = rodas5p_work,
@@ -108,7 +108,7 @@ const method rk4_located_method = {
     .about = {"rk4", "Runge-Kutta of order 4, fixed steps that are split at contacts", false, true, false},
     .start = start,
     .revolve = revolve,
-    .rows = DISTURBANCE_ROWS,
+    .rows = PERTURBATION_ROWS,
     .end = end,
     .amplification = rk4_amplification,
 };

@@ -1,4 +1,4 @@
-// Disturbances along the steps of a stepper: the exact derivative of every step, switches and sliding included.
+// Perturbations along the steps of a stepper: the exact derivative of every step, switches and sliding included.
 #include <math.h>
 #include <string.h>
 
@@ -20,7 +20,7 @@ void stepper_follow(stepper *c, size_t most, double *room) {
     v->stage = room + DOP853_STAGES * row;
     v->upper = v->stage + row;
     v->end = v->upper + row;
-    v->spare = room + DISTURBANCE_ROWS * row;
+    v->spare = room + PERTURBATION_ROWS * row;
 }
 
 static double dot(size_t n, const double *a, const double *b) {
@@ -54,7 +54,7 @@ static void mean_jacobian(const stepper *c, double t, const double *x, const siz
     }
 }
 
-/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a disturbance u: the
+/// The slope keeps n . f + dh/dt = 0 for every switch that is slid along; so must its change by a perturbation u: the
 /// shares change by what solves sum_j (n_i . added_j) dshare_j = -(n_i . J u + (H_i u) . f).
 static void slide_along(const stepper *c, double t, const double *x, size_t vector_count, const double *vectors,
                         double *out) {
@@ -137,7 +137,7 @@ double stepper_varied_tolerance(const stepper *c, size_t which) {
 
 void stepper_vary(stepper *c) {
     const stepper_variation *v = &c->variation;
-    whirl_disturbances *set = v->set;
+    whirl_perturbations *set = v->set;
     if (!set) return;
     memcpy(set->vectors, v->end, set->count * c->dimension * sizeof *v->end);
     set->volume += v->volume;
@@ -145,7 +145,7 @@ void stepper_vary(stepper *c) {
 }
 
 void stepper_cross_varied(stepper *c, size_t which) {
-    whirl_disturbances *set = c->variation.set;
+    whirl_perturbations *set = c->variation.set;
     const bool slid = c->sliding[which];
     const double from = c->sides[which];
     double by_time;

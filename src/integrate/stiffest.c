@@ -7,7 +7,7 @@
 #include "balance.h"
 #include "matrix.h"
 
-/// What a step may make of a disturbance: 1 and what truncation adds to a mode that grows.
+/// What a step may make of a perturbation: 1 and what truncation adds to a mode that grows.
 static const double unstable_growth = 1.001;
 
 bool whirl_step_is_unstable(const whirl_step_check *check) {

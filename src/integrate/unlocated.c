@@ -1,4 +1,4 @@
-// What disturbances feel where a fixed step has gone over a switch.
+// What perturbations feel where a fixed step has gone over a switch.
 //
 // The step itself knows of no switch; its derivative misses what happens where the right-hand side jumps. That is made
 // good at the step's end by the saltation matrix of the place where the step's cubic meets the switch: right to the
@@ -39,7 +39,7 @@ static double find_change(stepper *c, size_t which, bool from) {
     return t;
 }
 
-static void saltate_at(stepper *c, size_t which, bool from, whirl_disturbances *disturbances) {
+static void saltate_at(stepper *c, size_t which, bool from, whirl_perturbations *perturbations) {
     const size_t n = c->dimension;
     double *before = c->rows, *after = before + n, *gradient = after + n, by_time;
     const double t = find_change(c, which, from);
@@ -48,10 +48,10 @@ static void saltate_at(stepper *c, size_t which, bool from, whirl_disturbances *
     c->sides[which] = -c->sides[which];
     stepper_slope(c, t, c->stage, after);
     c->system->switch_gradient(c->system->model, t, c->stage, which, gradient, &by_time);
-    disturbances->volume += saltate(n, before, after, gradient, by_time, disturbances->count, disturbances->vectors);
+    perturbations->volume += saltate(n, before, after, gradient, by_time, perturbations->count, perturbations->vectors);
 }
 
-void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_disturbances *disturbances) {
+void unlocated_saltate(stepper *c, double t, const double *slope, const double *x, whirl_perturbations *perturbations) {
     const whirl_system *system = c->system;
     double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
     bool changed = false;
@@ -69,7 +69,7 @@ void unlocated_saltate(stepper *c, double t, const double *slope, const double *
             stepper_interpolate(c);
         }
         changed = true;
-        saltate_at(c, i, from[i] > 0.0, disturbances);
+        saltate_at(c, i, from[i] > 0.0, perturbations);
     }
     memcpy(from, to, system->switch_count * sizeof *to);
 }

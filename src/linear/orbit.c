@@ -22,11 +22,11 @@ static whirl_status start(const mean_system *m, whirl_integrator **integrator) {
     return status;
 }
 
-/// Carries x and unit disturbances over the period; their ends, as columns, are the monodromy matrix.
+/// Carries x and unit perturbations over the period; their ends, as columns, are the monodromy matrix.
 static bool carry(const mean_system *m, whirl_integrator *integrator, size_t revolutions, double *x, double *vectors,
                   double *monodromy) {
     const size_t d = m->system->dimension, n = m->count;
-    whirl_disturbances all = {.count = n, .vectors = vectors};
+    whirl_perturbations all = {.count = n, .vectors = vectors};
     memcpy(vectors, m->unit, n * d * sizeof *vectors);
     for (size_t k = 0; k < revolutions; k++)
         if (whirl_integrator_carry(integrator, x, &all, NULL, NULL) != WHIRL_BOUNDED) return false;
@@ -101,8 +101,9 @@ whirl_status orbit_find(const mean_system *m, double *x, bool closed, double *mo
     whirl_status status = start(m, &integrator);
     *period = system->period * (double)revolutions;
     if (status.code == WHIRL_OK && !close_orbit(m, integrator, revolutions, x, closed, monodromy, work))
-        status = whirl_fail(WHIRL_BAD_INPUT, "no periodic motion was found whose small disturbances could be looked at "
-                                             "(coefficients turn with the shaft, so it stands for the equilibrium)");
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "no periodic motion was found whose small perturbations could be looked at "
+                                        "(coefficients turn with the shaft, so it stands for the equilibrium)");
     whirl_integrator_free(integrator);
     free(work);
     return status;

@@ -88,11 +88,11 @@ void section_map_put(const section_map *map, const double *point, double *state)
 
 // ---------------------------------------------------------------- carrying points
 
-/// Unit disturbances of the point in a place.
+/// Unit perturbations of the point in a place.
 static void begin_columns(section_map *map, size_t place) {
     const size_t n = map->count, d = map->dimension;
     double *vectors = map->vectors + place * n * d;
-    map->columns[place] = (whirl_disturbances){.count = n, .vectors = vectors};
+    map->columns[place] = (whirl_perturbations){.count = n, .vectors = vectors};
     memset(vectors, 0, n * d * sizeof *vectors);
     for (size_t i = 0; i < n; i++) vectors[i * d + map->kept[i]] = 1.0;
 }
@@ -104,15 +104,15 @@ static void take_columns(const section_map *map, size_t place, double *derivativ
         for (size_t k = 0; k < n; k++) derivative[i * n + k] = vectors[k * d + map->kept[i]];
 }
 
-/// A revolution of the state alone, with its disturbances where `columns` is not NULL.
-static bool revolve_alone(section_map *map, whirl_disturbances *columns) {
+/// A revolution of the state alone, with its perturbations where `columns` is not NULL.
+static bool revolve_alone(section_map *map, whirl_perturbations *columns) {
     const whirl_motion motion = columns ? whirl_integrator_carry(map->integrator, map->states, columns, NULL, NULL)
                                         : whirl_integrator_revolve(map->integrator, map->states, NULL, NULL);
     return motion == WHIRL_BOUNDED;
 }
 
 /// A revolution of the first `many` states.
-static bool revolve_in_lanes(section_map *map, size_t many, whirl_disturbances *columns) {
+static bool revolve_in_lanes(section_map *map, size_t many, whirl_perturbations *columns) {
     bool bounded = true;
     for (size_t j = 0; j < many; j++) {
         whirl_ensemble_place(map->lanes, j, map->states + j * map->dimension);
@@ -130,7 +130,7 @@ static bool revolve_in_lanes(section_map *map, size_t many, whirl_disturbances *
 static bool carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
                   double *volume) {
     const size_t n = map->count;
-    whirl_disturbances *columns = derivatives ? map->columns : NULL;
+    whirl_perturbations *columns = derivatives ? map->columns : NULL;
     for (size_t j = 0; j < many; j++) {
         section_map_put(map, points + j * n, map->states + j * map->dimension);
         if (columns) begin_columns(map, j);

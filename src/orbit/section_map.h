@@ -17,7 +17,7 @@ typedef struct section_map {
     double *rest;                 ///< [dimension] turning coordinates at every section
     double *states;               ///< [side_by_side][dimension] workspace
     double *vectors;              ///< [side_by_side][count][dimension] workspace
-    whirl_disturbances *columns;  ///< [side_by_side] of these
+    whirl_perturbations *columns; ///< [side_by_side] of these
 } section_map;
 
 /// Makes that of a system, which must outlive it, over so many revolutions. WHIRL_BAD_INPUT where its angles do not
@@ -32,7 +32,7 @@ void section_map_take(const section_map *map, const double *state, double *point
 void section_map_put(const section_map *map, const double *point, double *state);
 
 /// Where points [many][count] go: images [many][count] and, unless NULL, their derivatives [many][count][count] and the
-/// mean of the integrals of the divergence (as whirl_disturbances have it). False where a motion is not bounded.
+/// mean of the integrals of the divergence (as whirl_perturbations have it). False where a motion is not bounded.
 bool section_map_carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
                        double *volume);
 

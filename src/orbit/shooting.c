@@ -117,7 +117,7 @@ void shooting_free(shooting *s) {
 // ---------------------------------------------------------------- segments, one after the other
 
 /// Writes a segment's derivative, and adds up the volume.
-static void take_columns(shooting *s, size_t j, const whirl_disturbances *columns) {
+static void take_columns(shooting *s, size_t j, const whirl_perturbations *columns) {
     const size_t d = s->dimension, n = s->kept_count;
     double *matrix = s->matrices + j * n * n;
     for (size_t i = 0; i < n; i++)
@@ -125,10 +125,10 @@ static void take_columns(shooting *s, size_t j, const whirl_disturbances *column
     s->volume += columns->volume;
 }
 
-/// Unit disturbances of a segment.
-static whirl_disturbances *begin_columns(shooting *s, size_t j) {
+/// Unit perturbations of a segment.
+static whirl_perturbations *begin_columns(shooting *s, size_t j) {
     const size_t size = s->kept_count * s->dimension;
-    s->columns[j] = (whirl_disturbances){.count = s->kept_count, .vectors = s->vectors + j * size};
+    s->columns[j] = (whirl_perturbations){.count = s->kept_count, .vectors = s->vectors + j * size};
     memcpy(s->columns[j].vectors, s->unit, size * sizeof *s->vectors);
     return &s->columns[j];
 }
@@ -138,7 +138,7 @@ static bool carry_alone(shooting *s, size_t j, const double *from, bool derivati
     whirl_integrator *integrator = s->integrators[j % s->part_count];
     memcpy(end, from, s->dimension * sizeof *end);
     if (!derivatives) return whirl_integrator_revolve(integrator, end, NULL, NULL) == WHIRL_BOUNDED;
-    whirl_disturbances *columns = begin_columns(s, j);
+    whirl_perturbations *columns = begin_columns(s, j);
     if (whirl_integrator_carry(integrator, end, columns, NULL, NULL) != WHIRL_BOUNDED) return false;
     take_columns(s, j, columns);
     return true;

@@ -28,8 +28,8 @@ typedef struct shooting {
     whirl_integrator **integrators; ///< [part_count] NULL where lanes carry the segments
     whirl_ensemble *lanes;          ///< segments side by side; NULL: integrators carry one after the other
     whirl_ensemble *beside;         ///< [MOST_BESIDE count, MOST_ABREAST] for motions beside; NULL: not yet needed
-    whirl_disturbances *columns;    ///< [count] of the segments in lanes
-    double *unit;                   ///< [kept_count][dimension] unit disturbances
+    whirl_perturbations *columns;   ///< [count] of the segments in lanes
+    double *unit;                   ///< [kept_count][dimension] unit perturbations
     double *vectors;                ///< [count][kept_count][dimension]
     double *ends;                   ///< [count][dimension] where the segments lead
     double *matrices;               ///< [count][kept_count][kept_count] their derivatives

@@ -284,7 +284,7 @@ static json_t *touches_of(bool *well, const whirl_orbit *orbit) {
     return array;
 }
 
-// A point of a branch: its orbit, what is special there, and how small disturbances change.
+// A point of a branch: its orbit, what is special there, and how small perturbations change.
 static void put_trace(bool *well, json_t *object, const whirl_table *table, size_t point) {
     whirl_trace at;
     char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];

@@ -100,8 +100,8 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
                                                                  : "");
 }
 
-/// Method, steps a revolution (or the tolerance that chooses them), transient and record, as far as a part has such: at
-/// rest no motion is followed, and along branches each orbit for itself.
+/// Method, steps per revolution (or the tolerance that chooses them), transient and record, as far as a part has such:
+/// at rest no motion is followed, and along branches each orbit for itself.
 static void write_way(FILE *stream, const whirl_table *table) {
     const whirl_integrate_options *how = &table->integrate;
     const bool resting = whirl_analysis_is_resting(table->analyses), traced = whirl_analysis_is_traced(table->analyses);
@@ -126,7 +126,7 @@ static void write_way(FILE *stream, const whirl_table *table) {
 static void write_tables(FILE *stream, const whirl_result *result, const whirl_shown_units *units) {
     html_table(stream, "Parts of the study", "");
     fputs("<thead><tr><th>Part of the study</th><th>Points</th><th>Method</th>"
-          "<th class=\"number\">Steps a revolution</th><th class=\"number\">Transient</th><th "
+          "<th class=\"number\">Steps per revolution</th><th class=\"number\">Transient</th><th "
           "class=\"number\">Recorded</th>"
           "</tr></thead>\n<tbody>\n",
           stream);

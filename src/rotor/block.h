@@ -1,6 +1,6 @@
 /// What the kernels of a call work on: vectors of one instruction set.
 ///
-/// Rotors side by side, each lane at its own time and on its own sides of the switches, with disturbances.
+/// Rotors side by side, each lane at its own time and on its own sides of the switches, with perturbations.
 #ifndef ROTOR_BLOCK_H
 #define ROTOR_BLOCK_H
 
@@ -10,8 +10,8 @@
 
 typedef struct block {
     size_t stride, vectors;
-    size_t disturbances;
-    size_t next, next_v;   ///< vectors from the positions of one state or disturbance to the next, and of the rest
+    size_t perturbations;
+    size_t next, next_v;   ///< vectors from the positions of one state or perturbation to the next, and of the rest
     size_t forcing_stride; ///< vectors from one value of time to the next
     const vec *forcing, *q, *v;
     const vec *turned;    ///< derivatives of the values of time by the shaft's phase, where that is a state; else NULL
@@ -39,13 +39,13 @@ static inline block single(const block *b) {
     return one;
 }
 
-/// What disturbance n is to the shaft's phase, of vector k.
+/// What perturbation n is to the shaft's phase, of vector k.
 static inline vec phase_of(const block *b, size_t n, size_t k) {
     return b->turned ? b->v[n * b->next_v + b->phase * b->stride + k] : v_set(0.0);
 }
 
 static inline int wants_tangent(const block *b) {
-    return b->disturbances > 0 || b->divergence;
+    return b->perturbations > 0 || b->divergence;
 }
 
 /// What a derivative, of the acceleration that forces give the coordinate `row` alone by the velocity of `by`, is of

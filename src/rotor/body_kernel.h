@@ -11,13 +11,13 @@
 /// Rows and vectors that are summed at a time: as many sums as there are registers for.
 enum { SUM_ROWS = VECTOR_ISA == VECTOR_AVX512 ? 8 : 4, SUMS = VECTOR_ISA >= VECTOR_AVX2 ? 3 : 2 };
 
-/// The block's vectors k to before k + count, of its state or of a disturbance.
+/// The block's vectors k to before k + count, of its state or of a perturbation.
 typedef struct panel_work {
     const vec *q, *v, *steps; ///< steps: the machine's body_rates
     const vec *value;         ///< of time; NULL: none
     vec *a;
     size_t stride, rows; ///< rows: of the panel
-    bool beside;         ///< a disturbance, which feels no steady force
+    bool beside;         ///< a perturbation, which feels no steady force
 } panel_work;
 
 /// One rate over another that comes later, or over RATES the rate itself.
@@ -102,10 +102,10 @@ static void pass_panel(const body_panels *of, const body_panel *panel, const pan
     }
 }
 
-/// What follows for disturbances by the shaft's phase, where that is a state.
+/// What follows for perturbations by the shaft's phase, where that is a state.
 static void pass_turned(const body_panels *of, const body_panel *panel, const panel_work *w, const block *b) {
     const vec *turned = b->turned + (size_t)panel->value * b->forcing_stride;
-    for (size_t n = 1; n <= b->disturbances; n++)
+    for (size_t n = 1; n <= b->perturbations; n++)
         for (size_t k = 0; k < b->vectors; k++) {
             const vec by = v_mul(turned[k], phase_of(b, n, k));
             panel_work one = *w;
@@ -145,7 +145,7 @@ static void pass_body(const body_panels *of, const vec *steps, const block *b) {
             const body_part *part = &of->parts[panel->first_part + i];
             if (part->kind.source == BODY_VELOCITY) trace_part(of, panel, part, &w, b);
         }
-        for (size_t n = 0; n <= b->disturbances; n++, w.beside = true) {
+        for (size_t n = 0; n <= b->perturbations; n++, w.beside = true) {
             pass_panel(of, panel, &w, b->vectors);
             w.q += b->next, w.v += b->next_v, w.a += b->next_v;
         }
@@ -179,7 +179,7 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
 /// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
 static void couple(const block *b) {
     const coupling *by = b->coupled;
-    for (size_t n = 0; n <= b->disturbances; n++)
+    for (size_t n = 0; n <= b->perturbations; n++)
         for (size_t begin = 0; begin < by->count; begin = by->end[begin]) {
             vec *a = b->a + n * b->next_v;
             size_t k = 0;

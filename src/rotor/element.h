@@ -64,7 +64,7 @@ typedef struct doubt_teller {
 
 /// What an element does in lanes; one for every instruction set. NULL for what it has not.
 typedef struct element_kernels {
-    /// Adds the accelerations of `count` elements of one type, one after the other, those of the disturbances by their
+    /// Adds the accelerations of `count` elements of one type, one after the other, those of the perturbations by their
     /// derivatives, and the trace of these to the divergence.
     void (*flow)(const element *first, size_t count, const struct block *b);
 
@@ -93,7 +93,7 @@ typedef struct whirl_element_type {
     whirl_status (*build)(const key_value *values, assembly *to, element *out);
 
     /// Optional: switching functions, which it has `switch_count(own)` of; their derivatives by the places and
-    /// velocities of the ports, [ports] each, and the second ones applied to the disturbance (uq, uv) of the ports.
+    /// velocities of the ports, [ports] each, and the second ones applied to the perturbation (uq, uv) of the ports.
     size_t (*switch_count)(const element *own);
     void (*switch_gradient)(const element *own, const double *q, const double *v, size_t index, double *by_q,
                             double *by_v);

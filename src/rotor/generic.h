@@ -1,5 +1,5 @@
 /// The passes of an element between two places, made from its kernel alone: accelerations, and what its derivative by
-/// duals makes of disturbances.
+/// duals makes of perturbations.
 ///
 /// The including file defines
 ///
@@ -56,7 +56,7 @@ static inline dual phase_dual(const kernel_view *view, int value) {
 }
 #include KERNEL_FILE
 
-/// What an element sees of a state or a disturbance.
+/// What an element sees of a state or a perturbation.
 typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
@@ -67,7 +67,7 @@ VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, siz
     return other == NO_COORDINATE ? here : v_sub(here, row[other * stride]);
 }
 
-/// Of vector k of state or disturbance n.
+/// Of vector k of state or perturbation n.
 VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t n, size_t k) {
     const vec *q = b->q + n * b->next + k, *v = b->v + n * b->next_v + k;
     kernel_inputs in;
@@ -90,7 +90,7 @@ VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) 
     return view;
 }
 
-/// Adds forces to the accelerations, and slopes, of vector k of state or disturbance n.
+/// Adds forces to the accelerations, and slopes, of vector k of state or perturbation n.
 VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, const vec *force, const vec *slope) {
     vec *a = b->a + n * b->next_v + k;
     for (int i = 0; i < KERNEL_AXES; i++) {
@@ -112,7 +112,7 @@ VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
     spread(own, b, 0, k, force, slope);
 }
 
-/// What the derivative of `of` makes of a disturbance.
+/// What the derivative of `of` makes of a perturbation.
 VECTOR_INLINE vec along(const dual *of, const kernel_inputs *in) {
     vec sum = v_set(0.0);
     for (int a = 0; a < KERNEL_AXES; a++) {
@@ -160,7 +160,7 @@ static void add_dual(const element *own, const block *b, size_t k) {
     for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;
     for (int i = 0; i < KERNEL_STATES; i++) slopes[i] = slope[i].value;
     spread(own, b, 0, k, values, slopes);
-    for (size_t n = 1; n <= b->disturbances; n++) {
+    for (size_t n = 1; n <= b->perturbations; n++) {
         const kernel_inputs change = inputs_of(own, b, n, k);
         for (int a = 0; a < KERNEL_AXES; a++) values[a] = along(&force[a], &change);
         for (int i = 0; i < KERNEL_STATES; i++) slopes[i] = along(&slope[i], &change);

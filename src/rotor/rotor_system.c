@@ -48,12 +48,12 @@ static void contacts(const void *model, const double *x, double *normal_force) {
     machine_contacts_scalar(&view, normal_force);
 }
 
-/// The state and as many disturbances as there is room for, positions apart from the rest as lanes want them.
+/// The state and as many perturbations as there is room for, positions apart from the rest as lanes want them.
 typedef struct group {
     double q[2 * MAX_DEGREES], v[2 * MAX_ROWS], a[2 * MAX_ROWS];
 } group;
 
-/// Copies state or disturbance x to place n of the group's positions and of the rest.
+/// Copies state or perturbation x to place n of the group's positions and of the rest.
 static void put(const whirl_rotor *rotor, double *q, double *v, size_t n, const double *x) {
     const size_t degrees = rotor->lanes.degrees, rows = degrees + rotor->lanes.states;
     memcpy(q + n * degrees, x, degrees * sizeof *x);
@@ -109,7 +109,7 @@ static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     }
 }
 
-/// What the ports of an element see of a state or disturbance; 0 of the ground.
+/// What the ports of an element see of a state or perturbation; 0 of the ground.
 typedef struct port_state {
     double q[MAX_PORTS], v[MAX_PORTS];
 } port_state;

@@ -197,15 +197,15 @@ static bool branches_are_missing(const study_run *run) {
 static whirl_status gather_dealt(study_run *run, const whirl_run_options *options, const whirl_status *own) {
     const whirl_dealer *dealer = options->dealer;
     const double started = run->tracker.started;
-    whirl_run_options undisturbed = *options;
+    whirl_run_options unperturbed = *options;
     if ((own->code != WHIRL_OK && own->code != WHIRL_STOPPED) || !dealer->gather) return *own;
     whirl_status status = dealer->gather(dealer->context);
     if (status.code != WHIRL_OK) return status;
     run->dealer = NULL;
     run->traced = run->gathering = true;
-    undisturbed.stop = NULL;
-    undisturbed.progress = NULL;
-    status = run_points(run, &undisturbed);
+    unperturbed.stop = NULL;
+    unperturbed.progress = NULL;
+    status = run_points(run, &unperturbed);
     run->traced = run->gathering = false;
     run->tracker.options = options;
     run->tracker.started = started;

@@ -117,7 +117,7 @@ static double length_of(const double *x, size_t count) {
     return sqrt(sum);
 }
 
-/// How far along a disturbance of that length differences are taken: a third of the digits of the state.
+/// How far along a perturbation of that length differences are taken: a third of the digits of the state.
 static double difference_step(double size, double length) {
     return length > 0.0 ? 6.06e-6 * fmax(size, 1e-3) / length : 1.0;
 }
@@ -136,7 +136,7 @@ static double largest_change(size_t n, const double *lower, const double *upper,
 
 /// Whether the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: their change is
 /// followed into halves, a millionth of the way apart in the end. That of slopes that are continuous goes with it. No
-/// derivative tells what such a jump does to a disturbance.
+/// derivative tells what such a jump does to a perturbation.
 static bool jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
                   double step, const double *lower, const double *upper) {
     double ends[2][USER_MOST_STATES], between[USER_MOST_STATES], place[USER_MOST_STATES], low = -step, high = step;
@@ -216,7 +216,7 @@ static const double *row_of(const part *p, const void *rows, size_t set, size_t 
     return (const double *)rows + (set * size + k) * p->row + p->first;
 }
 
-/// A coordinate of the state (set 0) or a disturbance, by the common time.
+/// A coordinate of the state (set 0) or a perturbation, by the common time.
 static const double *coordinate(const part *p, size_t set, size_t k) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     return k < d ? row_of(p, p->view->q, set, d, k) : row_of(p, p->view->v, set, n - d, k - d);
@@ -230,7 +230,7 @@ static void begin_block(const part *p, block *b) {
         memcpy(b->p + k * b->row, row_of(p, p->view->numbers, 0, 0, k + 1), b->count * sizeof *b->p);
 }
 
-/// The state, `step` [count] times a disturbance beside it (set above 0), in the user's own units.
+/// The state, `step` [count] times a perturbation beside it (set above 0), in the user's own units.
 static void fill_states(const part *p, size_t set, double sign, const double *step, block *b) {
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
@@ -271,7 +271,7 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
     jumps(p->from, b->t[i], q, x, d, step, below, above);
 }
 
-/// The derivative along a disturbance by differences, lane by lane with a step of its own.
+/// The derivative along a perturbation by differences, lane by lane with a step of its own.
 static void flow_beside(const part *p, size_t set, block *b) {
     double step[MOST_LANES], half[MOST_LANES], size[MOST_LANES], length[MOST_LANES];
     memset(size, 0, sizeof size);
@@ -299,7 +299,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     for (size_t i = 0; p->from->smooth && i < b->count; i++) look_for_jump(p, set, b, i, step[i], lower);
 }
 
-/// The derivative along a disturbance by the user's own function, one lane at a time.
+/// The derivative along a perturbation by the user's own function, one lane at a time.
 static void flow_along(const part *p, size_t set, block *b) {
     double x[MOST_IN_LANES], d[MOST_IN_LANES], q[USER_MOST_PARAMETERS], out[MOST_IN_LANES];
     const whirl_user_system *from = p->from;

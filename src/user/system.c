@@ -246,8 +246,7 @@ whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *an
                           near ? near : "", near ? "?" : "");
     }
     if (whirl_analysis_is_traced(chosen) || whirl_analysis_is_resting(chosen))
-        return whirl_fail(WHIRL_BAD_INPUT, "%s is not for systems of one's own, expected an analysis of motions",
-                          analysis);
+        return whirl_fail(WHIRL_BAD_INPUT, "%s is not for custom systems, expected an analysis of motions", analysis);
     system->analyses = chosen;
     return whirl_ok();
 }

@@ -48,7 +48,7 @@ for rub in "${rubs[@]}"; do
         for study in "${studies[@]}"; do
             sed -e "s|law: paper}|law: paper, $rub}|" -e "s|{method: .*}|{$method}|" \
                 -e '/^  analyze: /d' -e "s|^  sweep: .*|$study|" "$good" >study.yaml
-            # CVODE takes no disturbances along; it goes alone and slowly, so that a few points do.
+            # CVODE takes no perturbations along; it goes alone and slowly, so that a few points do.
             if [[ $method = *cvode* ]]; then
                 sed -i -e 's/exponents, //' -e '/confirm:/d' -e 's/points: 11/points: 3/' study.yaml
             fi

@@ -70,7 +70,7 @@ static whirl_result *run(const char *method, const double *values, size_t count,
     batch->record.transient = 30;
     batch->record.record = 10;
     batch->record.waveform_revolutions = 2;
-    // Where all disturbances are followed the others do not run in lanes.
+    // Where all perturbations are followed the others do not run in lanes.
     batch->record.growth = strcmp(method, "rk4") == 0 ? WHIRL_GROWTH_ALL : WHIRL_GROWTH_LARGEST;
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
         if (!analysis->resting && !analysis->traced &&
@@ -587,8 +587,8 @@ static whirl_record *record_growths(const whirl_system *system, const double *st
     return record;
 }
 
-/// All disturbances in lanes against those by the integrator's interface, a revolution at a time.
-static void test_disturbances_in_lanes_and_alone(void **state) {
+/// All perturbations in lanes against those by the integrator's interface, a revolution at a time.
+static void test_perturbations_in_lanes_and_alone(void **state) {
     const double start[8] = {0, -0.1, 0, -0.1};
     (void)state;
     unsetenv("WHIRL_ISA");
@@ -629,7 +629,7 @@ int main(void) {
         cmocka_unit_test(test_own_loops_against_the_list),
         cmocka_unit_test(test_order_of_stations),
         cmocka_unit_test(test_parts_that_share_numbers),
-        cmocka_unit_test(test_disturbances_in_lanes_and_alone),
+        cmocka_unit_test(test_perturbations_in_lanes_and_alone),
         cmocka_unit_test(test_other_structures_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -167,7 +167,7 @@ static void expect_same_after(const motions *whole, size_t all, const char *meth
 
 static void every_moment(const char *method, const int *moments, size_t count) {
     const whirl_growth growths[] = {WHIRL_GROWTH_LARGEST, WHIRL_GROWTH_NONE, WHIRL_GROWTH_LARGEST, WHIRL_GROWTH_ALL};
-    const int kinds = strncmp(method, "cvode", 5) == 0 ? 3 : 4; // CVODE takes no disturbances along
+    const int kinds = strncmp(method, "cvode", 5) == 0 ? 3 : 4; // CVODE takes no perturbations along
     for (int kind = 0; kind < kinds; kind++) {
         const whirl_record_options options = options_of(growths[kind], kind == 2);
         motions whole;
@@ -179,7 +179,7 @@ static void every_moment(const char *method, const int *moments, size_t count) {
     }
 }
 
-/// In the transient, before and after the disturbance begins to be followed (10), before and after the record begins
+/// In the transient, before and after the perturbation begins to be followed (10), before and after the record begins
 /// (20).
 static void side_by_side(void **state) {
     const int moments[] = {0, 4, 8, 9, 10, 15, 18, 19, 20, 21, 27, 28};

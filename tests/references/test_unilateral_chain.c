@@ -44,13 +44,13 @@ static int forget_reference(void **state) {
 
 /// The case at that speed over a revolution, and the derivatives of its end by its start [N][N], transposed.
 static void carry_chain(const whirl_case *chain, double W, double *x, double *matrix) {
-    whirl_disturbances disturbances = {.count = N, .vectors = matrix};
+    whirl_perturbations perturbations = {.count = N, .vectors = matrix};
     whirl_rotor *rotor;
     require_ok(whirl_case_rotor(chain, "W", W, &rotor));
     whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 1024);
     require_ok(whirl_integrator_follow(integrator, N));
     for (int i = 0; i < N * N; i++) matrix[i] = i % (N + 1) == 0 ? 1.0 : 0.0;
-    assert_int_equal(whirl_integrator_carry(integrator, x, &disturbances, NULL, NULL), WHIRL_BOUNDED);
+    assert_int_equal(whirl_integrator_carry(integrator, x, &perturbations, NULL, NULL), WHIRL_BOUNDED);
     whirl_integrator_free(integrator);
     whirl_rotor_free(rotor);
 }

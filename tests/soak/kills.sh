@@ -2,7 +2,7 @@
 # Real kills at random moments:  kills.sh WHIRL GOOD.yaml N
 # Runs with many short points are killed by SIGKILL and resumed until they are done, N kills in all. After every kill the
 # result, if there is one, can be read, and the journal has at least the points that it had before; at the end the result
-# is that of a run that nobody disturbed.
+# is that of a run that nobody perturbed.
 set -uo pipefail
 whirl=$(realpath "$1")
 good=$(realpath "$2")
@@ -25,7 +25,7 @@ for name in plain carry; do
     # The shortest of three: what else the computer does must not make the kills come too late.
     for try in 1 2 3; do
         before=$(date +%s%N)
-        "$whirl" run $name.yaml -q --force -o whole-$name.h5 || fail "the undisturbed run"
+        "$whirl" run $name.yaml -q --force -o whole-$name.h5 || fail "the unperturbed run"
         ms=$((($(date +%s%N) - before) / 1000000))
         if [ $try = 1 ] || [ $ms -lt "${span[$name]}" ]; then span[$name]=$ms; fi
     done

@@ -1,5 +1,5 @@
 # Studies of all kinds, or of those in the array kinds, in the folder where one is, with the results of runs that nobody
-# disturbed (whole-NAME.h5) and how long those took (span[NAME], milliseconds). Read by scripts that kill them: these have
+# perturbed (whole-NAME.h5) and how long those took (span[NAME], milliseconds). Read by scripts that kill them: these have
 # $whirl, $cases, $tests (tests/cli) and fail.
 # shellcheck shell=bash disable=SC2154
 
@@ -21,6 +21,6 @@ declare -A span
 for name in "${kinds[@]}"; do
     refine=$([ $name = refined ] && echo --refine=1e5)
     before=$(date +%s%N)
-    "$whirl" run $name.yaml -q $refine -o whole-$name.h5 >log 2>&1 || fail "the undisturbed run: $(cat log)"
+    "$whirl" run $name.yaml -q $refine -o whole-$name.h5 >log 2>&1 || fail "the unperturbed run: $(cat log)"
     span[$name]=$((($(date +%s%N) - before) / 1000000))
 done

@@ -1,7 +1,7 @@
 #!/bin/bash
 # What a kill costs where points take long:  long_points.sh WHIRL GOOD.yaml KILLS
 # A run with few long points is killed again and again after 7 to 16 seconds and resumed. The result is that of an
-# undisturbed run, and every kill has cost 10 seconds of work at most.
+# unperturbed run, and every kill has cost 10 seconds of work at most.
 set -uo pipefail
 whirl=$(realpath "$1")
 good=$(realpath "$2")
@@ -21,18 +21,18 @@ measure() {
     worked=$(tr ms '  ' <times | awk 'NR == 2 {print 60 * ($1 + $3) + $2 + $4}')
 }
 
-# The undisturbed run, with a transient of that many revolutions; $whole seconds of work.
-undisturbed() {
+# The unperturbed run, with a transient of that many revolutions; $whole seconds of work.
+unperturbed() {
     sed "s/transient: 20, record: 10/transient: $1, record: 1000, settle: no/" "$good" >long.yaml
     measure
     before=$worked
-    "$whirl" run long.yaml -q --threads 1 --force -o whole.h5 || fail "the undisturbed run"
+    "$whirl" run long.yaml -q --threads 1 --force -o whole.h5 || fail "the unperturbed run"
     measure
     whole=$(awk "BEGIN {print $worked - $before}")
 }
 
-undisturbed 100000
-undisturbed "$(awk "BEGIN {printf \"%d\", 100000 * 6 * ($kills + 2) / $whole}")"
+unperturbed 100000
+unperturbed "$(awk "BEGIN {printf \"%d\", 100000 * 6 * ($kills + 2) / $whole}")"
 
 measure
 before=$worked

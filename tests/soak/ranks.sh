@@ -2,7 +2,7 @@
 # Ranks of MPI, killed at random moments:  ranks.sh WHIRL CASES N [KIND...]        (by tests/mpi.sh)
 # Each run begins a study of another kind by some number of ranks, one of which is killed by SIGKILL, with which mpirun
 # kills the others; it is gone on with by other numbers of ranks, as a shard or as a whole, N kills in all. In the end ranks
-# of some number, or one run, do the rest: the result is that of a run that nobody disturbed, and nothing else is left.
+# of some number, or one run, do the rest: the result is that of a run that nobody perturbed, and nothing else is left.
 set -uo pipefail
 whirl=$(realpath "$1")
 cases=$(realpath "$2")
@@ -39,7 +39,7 @@ end_of() {
 }
 
 # Ranks, one of which is killed in the time of a run, or a little later.
-disturb() {
+perturb() {
     local count=$((2 + RANDOM % 7)) job status ms=$((RANDOM % (span[$name] + 300))) before=$done_kills victim
     mpirun -n $count "$whirl-mpi" run $name.yaml -q $refine -o result.h5 --threads 1 "$resume" >log 2>&1 &
     job=$!
@@ -65,7 +65,7 @@ while [ $done_kills -lt "$kills" ] || [ $runs -lt ${#kinds[@]} ]; do
     rm -f result.h5*
     for again in 1 2; do
         resume=$(journals_are_there && echo --resume || echo --force)
-        disturb
+        perturb
         # A shard goes on with what they have left.
         if [ $((RANDOM % 3)) = 0 ] && journals_are_there; then
             "$whirl" run $name.yaml -q $refine -o result.h5 --shard 1/2 --resume >log 2>&1 || fail "a shard of $name: $(cat log)"

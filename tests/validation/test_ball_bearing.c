@@ -291,9 +291,9 @@ static void cages_in_lanes(void **unused) {
     }
 }
 
-/// All disturbances of a machine whose cage turns on and on: in lanes, and by the integrator that locates contacts, of
+/// All perturbations of a machine whose cage turns on and on: in lanes, and by the integrator that locates contacts, of
 /// which there are none here. The phase comes last and keeps its size.
-static void disturbances_beside_a_cage(void **unused) {
+static void perturbations_beside_a_cage(void **unused) {
     (void)unused;
     whirl_rotor *rotor = make_bearing(600.0, 0.38, 0.2);
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -315,7 +315,7 @@ static void disturbances_beside_a_cage(void **unused) {
     }
     for (size_t n = 0; n < record[0]->growth_count; n++)
         worst = fmax(worst, fabs(record[0]->volume[n] - record[1]->volume[n]));
-    check_within("Ball bearing", "growth of all disturbances in lanes and by the integrator", 0.0, worst, 1e-9);
+    check_within("Ball bearing", "growth of all perturbations in lanes and by the integrator", 0.0, worst, 1e-9);
     whirl_record_free(record[0]);
     whirl_record_free(record[1]);
     whirl_rotor_free(rotor);
@@ -330,6 +330,6 @@ int main(void) {
                                        cmocka_unit_test(other_ends_are_looked_at),
                                        cmocka_unit_test(the_derivative),
                                        cmocka_unit_test(cages_in_lanes),
-                                       cmocka_unit_test(disturbances_beside_a_cage)};
+                                       cmocka_unit_test(perturbations_beside_a_cage)};
     return cmocka_run_group_tests_name("ball bearing", tests, NULL, NULL);
 }

@@ -51,17 +51,17 @@ static whirl_rotor *make_cracked(const cracked *c) {
 /// The monodromy matrix, by the variational equations over one revolution; gives the integral of the divergence.
 static double monodromy(const cracked *c, double matrix[N * N]) {
     double x[N] = {0.0}, columns[N * N] = {0.0};
-    whirl_disturbances disturbances = {.count = N, .vectors = columns};
+    whirl_perturbations perturbations = {.count = N, .vectors = columns};
     whirl_rotor *rotor = make_cracked(c);
     whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotor), "dop853", 64);
     for (int i = 0; i < N; i++) columns[(N + 1) * i] = 1.0;
     require_ok(whirl_integrator_follow(integrator, N));
-    assert_int_equal(WHIRL_BOUNDED, whirl_integrator_carry(integrator, x, &disturbances, NULL, NULL));
+    assert_int_equal(WHIRL_BOUNDED, whirl_integrator_carry(integrator, x, &perturbations, NULL, NULL));
     for (int i = 0; i < N; i++)
         for (int j = 0; j < N; j++) matrix[N * i + j] = columns[N * j + i];
     whirl_integrator_free(integrator);
     whirl_rotor_free(rotor);
-    return disturbances.volume;
+    return perturbations.volume;
 }
 
 /// The multipliers above the real axis, the one with the larger imaginary part last.

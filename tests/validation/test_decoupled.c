@@ -1,5 +1,5 @@
-// All Lyapunov exponents of machines whose planes, or other groups of coordinates, go their own ways: disturbances must
-// span every direction for the fastest growth to come first.
+// All Lyapunov exponents of machines whose planes, or other groups of coordinates, go their own ways: perturbations
+// must span every direction for the fastest growth to come first.
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -103,7 +103,7 @@ static void linear_machines(void **state) {
 }
 
 /// trust/exponents-decoupled: the loose pedestal at 581.195 rad/s, whose planes know nothing of each other. Its largest
-/// exponent is .41 +- .02 (longer motions, and disturbances along y alone); it must be that of the twin.
+/// exponent is .41 +- .02 (longer motions, and perturbations along y alone); it must be that of the twin.
 static void exponents_decoupled(void **state) {
     static const char *const text =
         "  speed: 581.195 rad/s\n  length_scale: 0.2 mm\n  stations:\n"

@@ -52,7 +52,7 @@ static void synchronous_rub(void **state) {
     check_within("C2", "w = 1: dry whip", 0.0, value(&layout, block, "winding/dry_whip"), 0.0);
 }
 
-/// Rolling without slip, R_d w = r w_b: -R_d/r turns a revolution.
+/// Rolling without slip, R_d w = r w_b: -R_d/r turns per revolution.
 static void rolling(void **state) {
     (void)state;
     static const struct {

@@ -39,7 +39,7 @@ static double monodromy(whirl_integrator *integrator, size_t n, double *x, int r
     double columns[MAX_DIMENSION * MAX_DIMENSION] = {0.0}, volume = 0.0;
     for (size_t i = 0; i < n; i++) columns[i * n + i] = 1.0;
     for (int k = 0; k < revolutions; k++) {
-        whirl_disturbances set = {.count = n, .vectors = columns};
+        whirl_perturbations set = {.count = n, .vectors = columns};
         assert_int_equal(whirl_integrator_carry(integrator, x, &set, NULL, NULL), WHIRL_BOUNDED);
         volume += set.volume;
     }

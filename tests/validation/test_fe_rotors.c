@@ -278,7 +278,7 @@ static double largest_way(whirl_integrator *integrator, const double *rest, doub
     return largest;
 }
 
-/// Natural logarithm of the growth of a small disturbance from one hundred revolutions to the same a thousand later.
+/// Natural logarithm of the growth of a small perturbation from one hundred revolutions to the same a thousand later.
 static double simulated_growth(const whirl_case *object, double speed) {
     whirl_rotor *rotor;
     whirl_integrator *integrator;
@@ -304,16 +304,16 @@ static double simulated_growth(const whirl_case *object, double speed) {
     return log(after / before);
 }
 
-/// A thousandth below the threshold disturbances die out in the nonlinear equations, a thousandth above they grow.
+/// A thousandth below the threshold perturbations die out in the nonlinear equations, a thousandth above they grow.
 static void oil_whirl_sets_in(void **unused) {
     (void)unused;
     whirl_case *object = parse(in_films);
     const double onset = onset_of(object);
     check_holds("FE", "a rotor in films loses its stability between 500 and 12000 rpm", isfinite(onset));
     const double below = simulated_growth(object, 0.999 * onset), above = simulated_growth(object, 1.001 * onset);
-    check_holds("FE",
-                words("a thousandth below %.6g rpm a simulated disturbance dies out (growth %.3g)", onset / rpm, below),
-                below < 0);
+    check_holds(
+        "FE", words("a thousandth below %.6g rpm a simulated perturbation dies out (growth %.3g)", onset / rpm, below),
+        below < 0);
     check_holds("FE", words("a thousandth above it grows (growth %.3g)", above), above > 0);
     whirl_case_free(object);
 }

@@ -331,9 +331,9 @@ static void verdicts(void **unused) {
                          words("a force at %g of the speed, %s, by sections of the %s", rows[i].ratio,
                                rows[i].unbalance > 0.0 ? "an unbalance" : "no unbalance", by ? "force" : "shaft"),
                          by ? rows[i].by_force : rows[i].by_shaft, record);
-            // Disturbances die out at the same rate a second.
+            // Perturbations die out at the same rate a second.
             const double period = by ? two_pi / 300.0 / rows[i].ratio : two_pi / 300.0;
-            check_within("Keyphasor", words("its largest exponent a revolution, row %zu", i + 1),
+            check_within("Keyphasor", words("its largest exponent per revolution, row %zu", i + 1),
                          -damping / (2.0 * mass) * period, whirl_lyapunov_largest(record).value, 1e-3);
             whirl_record_free(record);
             whirl_rotor_free(rotor);

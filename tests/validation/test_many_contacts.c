@@ -16,7 +16,7 @@
 #include "whirl/integrate.h"
 #include "whirl/rotor.h"
 
-/// ROWS: x, y, x', y' of a disc; told with the disturbance of each.
+/// ROWS: x, y, x', y' of a disc; told with the perturbation of each.
 enum { DISCS = 80, ROWS = 4, TOLD = 2 * ROWS, REVOLUTIONS = 5 };
 
 static void must(whirl_status status) {
@@ -69,7 +69,7 @@ static void look(void *context, double t, const double *x) {
     for (size_t c = 0; c < own->system->contact_count; c++) own->seen[c] = own->seen[c] || force[c] > 0.0;
 }
 
-/// Carries discs from rest and one disturbance of each, and gives the states, then the disturbances, disc by disc.
+/// Carries discs from rest and one perturbation of each, and gives the states, then the perturbations, disc by disc.
 static void carry(const whirl_rotor *rotor, size_t count, const char *method, bool located, double *out) {
     const whirl_system *system = whirl_rotor_system(rotor);
     whirl_integrate_options options = whirl_integrate_default();
@@ -83,7 +83,7 @@ static void carry(const whirl_rotor *rotor, size_t count, const char *method, bo
     must(whirl_integrator_new(system, &options, &integrator));
     must(whirl_integrator_follow(integrator, 1));
     for (int r = 0; r < REVOLUTIONS; r++) {
-        whirl_disturbances set = {.count = 1, .vectors = u};
+        whirl_perturbations set = {.count = 1, .vectors = u};
         assert_int_equal(whirl_integrator_carry(integrator, x, &set, look, &touched), WHIRL_BOUNDED);
     }
     for (size_t d = 0; d < count; d++) {

@@ -226,7 +226,7 @@ static void watched_in_lanes(void **unused) {
                 high[i] = fmax(high[i], x[i]);
             }
         }
-        // Bounds are those of 1024 instants a revolution; between the samples a state goes a little further.
+        // Bounds are those of 1024 instants per revolution; between the samples a state goes a little further.
         for (int i = 0; i < DIMENSION; i++) {
             const double room = 0.05 * (high[i] - low[i]);
             assert_true(record->low[i] <= low[i] + 1e-11 && record->low[i] > low[i] - room);
@@ -239,8 +239,8 @@ static void watched_in_lanes(void **unused) {
     whirl_rotor_free(rotor);
 }
 
-/// Once disturbances lie along the planes of their modes, the four of the pair of modes and the two of the creep of the
-/// dampers grow by their real parts in every revolution.
+/// Once perturbations lie along the planes of their modes, the four of the pair of modes and the two of the creep of
+/// the dampers grow by their real parts in every revolution.
 static void all_exponents(void **unused) {
     (void)unused;
     const double tau = 6.283185307179586;

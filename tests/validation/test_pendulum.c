@@ -93,7 +93,7 @@ static void estimate_finds_a_known_dimension(void **state) {
 
 enum { STEPS = 100, PERIODS = 1000, WAYS = 3 };
 
-/// A motion of the pendulum with a disturbance beside it.
+/// A motion of the pendulum with a perturbation beside it.
 typedef struct motion {
     double angle, rate, d_angle, d_rate;
 } motion;
@@ -121,7 +121,7 @@ static motion period(motion at) {
 }
 
 /// What became of a start: the way that it turns in the end, the period in which that was clear, and the growth of a
-/// disturbance up to every period.
+/// perturbation up to every period.
 typedef struct fate {
     int way, life;
     double growth[PERIODS];
@@ -148,7 +148,7 @@ static void follow(double angle, double rate, fate *end) {
     fail_msg("the pendulum did not settle from %g, %g", angle, rate);
 }
 
-/// The exponent by how fast starts leave the motions between both ways, over how fast disturbances grow on these
+/// The exponent by how fast starts leave the motions between both ways, over how fast perturbations grow on these
 /// (Kantz & Grassberger 1985): lives beyond 50 periods, which fall like a geometric series, and growth from period 5
 /// until 45 periods, most of them of settling, before the end of the lives beyond 75.
 static share exponent_by_escape(size_t count) {

@@ -214,7 +214,7 @@ static void regimes(void **unused) {
         whirl_record *record = record_motion(system, start, 256, 150, 300);
         check_regime("Phases", words("forces at %g and %g of the speed", rows[i].ratios[0], rows[i].ratios[1]),
                      rows[i].regime, record);
-        // Disturbances die out with the damping, c/(2 m), whatever forces there are.
+        // Perturbations die out with the damping, c/(2 m), whatever forces there are.
         const whirl_estimate exponent = whirl_lyapunov_largest(record);
         check_within("Phases", words("largest exponent, row %zu", i + 1), -damping / (2.0 * mass) * two_pi / speed,
                      exponent.value, 1e-3);

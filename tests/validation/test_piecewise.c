@@ -311,7 +311,7 @@ static void differ(const exact *of, const double start[2], int j, double column[
     }
 }
 
-static void l4_disturbances(void **unused) {
+static void l4_perturbations(void **unused) {
     static const char *const methods[] = {"dop853", "rk4"};
     const exact of = seat(0.05, 0.5);
     whirl_rotor *rotor = make_seat(0.05, 0.5);
@@ -322,16 +322,16 @@ static void l4_disturbances(void **unused) {
         require_ok(whirl_integrator_follow(integrator, 2));
         for (size_t s = 1; s < STARTS; s++) {
             double vectors[4] = {1.0, 0.0, 0.0, 1.0}, x[2], column[2], volume = 0.0;
-            whirl_disturbances disturbances = {.count = 2, .vectors = vectors};
+            whirl_perturbations perturbations = {.count = 2, .vectors = vectors};
             memcpy(x, starts[s], sizeof x);
-            assert_int_equal(whirl_integrator_carry(integrator, x, &disturbances, NULL, NULL), WHIRL_BOUNDED);
+            assert_int_equal(whirl_integrator_carry(integrator, x, &perturbations, NULL, NULL), WHIRL_BOUNDED);
             for (int j = 0; j < 2; j++) {
                 differ(&of, starts[s], j, column);
                 worst = fmax(worst, hypot(vectors[2 * j] - column[0], vectors[2 * j + 1] - column[1]));
             }
             memcpy(x, starts[s], sizeof x);
             revolve_exactly(&of, x, &volume);
-            miss = fmax(miss, fabs(disturbances.volume - volume));
+            miss = fmax(miss, fabs(perturbations.volume - volume));
             miss = fmax(miss, fabs(log(vectors[0] * vectors[3] - vectors[1] * vectors[2]) - volume));
         }
         check_within("L4", words("%s, columns of the monodromy matrix, largest error", methods[m]), 0.0, worst, 1e-8);
@@ -404,7 +404,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(l1_seat_on_ground), cmocka_unit_test(l1_seat_on_station),
         cmocka_unit_test(l2_three_slopes),   cmocka_unit_test(l3_play),
-        cmocka_unit_test(l4_disturbances),   cmocka_unit_test(l5_from_rest_on_the_switch),
+        cmocka_unit_test(l4_perturbations),  cmocka_unit_test(l5_from_rest_on_the_switch),
         cmocka_unit_test(l5_nothing_moves),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -70,7 +70,7 @@ static void steps_of_shipped_cases(void **state) {
         const double worst = worst_of(object);
         whirl_case_free(object);
         fixed += worst > 0.0;
-        if (worst > 1.0) print_error("%s: a step makes a disturbance %g times as large\n", found.gl_pathv[i], worst);
+        if (worst > 1.0) print_error("%s: a step makes a perturbation %g times as large\n", found.gl_pathv[i], worst);
         assert_true(worst <= 1.0);
     }
     assert_true(fixed >= 5);

@@ -141,7 +141,7 @@ static void auto_follows_the_machine(void **unused) {
     whirl_case_free(object);
 }
 
-/// Its journals whirl by themselves and its unbalance turns: two frequencies, disturbances that neither grow nor die
+/// Its journals whirl by themselves and its unbalance turns: two frequencies, perturbations that neither grow nor die
 /// out. By dop853 the exponent of the case's length is .0005; a second trajectory by cvode-bdf would have shown .395.
 static void auto_sees_no_chaos(void **unused) {
     (void)unused;

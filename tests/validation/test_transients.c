@@ -1,4 +1,4 @@
-// Chaos that ends: how many chaotic transients are called chaotic with high confidence, and how many lasting motions
+// Transient chaos: how many chaotic transients are called chaotic with high confidence, and how many lasting motions
 // keep it. What a motion is in the end is found by following it for fifty times as long, where theory does not tell.
 #include <math.h>
 #include <setjmp.h>

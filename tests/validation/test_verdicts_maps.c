@@ -6,7 +6,7 @@
 //
 // What is left of each way is exp(-K pi/2) = 1e-17, by whatever steps: in each half the equations are linear with a
 // target that stands still. So motions are known that no flow of a textbook has: locks of every period, chaos that is
-// proven, and chaos that ends after a known mean lifetime.
+// proven, and transient chaos after a known mean lifetime.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -221,7 +221,7 @@ static bool make_chaos(size_t index, known_motion *m) {
     return true;
 }
 
-/// Chaos that ends, after 1e3 to 1e6 revolutions in the mean.
+/// Transient chaos, after 1e3 to 1e6 revolutions in the mean.
 static bool make_transient(size_t index, known_motion *m) {
     static const double lifetimes[] = {1e2, 3e2, 1e3, 3e3, 1e4, 3e4, 1e5, 3e5, 1e6};
     if (index >= 5 * COUNT_OF(lifetimes)) return false;
@@ -263,7 +263,7 @@ static const known_family families[] = {
     {"tori of three frequencies", "construction", 128, make_two_rotations},
     {"windows of the logistic map", "superstable orbits", 128, make_window},
     {"chaotic maps", "Misiurewicz 1981, Henon 1976", 128, make_chaos},
-    {"chaos that ends", "mean lifetime by construction", 128, make_transient},
+    {"transient chaos", "mean lifetime by construction", 128, make_transient},
     {"growing motions", "multipliers by construction", 128, make_growth},
     {"slow settling", "multipliers by construction", 128, make_settling},
 };

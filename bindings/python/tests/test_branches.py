@@ -1,4 +1,4 @@
-"""Branches of systems of one's own: beside closed forms, and shooting by SciPy."""
+"""Branches of custom systems: beside closed forms, and shooting by SciPy."""
 
 import importlib.util
 import math

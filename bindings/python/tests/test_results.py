@@ -303,7 +303,7 @@ def test_si_where_the_speed_changes(speed, hertz, tmp_path):
             exponent, unit = table.si("lyapunov/largest")
             assert unit == "1/s" and np.allclose(exponent, table["lyapunov/largest"] * hertz, equal_nan=True)
             if np.isfinite(hertz).all() and speed == "omega":
-                # The disturbance of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
+                # The perturbation of a linear rotor dies as exp(-d t/(2 m)), whatever the speed; its size, which counts
                 # velocities too, swings by the ratio of both frequencies meanwhile: log(2) in 8 s or more.
                 assert np.allclose(exponent, -2.5, atol=np.log(2) / 8 + 0.02)
 

@@ -73,7 +73,7 @@ def test_samples_of_a_result_give_its_own_numbers_to_the_bit(rub):
 
 
 def test_a_result_sampled_in_time_gives_its_own_section_and_spectrum(rub):
-    """512/3 samples a revolution, and a keyphasor whose edge is a straight line.
+    """512/3 samples per revolution, and a keyphasor whose edge is a straight line.
 
     The disc leaves the stator 0.02 turns before the pulse: eight samples of 3/512 turns hardly see that kink of the
     force. With every ninth sample they do, and the section is known to 5e-6 only.
@@ -357,7 +357,7 @@ def test_pulses_of_a_wheel():
     record = signals.Record(rate, x, y, keyphasor=teeth, per_revolution=30)
     assert abs(record.full_spectrum().synchronous[0] - 40) < 0.02
     assert 1490 < record.speed.min() * 30 / np.pi < record.speed.max() * 30 / np.pi < 1630
-    with pytest.raises(whirl.BadInput, match="0 pulses a revolution"):
+    with pytest.raises(whirl.BadInput, match="0 pulses per revolution"):
         signals.Record(rate, x, y, keyphasor=teeth, per_revolution=0)
 
 

@@ -1,4 +1,4 @@
-"""Systems of one's own: every way to give the slopes leads to the closed form, and what goes wrong is said."""
+"""Custom systems: every way to give the slopes leads to the closed form, and what goes wrong is said."""
 
 import functools
 import importlib.util

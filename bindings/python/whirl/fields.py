@@ -1,4 +1,4 @@
-"""Names of the fields of results, for all that would be misspelt in silence; written by scripts/fields.py from include/whirl/fields.h."""
+"""Names of the fields of results; written by scripts/fields.py from include/whirl/fields.h."""
 
 
 class FIELD:

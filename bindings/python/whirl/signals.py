@@ -232,8 +232,8 @@ def _doubt_teeth(time: np.ndarray, channels: np.ndarray, pulses: np.ndarray) -> 
     with_pulse = lines[np.abs(lines[:, 0] - 1.0) < 0.1, 1].max(initial=0.0)
     if teeth > 3 and abs(teeth * order - 1.0) < 0.02 and with_pulse < 0.05 * most:
         warnings.warn(
-            f"the motion comes once in {teeth} pulses, and hardly with each of them: of {teeth} teeth a revolution say "
-            f"per_revolution={teeth}",
+            f"the motion comes once in {teeth} pulses, and hardly with each of them: of {teeth} teeth per revolution "
+            f"say per_revolution={teeth}",
             stacklevel=3,
         )
 
@@ -293,7 +293,7 @@ class Record:
     channels : array_like
         [count] each; of two probes of a plane x, then y.
     keyphasor : array_like, optional
-        [count] voltage with a pulse a revolution, of which ``threshold``, ``hysteresis`` and ``edge`` say more
+        [count] voltage with a pulse per revolution, of which ``threshold``, ``hysteresis`` and ``edge`` say more
         (:func:`find_pulses`).
     pulses : array_like, optional
         In its place: the times of the pulses, one a revolution, within those of the samples.
@@ -350,8 +350,8 @@ class Record:
             if keyphasor is None
             else find_pulses(self.time, keyphasor, threshold, hysteresis, edge)
         )
-        if _whole(per_revolution, "the pulses a revolution") < 1:
-            raise BadInput("there are 0 pulses a revolution, expected 1 or more")
+        if _whole(per_revolution, "the pulses per revolution") < 1:
+            raise BadInput("there are 0 pulses per revolution, expected 1 or more")
         every = self._speed_between(pulses)
         if not uneven:
             check_pulses(pulses)

@@ -1,4 +1,4 @@
-"""Systems of one's own: slopes by a Python callable, a Numba ``cfunc``, a function of C or its text.
+"""Custom systems: slopes by a Python callable, a Numba ``cfunc``, a function of C or its text.
 
 >>> def duffing(t, x, p):
 ...     return x[1], p.gamma * np.cos(p.omega * t) - 0.3 * x[1] + x[0] - x[0] ** 3
@@ -249,7 +249,7 @@ class System:
         which slopes have to have that period, and stand within half a turn of 0 in sections: a pendulum that goes round
         and round is then known to move periodically.
     tangent : optional
-        The derivative of the slopes applied to a disturbance: ``f(t, x, p, dx)``, or compiled with one more pointer
+        The derivative of the slopes applied to a perturbation: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
     kinked : bool
         Whether slopes have kinks without jumps, as springs have that touch. Where slopes jump (a contact with a damper,

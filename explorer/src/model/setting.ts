@@ -18,7 +18,7 @@ export interface Side {
 /// The whole numbers of how motions are computed that the reader may change: the name in an address, the option, what
 /// stands beside its field, and what it may be.
 export const LENGTHS_OF_RUNS = [
-  { key: 'steps', option: 'steps_per_revolution', label: 'Steps a revolution', low: 8, high: 65536 },
+  { key: 'steps', option: 'steps_per_revolution', label: 'Steps per revolution', low: 8, high: 65536 },
   { key: 'transient', option: 'transient', label: 'Transient, revolutions', low: 0, high: 1_000_000 },
   { key: 'record', option: 'record', label: 'Recorded, revolutions', low: 1, high: 1_000_000 },
 ] as const;

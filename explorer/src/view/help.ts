@@ -40,7 +40,7 @@ const POINTS: readonly (readonly [string, string])[] = [
   [
     'Exponent',
     'Below the diagram: the largest Lyapunov exponent per revolution, with its standard error where it can be ' +
-      'seen. Above zero small disturbances grow: chaos.',
+      'seen. Above zero small perturbations grow: chaos.',
   ],
   [
     'Touch',
@@ -52,7 +52,7 @@ const POINTS: readonly (readonly [string, string])[] = [
     'Branches',
     'Lines over the diagram, solid where orbits are stable, dashed where not. Near a line the cursor takes the orbit ' +
       'there, which no motion shows where it is unstable: dashed in the orbit view, with its multipliers; those ' +
-      'outside the unit circle are what disturbances grow by, each time round. \u25b6 shows how a motion leaves it.',
+      'outside the unit circle are what perturbations grow by, each time round. \u25b6 shows how a motion leaves it.',
   ],
   [
     'Orbit',

@@ -6,7 +6,7 @@
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
 enum { SUMMED_TOGETHER = 2, MOST_TOGETHER = 4 };
 
-/// Where the rows of a set begin: the state's, set 0, or a disturbance's.
+/// Where the rows of a set begin: the state's, set 0, or a perturbation's.
 typedef struct set_place {
     size_t q, v;
 } set_place;
@@ -68,7 +68,7 @@ static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_
     }
 }
 
-/// All of the state at which slope `number` is taken, and of the disturbances.
+/// All of the state at which slope `number` is taken, and of the perturbations.
 static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v) {
     const size_t all = lanes->degrees * lanes->stride;
     for (size_t n = 0; n <= lanes->tangents; n++) {
@@ -181,14 +181,14 @@ static inline vec square_length(const adaptive_lanes *lanes, set_place set, size
     return sum;
 }
 
-/// What a disturbance may err by, over rtol of its length: on a motion of some size its error follows that of the
+/// What a perturbation may err by, over rtol of its length: on a motion of some size its error follows that of the
 /// state, whose steps are left as they are then; one that is next to nothing would let steps be of any length.
 enum { LOOSER = 100 };
 
-/// The square of the error of a disturbance over its tolerance. Equations of disturbances are linear: they know no
+/// The square of the error of a perturbation over its tolerance. Equations of perturbations are linear: they know no
 /// absolute one.
-static vec error_of_disturbance(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q5, const vec *v5,
-                                const vec *q3, const vec *v3) {
+static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, size_t k, const vec *q5, const vec *v5,
+                                 const vec *q3, const vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
     const vec h = VECTORS(length)[k];
     vec square5 = v_set(0.0), square3 = v_set(0.0);
@@ -210,13 +210,13 @@ static vec error_of_disturbance(const adaptive_lanes *lanes, set_place set, size
     return v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), v_max(some, v_set(0x1p-960)));
 }
 
-/// Disturbances are as sure as the state. Where they have no error that is a number the state decides.
-static void take_errors_of_disturbances(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
+/// Perturbations are as sure as the state. Where they have no error that is a number the state decides.
+static void take_errors_of_perturbations(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     for (size_t n = 1; n <= lanes->tangents; n++) {
         const set_place set = place_of_set(lanes, n);
         sum_all_errors(lanes, set, q5, v5, q3, v3);
         FOR_VECTORS {
-            const vec own = error_of_disturbance(lanes, set, k, q5, v5, q3, v3), error = VECTORS(error)[k];
+            const vec own = error_of_perturbation(lanes, set, k, q5, v5, q3, v3), error = VECTORS(error)[k];
             VECTORS(error)[k] = v_select(v_less(error, own), own, error);
         }
     }
@@ -227,7 +227,7 @@ static void take_errors_by_stages(const adaptive_lanes *lanes, vec *q5, vec *v5,
     sum_all_errors(lanes, place_of_set(lanes, 0), q5, v5, q3, v3);
     FOR_VECTORS
     take_error(lanes, lanes->group_count, lanes->groups, lanes->rates - degrees, stride, k, q5, v5, q3, v3);
-    take_errors_of_disturbances(lanes, q5, v5, q3, v3);
+    take_errors_of_perturbations(lanes, q5, v5, q3, v3);
 }
 
 /// The integral of the divergence over the step, by the weights of its result.

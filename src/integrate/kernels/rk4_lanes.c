@@ -17,7 +17,7 @@
 #define FOR_ALL(lanes, body) FOR_ROWS(lanes, 0, (lanes)->degrees, body)
 #define FOR_STATES(lanes, body) FOR_ROWS(lanes, (lanes)->degrees, (lanes)->rates, body)
 
-/// Accelerations with the values of time that all lanes share, of the state and its disturbances, and at a stage the
+/// Accelerations with the values of time that all lanes share, of the state and its perturbations, and at a stage the
 /// divergence.
 static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec *q, const vec *v, double *divergence,
                        vec *a) {
@@ -31,21 +31,21 @@ static void accelerate(const rk4_lanes *lanes, const double *forcing, const vec 
                              .numbers = lanes->numbers,
                              .places = lanes->places,
                              .forcing = spread ? (const void *)now : forcing,
-                             .tangents = lanes->disturbances,
+                             .tangents = lanes->perturbations,
                              .q = q,
                              .v = v,
                              .a = a,
-                             .divergence = lanes->disturbances > 0 ? divergence : NULL};
+                             .divergence = lanes->perturbations > 0 ? divergence : NULL};
     lanes->flow(&view);
 }
 
-/// Lets the scheme's stage or end enter for the state and all disturbances.
+/// Lets the scheme's stage or end enter for the state and all perturbations.
 #define ENTER_SET(stage, scheme)                                                                                       \
     FOR_ALL(lanes, stage(&(scheme), i);)                                                                               \
     FOR_STATES(lanes, stage##_state(&(scheme), i);)
 #define ENTER_ALL(stage)                                                                                               \
     ENTER_SET(stage, own)                                                                                              \
-    for (size_t n = 1; n <= lanes->disturbances; n++) {                                                                \
+    for (size_t n = 1; n <= lanes->perturbations; n++) {                                                               \
         const scheme beside = scheme_of_set(lanes, &constants, n);                                                     \
         ENTER_SET(stage, beside)                                                                                       \
     }
@@ -55,7 +55,7 @@ static inline vec *place_in(void *array, size_t offset) {
     return array ? (vec *)array + offset : NULL;
 }
 
-/// The scheme with the arrays of the state (n = 0) or a disturbance.
+/// The scheme with the arrays of the state (n = 0) or a perturbation.
 static inline scheme scheme_of_set(const rk4_lanes *lanes, const scheme *constants, size_t n) {
     const size_t place = n * lanes->degrees * lanes->stride, rate = n * lanes->rates * lanes->stride;
     return scheme_at(constants, place_in(lanes->q, place), place_in(lanes->v, rate), place_in(lanes->k[0], rate),
@@ -83,7 +83,7 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     ENTER_ALL(enter_fourth)
     accelerate(lanes, end, own.stage_q, own.stage_v, lanes->divergence[3], own.k3);
     ENTER_ALL(enter_end)
-    if (lanes->disturbances > 0) add_divergence(lanes);
+    if (lanes->perturbations > 0) add_divergence(lanes);
 }
 
 /// Whether velocities are looked at after step n: their bounds, by which distances are scaled, are not wanted to the
@@ -177,7 +177,7 @@ static void begin_step(const rk4_lanes *lanes) {
 /// All that is done at the end of step n.
 static void end_step(const rk4_lanes *lanes, int n) {
     if (locates(lanes)) locate(lanes, n);
-    if (lanes->lengths && lanes->disturbances > 0) make_orthonormal(lanes, n + 1);
+    if (lanes->lengths && lanes->perturbations > 0) make_orthonormal(lanes, n + 1);
     if (lanes->observing) {
         observe_probes(lanes, looks_at_speeds(lanes, n + 1));
         observe_contacts(lanes);

@@ -34,7 +34,7 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     memcpy(lanes->rodas5p.unit_v, lanes->v, lanes->rates * lanes->stride * sizeof(vec));
     take_forcing(lanes, of, 0.0, lanes->length);
     lanes_view view = view_of(lanes, of, lanes->rodas5p.unit_q, lanes->rodas5p.unit_v, lanes->rodas5p.by);
-    view.tangents = lanes->rodas5p.sparsity->disturbances;
+    view.tangents = lanes->rodas5p.sparsity->perturbations;
     lanes->flow(&view);
 }
 
@@ -123,25 +123,25 @@ static void take_rate(const adaptive_lanes *lanes, vectors of) {
         for (size_t c = r_##c[0], end_##c = r_##c[1]; c < end_##c; c++)
 #define FOR_COUNT for (size_t c = 0; c < count; c++)
 
-/// Row i of the Jacobian of vector k, of the column that disturbance d tells of.
-VECTOR_INLINE const vec *by_disturbance(const vec *by, size_t d, size_t rates, size_t stride, size_t i) {
+/// Row i of the Jacobian of vector k, of the column that perturbation d tells of.
+VECTOR_INLINE const vec *by_perturbation(const vec *by, size_t d, size_t rates, size_t stride, size_t i) {
     return by + ((1 + d) * rates + i) * stride;
 }
 
 /// Row i of the matrix of `count` vectors from k on.
 VECTOR_INLINE void fill_row(const adaptive_lanes *lanes, size_t i, size_t stride, size_t k, size_t count, vec *row) {
     const sparsity at = *lanes->rodas5p.sparsity;
-    const size_t n = lanes->rates, *by_q = at.disturbance, *by_v = by_q + lanes->degrees;
+    const size_t n = lanes->rates, *by_q = at.perturbation, *by_v = by_q + lanes->degrees;
     const vec *shift = VECTORS(rodas5p.shift) + k, *slopes = VECTORS(rodas5p.by) + k;
     FOR_COUNT row[i * stride + c] = v_set(0.0);
     FOR_ENTRIES(j, at.lower, i) FOR_COUNT row[j * stride + c] = v_set(0.0);
     FOR_ENTRIES(j, at.upper, i) FOR_COUNT row[j * stride + c] = v_set(0.0);
     FOR_ENTRIES(j, at.by_q, i) {
-        const vec *by = by_disturbance(slopes, by_q[j], n, stride, i);
+        const vec *by = by_perturbation(slopes, by_q[j], n, stride, i);
         FOR_COUNT row[j * stride + c] = v_sub(v_set(0.0), by[c]);
     }
     FOR_ENTRIES(j, at.by_v, i) {
-        const vec *by = by_disturbance(slopes, by_v[j], n, stride, i);
+        const vec *by = by_perturbation(slopes, by_v[j], n, stride, i);
         FOR_COUNT row[j * stride + c] = v_fnma(shift[c], by[c], row[j * stride + c]);
     }
     FOR_COUNT row[i * stride + c] = v_fma(shift[c], shift[c], row[i * stride + c]);
@@ -193,7 +193,7 @@ VECTOR_INLINE void solve_some(const adaptive_lanes *lanes, size_t stride, size_t
         const vec *row = matrix + i * n * stride;
         FOR_COUNT x[c] = v_mul(shift[c], u_v[i * stride + c]);
         FOR_ENTRIES(j, at.by_q, i) {
-            const vec *by = by_disturbance(slopes, at.disturbance[j], n, stride, i);
+            const vec *by = by_perturbation(slopes, at.perturbation[j], n, stride, i);
             FOR_COUNT x[c] = v_fma(right_q[j * stride + c], by[c], x[c]);
         }
         FOR_ENTRIES(j, at.lower, i) FOR_COUNT x[c] = v_fnma(row[j * stride + c], u_v[j * stride + c], x[c]);

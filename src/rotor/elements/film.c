@@ -6,7 +6,7 @@
 #include "registry.h"
 #include "whirl/rotor.h"
 
-/// What a film adds to vector k and its disturbances.
+/// What a film adds to vector k and its perturbations.
 static void finish(const element *own, const block *b, size_t k, const film_state *film) {
     const vec *number = numbers_of(b, own) + k, strength = number[FILM_STRENGTH * b->stride];
     tangent_block tangent;

@@ -4,7 +4,7 @@
 #include "rub_switch.h"
 #include "rub_tangent.h"
 
-/// What a rub adds to vector k and its disturbances.
+/// What a rub adds to vector k and its perturbations.
 static void add(const element *own, const block *b, size_t k) {
     const vec *sides = sides_of(b, own), *number = numbers_of(b, own) + k, *q = b->q + k, *v = b->v + k;
     tangent_block tangent;

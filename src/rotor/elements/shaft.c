@@ -12,7 +12,7 @@ VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *n
         shaft_add(law, grounded, false, cosine[k], sine[k], stride, k, number, &here, &there);
 }
 
-/// Of a state or a disturbance.
+/// Of a state or a perturbation.
 VECTOR_INLINE void add_shafts(const element *first, size_t count, block at, const vec *q, vec *a) {
     for (const element *own = first; own < first + count; own++) {
         const int grounded = own->port[2] == NO_COORDINATE;
@@ -36,7 +36,7 @@ static void add(const element *first, size_t count, const block *b, const vec *q
         add_shafts(first, count, single(b), q, a);
 }
 
-/// What disturbance n of the shaft's phase adds.
+/// What perturbation n of the shaft's phase adds.
 static void add_turned(const element *own, const block *b, size_t n) {
     const int grounded = own->port[2] == NO_COORDINATE;
     const size_t x = own->port[0] * b->stride, other = grounded ? x : own->port[2] * b->stride;
@@ -50,7 +50,7 @@ static void add_turned(const element *own, const block *b, size_t n) {
 }
 
 static void flow(const element *first, size_t count, const block *b) {
-    for (size_t n = 0; n <= b->disturbances; n++) {
+    for (size_t n = 0; n <= b->perturbations; n++) {
         add(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
         for (size_t i = 0; b->turned && n > 0 && i < count; i++) add_turned(first + i, b, n);
     }

@@ -24,7 +24,7 @@ static inline void station_kernel(vec c, vec s, size_t stride, const vec *number
     a[stride] = v_fma(in_phase, s, v_fma(ahead, c, ay));
 }
 
-/// The same for a disturbance: only damping feels it.
+/// The same for a perturbation: only damping feels it.
 static inline void station_tangent(size_t stride, const vec *number, const vec *v, vec *a) {
     const vec damping = v_sub(v_set(0.0), number[STATION_DAMPING * stride]);
     a[0] = v_mul(damping, v[0]);

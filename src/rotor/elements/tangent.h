@@ -9,15 +9,15 @@ typedef struct tangent_block {
     vec x[4], y[4];
 } tangent_block;
 
-/// Applies the derivatives of vector k of the element's station, its first two ports, to all disturbances.
+/// Applies the derivatives of vector k of the element's station, its first two ports, to all perturbations.
 static inline void tangent_apply(const tangent_block *tangent, const element *own, const block *b, size_t k) {
     const size_t x = own->port[0] * b->stride + k, y = own->port[1] * b->stride + k;
-    for (size_t n = 1; n <= b->disturbances; n++) {
-        const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v, disturbance[4] = {q[x], q[y], v[x], v[y]};
+    for (size_t n = 1; n <= b->perturbations; n++) {
+        const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v, perturbation[4] = {q[x], q[y], v[x], v[y]};
         vec *a = b->a + n * b->next_v;
         for (int i = 0; i < 4; i++) {
-            a[x] = v_fma(tangent->x[i], disturbance[i], a[x]);
-            a[y] = v_fma(tangent->y[i], disturbance[i], a[y]);
+            a[x] = v_fma(tangent->x[i], perturbation[i], a[x]);
+            a[y] = v_fma(tangent->y[i], perturbation[i], a[y]);
         }
     }
     if (!b->divergence) return;

@@ -1,4 +1,4 @@
-// Rotors side by side as vectors: accelerations, what the Jacobian makes of disturbances, its trace, switching
+// Rotors side by side as vectors: accelerations, what the Jacobian makes of perturbations, its trace, switching
 // functions, normal forces, values of time. Compiled once for every instruction set.
 //
 // Stations first, then the linear terms, then the elements in the registry's order; vectors innermost.
@@ -13,7 +13,7 @@ static block block_of(const lanes_view *view) {
     const whirl_rotor *rotor = view->model;
     return (block){.stride = view->stride,
                    .vectors = view->vectors,
-                   .disturbances = view->tangents,
+                   .perturbations = view->tangents,
                    .next = rotor->lanes.degrees * view->stride,
                    .next_v = (rotor->lanes.degrees + rotor->lanes.states) * view->stride,
                    .forcing_stride = view->stride,
@@ -51,13 +51,13 @@ static void pass_stations(const block *b, size_t station_count) {
         add_stations(single(b), station_count);
 }
 
-/// What they make of disturbances.
+/// What they make of perturbations.
 static void pass_station_tangents(const block *b, size_t station_count) {
     for (size_t s = 0; s < station_count; s++)
         for (size_t k = 0; k < b->vectors; k++) {
             const vec *own = station_numbers(b, s) + k;
             size_t at = 2 * s * b->stride + k;
-            for (size_t n = 0; n < b->disturbances; n++) {
+            for (size_t n = 0; n < b->perturbations; n++) {
                 at += b->next_v;
                 station_tangent(b->stride, own, b->v + at, b->a + at);
             }
@@ -68,7 +68,7 @@ static void pass_station_tangents(const block *b, size_t station_count) {
         }
 }
 
-/// What a term multiplies, of the state or of disturbance n; NULL: nothing of a disturbance.
+/// What a term multiplies, of the state or of perturbation n; NULL: nothing of a perturbation.
 static const vec *column_of(const linear_term *term, const block *b, size_t n) {
     switch (term->source) {
     case SOURCE_PLACE:
@@ -87,7 +87,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
     for (size_t i = 0; i < rotor->term_count; i++) {
         const linear_term *term = &rotor->terms[i];
         const vec *number = b->numbers + (rotor->plane_count * STATION_NUMBERS + i) * b->stride;
-        for (size_t n = 0; n <= b->disturbances; n++) {
+        for (size_t n = 0; n <= b->perturbations; n++) {
             const vec *column = column_of(term, b, n);
             vec *a = b->a + n * b->next_v + term->row * b->stride;
             if (column)
@@ -109,7 +109,7 @@ static void pass_terms(const whirl_rotor *rotor, const block *b) {
 static void clear(const whirl_rotor *rotor, const block *b) {
     const size_t first = 2 * rotor->plane_count, vectors = b->vectors, stride = b->stride;
     for (size_t k = 0; b->divergence && k < vectors; k++) b->divergence[k] = v_set(0.0);
-    for (size_t n = 0; n <= b->disturbances; n++) {
+    for (size_t n = 0; n <= b->perturbations; n++) {
         vec *a = b->a + n * b->next_v + first * stride;
         for (size_t d = first; d < rotor->begun; d++, a += stride)
             for (size_t k = 0; k < vectors; k++) a[k] = v_set(0.0);
@@ -161,7 +161,7 @@ static void pass_by_phase(const whirl_rotor *rotor, const block *all, size_t k) 
         turned[SIN_TAU][i] = values[COS_TAU][i];
         turned[COS_2TAU][i] = v_mul(v_set(-2.0), values[SIN_2TAU][i]);
         turned[SIN_2TAU][i] = v_mul(v_set(2.0), values[COS_2TAU][i]);
-        for (size_t n = 0; n <= b.disturbances; n++)
+        for (size_t n = 0; n <= b.perturbations; n++)
             b.a[n * b.next_v + b.phase * b.stride + i] = n == 0 ? number[i] : nothing;
     }
     pass_all(rotor, &b);

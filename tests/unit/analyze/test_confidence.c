@@ -238,7 +238,7 @@ static void in_chaos(void **state) {
     assert_int_equal(weighed(sure, &e), WHIRL_FAIR);
 }
 
-/// An equilibrium is sure where it draws in what is so near, and disturbances are seen to die out.
+/// An equilibrium is sure where it draws in what is so near, and perturbations are seen to die out.
 static void at_rest(void **state) {
     (void)state;
     double growth[1000];

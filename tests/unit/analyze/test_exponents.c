@@ -104,7 +104,7 @@ static void known_exponents(void **state) {
                     log(0.97), 1e-6);
 }
 
-/// The first tenth, in which the disturbance turns, does not count; nothing followed is no number.
+/// The first tenth, in which the perturbation turns, does not count; nothing followed is no number.
 static void what_counts(void **state) {
     (void)state;
     double growth[100];

@@ -1,5 +1,5 @@
-// Long periods of motions that settle early: a circle that is locked at p/q turns a revolution, for which everything is
-// known.
+// Long periods of motions that settle early: a circle that is locked at p/q turns per revolution, for which everything
+// is known.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -12,7 +12,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/// x = cos(w t), y = sin(w t). Driven: x'' = k^2 x - (k^2 + w^2) cos(w t), which disturbances leave by the factor
+/// x = cos(w t), y = sin(w t). Driven: x'' = k^2 x - (k^2 + w^2) cos(w t), which perturbations leave by the factor
 /// exp(2 pi k) a revolution. Free: x'' = -w^2 x + k (x^2 + y^2 - 1) x', and so y. One contact, closed where x > 0.6.
 typedef struct saddle {
     double k, w;

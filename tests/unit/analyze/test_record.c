@@ -78,7 +78,7 @@ static void test_ellipse(void **state) {
     }
 }
 
-/// x' = -a x, y' = -b y with the slower rate a: a disturbance shrinks by exp(-a) a revolution once it is aligned.
+/// x' = -a x, y' = -b y with the slower rate a: a perturbation shrinks by exp(-a) a revolution once it is aligned.
 static void node(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)t, (void)forcing;
     dxdt[0] = -0.25 * (x[0] - 1);

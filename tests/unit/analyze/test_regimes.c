@@ -209,7 +209,7 @@ static void starts_on_unstable(void **state) {
     free(record);
 }
 
-/// Without a disturbance that was followed only returns to rounding count.
+/// Without a perturbation that was followed only returns to rounding count.
 static void blind(void **state) {
     (void)state;
     const map_system systems[] = {logistic(3.5), logistic(3.8)};

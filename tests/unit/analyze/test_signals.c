@@ -435,8 +435,8 @@ static void sizes_that_mean_nothing_are_refused(void **state) {
     assert_refused(few_section(SIZE_MAX, 2, 5, 0.0, 7), "expected at most 1000000000 numbers");
     assert_refused(few_section(FEW, SIZE_MAX, 5, 0.0, 7), "expected at most 1000000000 numbers");
     assert_refused(few_section(FEW, 2, SIZE_MAX, 0.0, 7), "expected at most 1000000000 numbers");
-    assert_refused(few_resampled(pulses, 5, 2), "there are to be 2 samples a revolution");
-    assert_refused(few_resampled(pulses, 5, SIZE_MAX), "samples a revolution, expected at least 3");
+    assert_refused(few_resampled(pulses, 5, 2), "there are to be 2 samples per revolution");
+    assert_refused(few_resampled(pulses, 5, SIZE_MAX), "samples per revolution, expected at least 3");
     assert_refused(whirl_signals_axes(v, v + FEW, FEW, 0.3, 0.3 + 0.5 * two_pi, out, out), "not in one line");
     assert_refused(whirl_signals_axes(v, v + FEW, FEW, NAN, 0.3, out, out), "the probes stand at nan");
     assert_refused(whirl_signals_size(v, 0, 1, &number), "there are 0 samples");

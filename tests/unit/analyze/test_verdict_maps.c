@@ -352,8 +352,8 @@ static void on_thin_torus(const double *z, double *point) {
     embed_two(z, 2e-3, point);
 }
 
-/// The record with the growth of all disturbances, of which the first two neither grow nor die out; the others die out,
-/// at `second` from the second on where that is below 0.
+/// The record with the growth of all perturbations, of which the first two neither grow nor die out; the others die
+/// out, at `second` from the second on where that is below 0.
 static whirl_verdict judge_with_exponents(whirl_record *record, double second) {
     const size_t d = record->dimension, count = record->growth_count;
     double *growths = malloc(count * (d + 1) * sizeof *growths);

@@ -332,7 +332,7 @@ static void structure(void **state) {
     expect_problem("  analyze:", "  keep: {waveform: 11}\n  analyze:",
                    "t:22:20: study.keep.waveform: is 11, expected at most the revolutions of the record (10)");
     expect_problem("  analyze:", "  keep: {samples: 16, highest_order: 8.5}\n  analyze:",
-                   "t:22:38: study.keep.highest_order: is 8.5, expected at most 8, half the samples a revolution "
+                   "t:22:38: study.keep.highest_order: is 8.5, expected at most 8, half the samples per revolution "
                    "(keep.samples)");
     whirl_case_free(parse_edited("  analyze:", "  keep: {samples: 16, highest_order: 8}\n  analyze:"));
     expect_problem("friction: 0.1", "radius: 1 m",

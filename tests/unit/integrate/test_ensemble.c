@@ -308,7 +308,7 @@ static void expect_gathered(const whirl_ensemble *lanes, size_t lane, const gath
     assert_true(g->begun >= 1.0);
 }
 
-/// A motion after three revolutions, with what was seen of it and, where one is followed, its disturbance.
+/// A motion after three revolutions, with what was seen of it and, where one is followed, its perturbation.
 typedef struct carried {
     double x[DIMENSION], vector[DIMENSION], growth;
     gathered seen;
@@ -326,7 +326,7 @@ static void carry_by_integrator(const whirl_system *system, const whirl_integrat
     must(whirl_integrator_new(system, options, &integrator));
     if (followed > 0) must(whirl_integrator_follow(integrator, followed));
     for (int i = 0; i < 3; i++) {
-        whirl_disturbances set = {.count = 1, .vectors = out->vector, .growth = &out->growth};
+        whirl_perturbations set = {.count = 1, .vectors = out->vector, .growth = &out->growth};
         if (followed > 0)
             whirl_integrator_carry(integrator, out->x, &set, gather, &out->seen);
         else
@@ -338,9 +338,9 @@ static void carry_by_integrator(const whirl_system *system, const whirl_integrat
 static void carry_in_lanes(whirl_ensemble *lanes, size_t followed, sampled *samples, carried out[2]) {
     const whirl_ensemble_observe watch = {.extremes = true, .stride = 16, .sample = sample_both, .context = samples};
     for (int i = 0; i < 3; i++) {
-        whirl_disturbances beside[2];
+        whirl_perturbations beside[2];
         for (size_t l = 0; l < 2 && followed > 0; l++) {
-            beside[l] = (whirl_disturbances){.count = 1, .vectors = out[l].vector, .growth = &out[l].growth};
+            beside[l] = (whirl_perturbations){.count = 1, .vectors = out[l].vector, .growth = &out[l].growth};
             whirl_ensemble_carry(lanes, l, &beside[l]);
         }
         samples->count = 0;
@@ -402,11 +402,11 @@ static void test_lanes_of_integrators_have_one_shape(void **state) {
     machine_free(own);
 }
 
-// ---------------------------------------------------------------- parts of the period, with disturbances
+// ---------------------------------------------------------------- parts of the period, with perturbations
 
 enum { PARTS = 3, COLUMNS = DIMENSION * DIMENSION };
 
-/// Where a part leads: the state, the disturbances, the volume.
+/// Where a part leads: the state, the perturbations, the volume.
 typedef struct flown {
     double x[DIMENSION], columns[COLUMNS], volume;
 } flown;
@@ -430,7 +430,7 @@ static flown unit_at(const double *x) {
 static bool carry_parts(const char *set, const whirl_system *system, size_t count, const double *from,
                         const double *length, flown *all) {
     const whirl_integrate_options options = exact_options();
-    whirl_disturbances beside[MOST];
+    whirl_perturbations beside[MOST];
     whirl_ensemble *lanes;
     setenv("WHIRL_ISA", set, 1);
     const bool there = whirl_ensemble_flow(system, &options, count, DIMENSION, &lanes).code == WHIRL_OK;
@@ -438,7 +438,7 @@ static bool carry_parts(const char *set, const whirl_system *system, size_t coun
     for (size_t i = 0; i < count && there; i++) {
         must(whirl_ensemble_load(lanes, i, system, all[i].x));
         whirl_ensemble_part(lanes, i, from[i], length[i]);
-        beside[i] = (whirl_disturbances){.count = DIMENSION, .vectors = all[i].columns};
+        beside[i] = (whirl_perturbations){.count = DIMENSION, .vectors = all[i].columns};
         whirl_ensemble_carry(lanes, i, &beside[i]);
     }
     if (!there) return false;
@@ -457,7 +457,7 @@ static flown fly_by_integrator(const whirl_system *system, const double *x) {
     const whirl_integrate_options options = exact_options();
     whirl_integrator *integrator;
     flown own = unit_at(x);
-    whirl_disturbances beside = {.count = DIMENSION, .vectors = own.columns};
+    whirl_perturbations beside = {.count = DIMENSION, .vectors = own.columns};
     must(whirl_integrator_new(system, &options, &integrator));
     must(whirl_integrator_follow(integrator, DIMENSION));
     assert_int_equal(whirl_integrator_carry(integrator, own.x, &beside, NULL, NULL), WHIRL_BOUNDED);

@@ -243,7 +243,7 @@ static void test_with_the_jacobian_and_without(void **state) {
 }
 
 /// The monodromy matrix against differences of motions; its determinant against exp(-0.3 period) and the volume.
-static void test_disturbances(void **state) {
+static void test_perturbations(void **state) {
     (void)state;
     whirl_system system = duffing;
     system.tangent = duffing_tangent;
@@ -251,7 +251,7 @@ static void test_disturbances(void **state) {
     whirl_integrator *integrator = integrator_of(&system, "rodas5p", 1e-10);
     whirl_integrator *reference = integrator_of(&system, "dop853", 1e-13);
     double unit[4] = {1.0, 0.0, 0.0, 1.0}, exact[4] = {1.0, 0.0, 0.0, 1.0}, x[2] = {1.0, 0.0}, y[2] = {1.0, 0.0};
-    whirl_disturbances own = {2, unit, NULL, 0.0}, theirs = {2, exact, NULL, 0.0};
+    whirl_perturbations own = {2, unit, NULL, 0.0}, theirs = {2, exact, NULL, 0.0};
     assert_int_equal(whirl_integrator_follow(integrator, 2).code, WHIRL_OK);
     assert_int_equal(whirl_integrator_follow(reference, 2).code, WHIRL_OK);
     assert_int_equal(whirl_integrator_carry(integrator, x, &own, NULL, NULL), WHIRL_BOUNDED);
@@ -267,7 +267,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_numbers_meet_their_conditions), cmocka_unit_test(test_interpolant_has_order_four),
         cmocka_unit_test(test_stiff_modes_are_damped),        cmocka_unit_test(test_stiff_problem),
-        cmocka_unit_test(test_with_the_jacobian_and_without), cmocka_unit_test(test_disturbances),
+        cmocka_unit_test(test_with_the_jacobian_and_without), cmocka_unit_test(test_perturbations),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -320,7 +320,7 @@ static void test_jacobian_on_given_sides(void **state) {
     compare_jacobians(1);
 }
 
-static void test_many_disturbances_are_one_after_the_other(void **state) {
+static void test_many_perturbations_are_one_after_the_other(void **state) {
     // More than there is room for at once in a rotor of any size.
     enum { MANY = 3000 };
     static double dx[MANY][DIMENSION], together[MANY][DIMENSION];
@@ -487,7 +487,7 @@ static void run_lanes(const whirl_system *system, int set, size_t lanes, int sid
     system->lanes->contacts[set](&view, b->normal);
 }
 
-/// Collects x [DIMENSION] of state or disturbance k of a lane.
+/// Collects x [DIMENSION] of state or perturbation k of a lane.
 static void gather(const double *q, const double *v, size_t lanes, int k, size_t lane, double *x) {
     for (int i = 0; i < DEGREES; i++) {
         x[i] = q[(size_t)(k * DEGREES + i) * lanes + lane];
@@ -586,7 +586,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_jacobian_where_the_state_decides),
         cmocka_unit_test(test_jacobian_on_given_sides),
-        cmocka_unit_test(test_many_disturbances_are_one_after_the_other),
+        cmocka_unit_test(test_many_perturbations_are_one_after_the_other),
         cmocka_unit_test(test_sides_hold_the_laws),
         cmocka_unit_test(test_switches_and_their_gradients),
         cmocka_unit_test(test_curvatures_of_switches),

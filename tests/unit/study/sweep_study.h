@@ -6,7 +6,7 @@
 
 #include "whirl/study.h"
 
-/// A study with one batch, "sweep" of `parameter` over the values (borrowed), by RK4 of so many steps a revolution,
+/// A study with one batch, "sweep" of `parameter` over the values (borrowed), by RK4 of so many steps per revolution,
 /// without waveforms; what else is to be is set in batches[0].
 static inline whirl_study sweep_study(const char *parameter, const double *values, size_t count, int steps) {
     whirl_study study = {.batch_count = 1};

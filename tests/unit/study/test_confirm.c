@@ -67,7 +67,7 @@ static void test_verdicts_at_two_tolerances(void **state) {
     whirl_result_free(result);
 }
 
-/// RK4 multiplies a disturbance of the follower by 1 + z + z^2/2 + z^3/6 + z^4/24 in a step, z = -r h.
+/// RK4 multiplies a perturbation of the follower by 1 + z + z^2/2 + z^3/6 + z^4/24 in a step, z = -r h.
 static double exponent_of_rk4(double rate, int steps) {
     const double z = -rate / steps;
     return steps * log(1.0 + z + z * z / 2.0 + z * z * z / 6.0 + z * z * z * z / 24.0);

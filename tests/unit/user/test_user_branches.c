@@ -1,4 +1,4 @@
-// Branches of systems of one's own beside closed forms: where equilibria and orbits change, and what they are there.
+// Branches of custom systems beside closed forms: where equilibria and orbits change, and what they are there.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-// Systems of one's own beside closed forms: alone and in lanes, by functions for one machine and for many.
+// Custom systems beside closed forms: alone and in lanes, by functions for one machine and for many.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -56,7 +56,7 @@ static whirl_user_system *make(void) {
     return system;
 }
 
-/// A disturbance turns as it decays, and its length swings: by 1 +- zeta where velocities are the user's own, by the
+/// A perturbation turns as it decays, and its length swings: by 1 +- zeta where velocities are the user's own, by the
 /// ratio of the periods, up to 4.7, where they are those by the common time. Over 100 revolutions and more that leaves
 /// in an exponent at most 2 zeta/100, or ln(4.7)/100.
 static const double swing = 8e-4, swing_in_lanes = 0.0155;
@@ -72,7 +72,7 @@ static void compare(const whirl_result *result, double most_of_exponent) {
         const double exponent = whirl_table_number(table, i, "lyapunov/largest", 0);
         const whirl_verdict verdict = whirl_table_verdict(table, i);
         assert_true(verdict.regime == WHIRL_PERIODIC && verdict.period == 1);
-        // Bounds are looked at 1024 times a revolution: a cosine is less than its amplitude by at most 5e-6 of it.
+        // Bounds are looked at 1024 times per revolution: a cosine is less than its amplitude by at most 5e-6 of it.
         assert_true(fabs(high - amplitude) < 6e-6 * amplitude);
         assert_true(fabs(exponent + zeta * own) < most_of_exponent);
         // The section is where the closed form has it: x = Re(A e^{i omega t}) at t = T.
@@ -237,7 +237,7 @@ static int stopped(double t, const double *x, const double *p, double *dxdt, voi
     return 0;
 }
 
-/// No derivative tells what a jump does to a disturbance: jumps are refused by their place where it is followed, alone
+/// No derivative tells what a jump does to a perturbation: jumps are refused by their place where it is followed, alone
 /// and in lanes, and are no harm where it is not. Kinks without jumps are followed.
 static void slopes_that_jump_are_refused_where_a_derivative_is_followed(void **state) {
     static const double dampers[] = {0.0, 20.0};
@@ -309,7 +309,7 @@ static void what_is_wrong_is_said(void **state) {
     refused(whirl_user_system_vary(system, "F", (const double[]){1.0, 3.0, 2.0}, 3), "F is 2 after 3");
     refused(whirl_user_system_vary(system, "F", NULL, 0), "F varies over no values");
     refused(whirl_user_system_analyze(system, "poincar"), "no analysis poincar, did you mean poincare?");
-    refused(whirl_user_system_analyze(system, "modes"), "modes is not for systems of one's own");
+    refused(whirl_user_system_analyze(system, "modes"), "modes is not for custom systems");
     refused(whirl_user_system_set(system, "rtoll", "1"), "no option rtoll, did you mean rtol?");
     refused(whirl_user_system_set(system, "rtol", "fine"), "rtol is 'fine', expected a number");
     refused(whirl_user_system_set(system, "rtol", "0"), "rtol is 0, expected a number above 0");

@@ -1,4 +1,4 @@
-// Disturbances carried along motions, against finite differences of the flow: smooth, through impacts with contact
+// Perturbations carried along motions, against finite differences of the flow: smooth, through impacts with contact
 // damping, through reversals of dry friction, and along them.
 #include <math.h>
 #include <setjmp.h>
@@ -167,7 +167,7 @@ static void difference_flow(whirl_integrator *integrator, const double *x, doubl
 
 /// The monodromy over a revolution from x, which goes on.
 static double carry_columns(whirl_integrator *integrator, double *x, double *columns) {
-    whirl_disturbances set = {.count = 2, .vectors = columns};
+    whirl_perturbations set = {.count = 2, .vectors = columns};
     const double unit[4] = {1.0, 0.0, 0.0, 1.0};
     memcpy(columns, unit, sizeof unit);
     assert_int_equal(whirl_integrator_carry(integrator, x, &set, NULL, NULL), WHIRL_BOUNDED);
@@ -199,7 +199,7 @@ static double compare_flow(const oscillator *o, const char *method, int steps, d
         revolve(integrator, alone);
         if (strncmp(method, "rk4", 3) == 0)
             assert_memory_equal(alone, x, sizeof alone);
-        else // the disturbances may shorten its steps
+        else // the perturbations may shorten its steps
             assert_true(fabs(alone[0] - x[0]) < 1e-10 && fabs(alone[1] - x[1]) < 1e-10);
         // Off the belt a start is drawn back to it at once, to the second order of how far it was off.
         if (on_belt) {
@@ -286,9 +286,9 @@ static void test_sticking(void **state) {
     assert_false(volume == volume); // the area is lost: there is no logarithm of it
 }
 
-/// An equilibrium leaves steps to the disturbances alone: x'' + 2 zeta x' + x = 0 at rest has a monodromy in closed
+/// An equilibrium leaves steps to the perturbations alone: x'' + 2 zeta x' + x = 0 at rest has a monodromy in closed
 /// form.
-static void test_disturbances_of_an_equilibrium(void **state) {
+static void test_perturbations_of_an_equilibrium(void **state) {
     const oscillator linear = {.zeta = 0.1, .gap = 1e3, .stiffness = 1.0, .belt = 1e3};
     const whirl_system system = make_system(&linear);
     const double w = sqrt(1.0 - linear.zeta * linear.zeta), T = system.period, shrunk = exp(-linear.zeta * T);
@@ -352,9 +352,9 @@ static void test_orthonormal_vectors(void **state) {
     assert_true(growth[5] < -700.0);
 }
 
-/// CVODE's equations of one disturbance against the derivative of dop853's steps, column after column, through impacts,
-/// reversals and sticking; revolutions with and without a disturbance by turns.
-static void test_one_disturbance_by_cvode(void **state) {
+/// CVODE's equations of one perturbation against the derivative of dop853's steps, column after column, through
+/// impacts, reversals and sticking; revolutions with and without a perturbation by turns.
+static void test_one_perturbation_by_cvode(void **state) {
     static const oscillator *const machines[] = {&smooth, &impacts, &reversals, &sticks};
     static const char *const methods[] = {"cvode-bdf", "cvode-adams"};
     (void)state;
@@ -366,7 +366,7 @@ static void test_one_disturbance_by_cvode(void **state) {
         for (int i = 0; i < 8; i++) {
             for (int k = 0; k < 2; k++) {
                 double z[2] = {x[0], x[1]}, *column = ours + 2 * k;
-                whirl_disturbances set = {.count = 1, .vectors = column};
+                whirl_perturbations set = {.count = 1, .vectors = column};
                 column[0] = k == 0;
                 column[1] = k == 1;
                 assert_int_equal(whirl_integrator_carry(integrator, z, &set, NULL, NULL), WHIRL_BOUNDED);
@@ -385,7 +385,7 @@ static void test_one_disturbance_by_cvode(void **state) {
 }
 
 /// Growth in every revolution sums to the volume, and its mean to the exponents -zeta +- i of a linear oscillator.
-static void test_growth_of_all_disturbances(void **state) {
+static void test_growth_of_all_perturbations(void **state) {
     const oscillator linear = {.zeta = 0.1, .force = 0.3, .gap = 1e3, .stiffness = 1.0, .belt = 1e3};
     const whirl_system system = make_system(&linear);
     const char *const methods[] = {"rk4", "dop853", "rodas5p"};
@@ -394,14 +394,14 @@ static void test_growth_of_all_disturbances(void **state) {
         whirl_integrator *integrator = make_integrator(&system, methods[m], 512);
         double x[2] = {0.0, 0.0}, vectors[4] = {1.0, 0.0, 0.0, 1.0}, growth[2], sum[2] = {0.0, 0.0};
         double total = 0.0;
-        whirl_disturbances set = {.count = 2, .vectors = vectors, .growth = growth};
+        whirl_perturbations set = {.count = 2, .vectors = vectors, .growth = growth};
         for (int i = 0; i < 400; i++) {
             assert_int_equal(whirl_integrator_carry(integrator, x, &set, NULL, NULL), WHIRL_BOUNDED);
             total += set.volume;
             assert_true(fabs(growth[0] + growth[1] - set.volume) < (m ? 1e-11 : 1e-8));
             for (int k = 0; k < 2; k++) sum[k] += growth[k];
         }
-        // Either exponent is -zeta; the sums differ by what the ellipse of disturbances turns, which stays bounded.
+        // Either exponent is -zeta; the sums differ by what the ellipse of perturbations turns, which stays bounded.
         const double each = -0.1 * system.period * 400.0;
         assert_true(fabs(sum[0] - each) < 0.2 && fabs(sum[1] - each) < 0.2);
         assert_true(fabs(sum[0] + sum[1] - 2.0 * each) < (m ? 1e-9 : 1e-6) && fabs(total - 2.0 * each) < 1e-9);
@@ -417,12 +417,12 @@ static void test_what_cannot_be_followed(void **state) {
     assert_int_equal(whirl_integrator_new(&system, &options, &integrator).code, WHIRL_OK);
     assert_non_null(strstr(whirl_integrator_follow(integrator, 3).message, "at most the dimension, 2"));
     double x[2] = {0.0, 0.0}, vectors[2] = {1.0, 0.0};
-    whirl_disturbances set = {.count = 1, .vectors = vectors};
+    whirl_perturbations set = {.count = 1, .vectors = vectors};
     assert_int_equal(whirl_integrator_carry(integrator, x, &set, NULL, NULL), WHIRL_STUCK); // no room was made
     whirl_integrator_free(integrator);
     strcpy(options.method, "cvode-bdf");
     assert_int_equal(whirl_integrator_new(&system, &options, &integrator).code, WHIRL_OK);
-    assert_non_null(strstr(whirl_integrator_follow(integrator, 2).message, "no more than one disturbance along"));
+    assert_non_null(strstr(whirl_integrator_follow(integrator, 2).message, "no more than one perturbation along"));
     whirl_integrator_free(integrator);
     strcpy(options.method, "rk4");
     system.tangent = NULL;
@@ -439,11 +439,11 @@ int main(void) {
         cmocka_unit_test(test_impacts_that_are_not_located),
         cmocka_unit_test(test_reversals_of_friction),
         cmocka_unit_test(test_sticking),
-        cmocka_unit_test(test_disturbances_of_an_equilibrium),
+        cmocka_unit_test(test_perturbations_of_an_equilibrium),
         cmocka_unit_test(test_saltation_of_a_broken_line),
         cmocka_unit_test(test_orthonormal_vectors),
-        cmocka_unit_test(test_one_disturbance_by_cvode),
-        cmocka_unit_test(test_growth_of_all_disturbances),
+        cmocka_unit_test(test_one_perturbation_by_cvode),
+        cmocka_unit_test(test_growth_of_all_perturbations),
         cmocka_unit_test(test_what_cannot_be_followed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
