@@ -30,7 +30,8 @@ typedef struct run_options {
 /// As sweeps do it.
 static run_options usual_options(const known_motion *motion, int steps) {
     run_options run = {whirl_integrate_default(), whirl_record_default()};
-    run.integrate.steps_per_revolution = steps;
+    snprintf(run.integrate.method, sizeof run.integrate.method, "%s", steps > 0 ? "rk4" : "dop853");
+    if (steps > 0) run.integrate.steps_per_revolution = steps;
     if (motion->transient > 0) run.record.transient = motion->transient;
     run.record.watch = 650;
     run.record.waveform = false;
@@ -64,8 +65,8 @@ static whirl_verdict judge(const known_motion *motion, const run_options *run, b
     whirl_verdict verdict = whirl_judge(record);
     if (seeks && verdict.regime == WHIRL_CHAOTIC && verdict.agreement >= WHIRL_FAIR) {
         if (!motion->rotor) system.tangent = tangent;
-        require_ok(whirl_record_refuge(&system, &run->integrate, record, &verdict.refuge));
-        verdict.sought = true;
+        // Not where phases turn: fair at most then, as studies have it.
+        verdict.sought = whirl_record_refuge(&system, &run->integrate, record, &verdict.refuge).code == WHIRL_OK;
     }
     whirl_record_free(record);
     return verdict;
