@@ -1,16 +1,20 @@
-# A layer: all of src/<name>/*.c and *.cc as an object library that sees the public headers and its own folder only.
+# A layer: all of src/<name>, and of the rooms in it, as an object library that sees the public headers and its own folder
+# only.
 #   whirl_layer(<name> NEEDS <layers below> LIBRARIES <imported targets>)
 # What lies in its folders kernels and elements is compiled once for every instruction set (whirlKernels.cmake); the
 # processor is asked when the program runs.
 set_property(GLOBAL PROPERTY WHIRL_LAYERS "")
 
 include(cmake/exports.cmake)
+include(cmake/rooms.cmake)
 include(cmake/whirlKernels.cmake)
 
 function(whirl_layer name)
   cmake_parse_arguments(LAYER "" "" "NEEDS;LIBRARIES" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/src/${name})
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.c ${folder}/*.cc)
+  whirl_rooms(${folder} rooms)
+  list(TRANSFORM rooms APPEND "/*.c" OUTPUT_VARIABLE patterns)
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns} ${folder}/*.cc)
   if(WHIRL_MATRIX)
     list(FILTER sources EXCLUDE REGEX "/matrix[.]cc$")
   endif()
@@ -20,7 +24,7 @@ function(whirl_layer name)
   endforeach()
   add_library(whirl_${name} OBJECT ${sources})
   target_include_directories(whirl_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include
-                             PRIVATE ${PROJECT_SOURCE_DIR}/src/base ${PROJECT_SOURCE_DIR}/src/${name})
+                             PRIVATE ${PROJECT_SOURCE_DIR}/src/base ${rooms})
   foreach(library ${LAYER_LIBRARIES})
     target_link_libraries(whirl_${name} PRIVATE ${library})
   endforeach()
@@ -59,8 +63,9 @@ function(whirl_link_layer program layer)
     target_link_libraries(${program} PRIVATE ${libraries})
   endif()
   target_link_libraries(${program} PRIVATE m)
+  whirl_rooms(${PROJECT_SOURCE_DIR}/src/${layer} rooms)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include
-                             ${PROJECT_SOURCE_DIR}/src/base ${PROJECT_SOURCE_DIR}/src/${layer})
+                             ${PROJECT_SOURCE_DIR}/src/base ${rooms})
 endfunction()
 
 # libwhirl, shared and static, of all layers.

@@ -39,7 +39,7 @@ for folder in src/*/; do
         esac
     done < <(grep -roE '#include "whirl/[a-z_]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
     while IFS=: read -r file header; do
-        [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || [ -e "src/base/$header" ] ||
+        [ -e "$folder$header" ] || compgen -G "$folder*/$header" >/dev/null || [ -e "src/base/$header" ] ||
             [ -e "cmake/$header.in" ] ||
             grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
@@ -94,7 +94,7 @@ system_only_in() { # HEADER FILE...: no other file of src includes it, and these
     done
 }
 files="store/bytes.c store/atomic_file.c store/journal_file.c report/report_file.c" # reading, writing, keeping
-process=report/gnuplot.c
+process=report/figures/gnuplot.c
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several
@@ -107,7 +107,7 @@ system_only_in dirent.h store/underway.c
 system_only_in sys/file.h store/journal_file.c
 system_only_in sys/wait.h $process
 system_only_in sys/mman.h base/room.c
-system_only_in sys/utsname.h study/provenance.c
+system_only_in sys/utsname.h study/result/provenance.c
 known='assert|complex|ctype|errno|float|inttypes|limits|math|setjmp|stdalign|stdarg|stdatomic|stdbool|stddef|stdint|stdio|stdlib|string'
 known+='|pthread|time|fcntl|sys/stat|unistd|dirent|sys/file|sys/wait|sys/mman|sys/utsname|immintrin|emmintrin|omp|jansson|yaml|udunits2|muParserDLL|matio|zip'
 while read -r line; do

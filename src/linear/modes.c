@@ -7,7 +7,7 @@
 
 #include "balance.h"
 #include "matrix.h"
-#include "orbit.h"
+#include "periodic.h"
 #include "rest.h"
 
 /// Eigenvalues below this part of the largest are zero but for rounding: a free motion's pair is off by its root.
@@ -158,7 +158,7 @@ static whirl_status find(mean_system *m, double *x, double *matrix, whirl_modes 
     whirl_status status = rest_find(m, x);
     if (status.code != WHIRL_OK) return status;
     if (mean_is_modulated(m, x, matrix))
-        status = orbit_find(m, x, false, matrix, &period);
+        status = periodic_find(m, x, false, matrix, &period);
     else
         mean_jacobian(m, x, matrix);
     return status.code == WHIRL_OK ? solve(m, matrix, period, x, out) : status;

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "orbit.h"
+#include "periodic.h"
 #include "rest.h"
 
 static const double two_pi = 6.283185307179586476925;
@@ -53,8 +53,8 @@ static whirl_status respond(mean_system *m, double *rest, double *response, doub
     whirl_status status = rest_find(m, rest);
     if (status.code != WHIRL_OK) return status;
     if (mean_is_modulated(m, rest, work)) {
-        status = orbit_find(m, rest, true, work, &period);
-        if (status.code == WHIRL_OK) status = orbit_harmonic(m, rest, side, response);
+        status = periodic_find(m, rest, true, work, &period);
+        if (status.code == WHIRL_OK) status = periodic_harmonic(m, rest, side, response);
         if (status.code == WHIRL_OK) memcpy(rest, side, d * sizeof *rest);
         return status;
     }

@@ -18,16 +18,17 @@ cd "$build/musl"
 
 compile() { # SOURCE INSTRUCTIONS [LAYER]
     local layer=${1#"$root/src/"}
+    layer=${3:-${layer%%/*}}
     musl-gcc -std=c17 -O1 -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -DWHIRL_PORTABLE -DVECTOR_ISA="$2" \
         -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Werror -I"$root/include" \
-        -I"$build/include" -I"$root/src/base" -I"$root/src/${3:-${layer%%/*}}" -c "$1" -o "$(tr / _ <<<"$1")_$2.o"
+        -I"$build/include" -I"$root/src/base" -I"$root/src/$layer" $(printf -- '-I%s ' "$root/src/$layer"/*/) -c "$1" -o "$(tr / _ <<<"$1")_$2.o"
 }
 export -f compile
 export root build
 if [ "$3" = compile ]; then
     for layer in "${@:4}"; do
         rm -f ./*_src_"$layer"_*.o
-        printf 'compile %s 0\n' "$root/src/$layer"/*.c
+        find "$root/src/$layer" -name '*.c' -not -path '*/kernels/*' -not -path '*/elements/*' -printf 'compile %p 0\n'
         for kernel in "$root/src/$layer"/{kernels,elements}/*.c; do
             [ ! -e "$kernel" ] || printf 'compile %s\n' "$kernel 0" "$kernel 1"
         done

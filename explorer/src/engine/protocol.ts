@@ -79,7 +79,7 @@ export interface StationInfo {
 }
 
 /// How points are computed, by the names that results have: all that is in the tables of src/integrate/options.c and
-/// src/analyze/options.c. The page itself speaks of these.
+/// src/analyze/record/options.c. The page itself speaks of these.
 export interface Options {
   /// A name of CaseInfo.methods.
   readonly method: string;

@@ -1,4 +1,4 @@
-#include "orbit.h"
+#include "periodic.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -89,7 +89,7 @@ static bool close_orbit(const mean_system *m, whirl_integrator *integrator, size
     return false;
 }
 
-whirl_status orbit_find(const mean_system *m, double *x, bool closed, double *monodromy, double *period) {
+whirl_status periodic_find(const mean_system *m, double *x, bool closed, double *monodromy, double *period) {
     const whirl_system *system = m->system;
     const size_t d = system->dimension, n = m->count, revolutions = system->turns ? system->repeats : 1;
     whirl_integrator *integrator = NULL;
@@ -126,7 +126,7 @@ static void add(void *observer, double t, const double *x) {
     }
 }
 
-whirl_status orbit_harmonic(const mean_system *m, const double *x, double *mean, double *harmonic) {
+whirl_status periodic_harmonic(const mean_system *m, const double *x, double *mean, double *harmonic) {
     enum { INSTANTS = 256 };
     const size_t d = m->system->dimension, revolutions = m->system->turns ? m->system->repeats : 1;
     whirl_integrate_options options = tight();
