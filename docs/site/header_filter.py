@@ -3,11 +3,13 @@
 
 The headers are written to be read, and some of their habits are not Doxygen's: the first comment of a file is about the
 file, one that stands behind several members of a line is about all of them, and the one below it is about the next.
+Names of fields say what they are themselves.
 """
 
 import re
 import sys
 
+FIELD = re.compile(r'^(#define WHIRL_FIELD_\w+ "(\S+)")$', re.MULTILINE)
 SEVERAL = re.compile(r"^(\s+)((?:const )?(?:struct )?\w+) (\**\w+(?:\[\w+\])*(?:, \**\w+(?:\[\w+\])*)+);\s*(///<.*)?$")
 
 
@@ -58,4 +60,5 @@ def separate(lines):
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as header:
         text = re.sub(r"\A///", "/// \\\\file\n///", header.read())
+    text = FIELD.sub(r"\1 ///< The field `\2`.", text)
     print("\n".join(apart(separate(text.split("\n")))))
