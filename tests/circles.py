@@ -12,7 +12,7 @@ import sys
 def symbols_of(folder):
     """Symbols that files define, {symbol: file}, and use, {file: {symbol}}."""
     defined, used = {}, {}
-    objects = sorted(folder.glob("*.o"))
+    objects = sorted(folder.rglob("*.o"))
     listing = subprocess.check_output(["nm", "-A", *objects], text=True) if objects else ""
     for line in listing.splitlines():
         path, _, entry = line.partition(":")

@@ -66,7 +66,7 @@ def compile_commands(functions):
     commands = []
     for entry in json.loads((BUILD / "compile_commands.json").read_text()):
         source = pathlib.Path(entry["file"])
-        if not re.match(str(ROOT) + r"/src/\w+/\w+\.c$", str(source)):
+        if not re.match(str(ROOT) + r"/src/(\w+/)+\w+\.c$", str(source)):
             continue
         text = source.read_text()
         if any(re.search(rf"^\w[\w *]*\b{name}\(", text, re.M) for name in functions):
