@@ -7,7 +7,7 @@
 // (Benettin et al. 1980). All is done twice, the second time with twice the steps: a motion that is not the same both
 // times, or of which no clear word can be said, is told as "?" and is no reference.
 //
-//     element_motions [MACHINE]   prints the table element_motions.txt
+//     element_motions [MACHINE [COUNT]]   prints the table element_motions.txt, or of a machine the first COUNT lines
 #include <complex.h>
 #include <math.h>
 #include <stdbool.h>
@@ -373,13 +373,14 @@ static void print(const machine *m, double p, finding a, finding b) {
 }
 
 int main(int count, char **arguments) {
+    const int most = count > 2 ? atoi(arguments[2]) : 16;
     make_nodes();
     printf(
         "# machine, parameter, start, motion, growth of a small difference a revolution, and with twice the steps\n");
     for (int i = 0; i < MACHINES; i++) {
         const machine *m = &machines[i];
         if (count > 1 && strcmp(arguments[1], m->name) != 0) continue;
-        for (int k = 0; k < 16 && m->parameters[k] > 0.0; k++)
+        for (int k = 0; k < most && m->parameters[k] > 0.0; k++)
             print(m, m->parameters[k], find(m, m->parameters[k], m->steps), find(m, m->parameters[k], 2 * m->steps));
     }
     return 0;

@@ -20,7 +20,7 @@ typedef struct bifurcation {
     const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;
-    bool shaded; ///< where the rotor rubs, which is seen where it does not everywhere
+    bool shaded;              ///< where the rotor rubs, which is seen where it does not everywhere
     bool present[MOST_KINDS]; ///< kinds of points
     size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
     const whirl_shown_units *units;
