@@ -4,7 +4,8 @@
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
 one another stay together. Units and commands count twice, for they run under the sanitizers, too, where they take what
-BUILD/sanitize/tests.log says, or SANITIZED times as long. What that log does not know keeps its line.
+BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED times SHARED on. What that log does
+not know keeps its line.
 """
 
 import math
@@ -42,9 +43,11 @@ def quarters_of(costs, sanitized):
     load, release, quarters = [0.0] * 5, [0.0] * 5, {}
     for tests in sorted(groups.values(), key=lambda tests: -sum(weight for _, _, weight in tests)):
         names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
-        shared = total >= SHARED and not any(ALWAYS.fullmatch(name) for name in names)
+        weight = sum(weight for _, _, weight in tests)
+        long = total >= SHARED or weight - total >= SANITIZED * SHARED
+        shared = long and not any(ALWAYS.fullmatch(name) for name in names)
         quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
-        load[quarter] += sum(weight for _, _, weight in tests)
+        load[quarter] += weight
         release[quarter] += total
         quarters.update({name: quarter for name in names})
     for what, sums in (("", release), (", with the sanitizers", load)):
