@@ -36,7 +36,7 @@ FILES = {
     "explorer/src/data/fields.ts": TYPESCRIPT,
 }
 PRODUCT = ["src", "cli", "include", "bindings/*/whirl*", "bindings/octave/private", "explorer/src", "explorer/core"]
-COMMENT = {".m": r"%.*", ".ts": r"//.*", ".c": r"//.*", ".h": r"//.*", ".cc": r"//.*", ".inc": r"//.*"}
+CODE = {".m", ".ts", ".c", ".h", ".cc", ".inc"}
 
 
 def literals(path):
@@ -46,9 +46,10 @@ def literals(path):
         for token in tokenize.generate_tokens(io.StringIO(text).readline):
             if token.type == tokenize.STRING and token.string.strip("'\"") in NAMES.values():
                 yield token.start[0], token.string
-    elif path.suffix in COMMENT:
+    elif path.suffix in CODE:
+        comment = "%.*" if path.suffix == ".m" else "//.*"
         for number, line in enumerate(text.splitlines(), 1):
-            for literal in re.findall(r"[\"'`]([a-z]+/\w+)[\"'`]", re.sub(COMMENT[path.suffix], "", line)):
+            for literal in re.findall(r"[\"'`]([a-z]+/\w+)[\"'`]", re.sub(comment, "", line)):
                 if literal in NAMES.values():
                     yield number, literal
 

@@ -331,7 +331,6 @@ static finding find(const machine *m, double p, int steps) {
     double x[MOST] = {m->start[0], m->start[1]}, beside[MOST], growth[BLOCKS] = {0};
     const double apart = 1e-8;
     finding found = {UNCLEAR, 0.0, 0.0};
-    if (m->dimension == 2) x[0] = m->start[0], x[1] = 0.0;
     for (int n = 0; n < SETTLING; n++) {
         revolve(m, p, steps, n, x);
         for (int d = 0; d < m->dimension; d++)

@@ -6,7 +6,7 @@
 //
 // What is left of each way is exp(-K pi/2) = 1e-17, by whatever steps: in each half the equations are linear with a
 // target that stands still. So motions are known that no flow of a textbook has: locks of every period, chaos that is
-// proven, and transient chaos after a known mean lifetime.
+// proven, and chaos that ends after a known mean lifetime.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

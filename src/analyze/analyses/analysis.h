@@ -32,6 +32,10 @@ typedef struct block_view {
     double *block;
 } block_view;
 
+/// Rows of fields that have one for every coordinate of the state, or for every revolution of the longest orbit.
+size_t rows_per_coordinate(const block_shape *shape);
+size_t rows_of_longest_orbit(const block_shape *shape);
+
 /// The numbers [rows][columns] of a field for a station or contact (0 for fields of the point);
 /// NULL when the field was left out.
 double *view_numbers(const block_view *view, size_t field, size_t which);
@@ -64,6 +68,9 @@ typedef struct analysis_plan {
     /// Optional: fills what a motion that left its bounds still has to say.
     void (*compute_diverged)(const whirl_record *record, const block_view *view);
 } analysis_plan;
+
+/// Where an analysis writes in a block of that layout.
+block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double *block);
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,

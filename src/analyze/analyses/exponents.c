@@ -42,16 +42,12 @@ double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count) {
 
 enum { VALUES, ERRORS, SUM, SUM_EXACT, DIMENSION, FAILED, FIELD_COUNT };
 
-static size_t rows_of_exponents(const block_shape *shape) {
-    return shape->dimension;
-}
-
 static const field_plan fields[FIELD_COUNT] = {
     [VALUES] = {WHIRL_FIELD_EXPONENTS_VALUES, "1/revolution",
-                "all Lyapunov exponents, natural logarithms, largest first", WHIRL_PER_POINT, 1, rows_of_exponents},
+                "all Lyapunov exponents, natural logarithms, largest first", WHIRL_PER_POINT, 1, rows_per_coordinate},
     [ERRORS] = {WHIRL_FIELD_EXPONENTS_ERRORS, "1/revolution",
                 "their standard errors, what the sum misses, and how far a second tolerance differs", WHIRL_PER_POINT,
-                1, rows_of_exponents},
+                1, rows_per_coordinate},
     [SUM] = {WHIRL_FIELD_EXPONENTS_SUM, "1/revolution", "the sum of all exponents", WHIRL_PER_POINT, 1, NULL},
     [SUM_EXACT] = {WHIRL_FIELD_EXPONENTS_SUM_EXACT, "1/revolution",
                    "what it is by the divergence of the equations: the difference is an error of the integration",

@@ -17,10 +17,6 @@ enum {
     FIELD_COUNT
 };
 
-static size_t per_coordinate(const block_shape *shape) {
-    return shape->dimension;
-}
-
 static const field_plan fields[FIELD_COUNT] = {
     [SEARCH] = {WHIRL_FIELD_FLOQUET_SEARCH, "1",
                 "0 no orbit looked for, 1 the motion is on a stable one, 2 on an unstable one, 3 the nearest one is "
@@ -34,7 +30,7 @@ static const field_plan fields[FIELD_COUNT] = {
                   "distance of the motion's last state from it, over the size of the motion", WHIRL_PER_POINT, 1, NULL},
     [MODULUS] = {WHIRL_FIELD_FLOQUET_MODULUS, "1", "modulus of its largest multiplier", WHIRL_PER_POINT, 1, NULL},
     [UNSTABLE] = {WHIRL_FIELD_FLOQUET_UNSTABLE, "1", "multipliers beyond the unit circle", WHIRL_PER_POINT, 1, NULL},
-    [MULTIPLIERS] = {WHIRL_FIELD_FLOQUET_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, per_coordinate},
+    [MULTIPLIERS] = {WHIRL_FIELD_FLOQUET_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, rows_per_coordinate},
     [VOLUME_ERROR] =
         {WHIRL_FIELD_FLOQUET_VOLUME_ERROR, "1",
          "sum of the multipliers' logarithms less that by the divergence; missing where the smallest is below 1e-12",

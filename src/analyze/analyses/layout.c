@@ -107,13 +107,6 @@ bool whirl_analysis_has_rows(const char *field) {
     return false;
 }
 
-static block_view view_of(const whirl_layout *layout, size_t analysis, double *block) {
-    const analysis_plan *plan = analysis_plans[analysis];
-    block_view view = {.block = block};
-    for (size_t f = 0; f < plan->field_count; f++) view.fields[f] = whirl_layout_field(layout, plan->fields[f].name);
-    return view;
-}
-
 whirl_status whirl_analyze(const whirl_record *record, const whirl_record_options *options, whirl_analysis_set set,
                            const whirl_layout *layout, double *block) {
     for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
@@ -121,7 +114,7 @@ whirl_status whirl_analyze(const whirl_record *record, const whirl_record_option
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
         if (!(set >> a & 1u)) continue;
         const analysis_plan *plan = analysis_plans[a];
-        const block_view view = view_of(layout, a, block);
+        const block_view view = view_of(plan, layout, block);
         if (!plan->compute) continue;
         if (record->motion == WHIRL_BOUNDED) {
             status = plan->compute(record, options, &view);
@@ -138,7 +131,7 @@ whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_recor
     whirl_status status = whirl_ok();
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
         const analysis_plan *plan = analysis_plans[a];
-        const block_view view = view_of(layout, a, block);
+        const block_view view = view_of(analysis_plans[a], layout, block);
         if ((set >> a & 1u) && plan->compute_resting) status = plan->compute_resting(point, options, &view);
     }
     return status;
@@ -149,7 +142,7 @@ whirl_status whirl_analyze_trace(const whirl_trace *trace, const whirl_record_op
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
-        const block_view view = view_of(layout, a, block);
+        const block_view view = view_of(analysis_plans[a], layout, block);
         if (view.fields[0] && analysis_plans[a]->compute_trace)
             status = analysis_plans[a]->compute_trace(trace, options, &view);
     }
@@ -161,7 +154,7 @@ whirl_status whirl_analyze_torus(const whirl_torus_trace *trace, const whirl_rec
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
-        const block_view view = view_of(layout, a, block);
+        const block_view view = view_of(analysis_plans[a], layout, block);
         if (view.fields[0] && analysis_plans[a]->compute_torus)
             status = analysis_plans[a]->compute_torus(trace, options, &view);
     }

@@ -1,6 +1,5 @@
 // What readers make sure of: tables of branches and tori have the shape that the program takes for granted.
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "analysis.h"

@@ -3,7 +3,6 @@
 
 #include <limits.h>
 #include <math.h>
-#include <stdio.h>
 
 enum {
     CODE,
@@ -263,8 +262,7 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
 
 /// Writes a changed verdict to its block.
 static void store_verdict(const whirl_layout *layout, double *block, const whirl_verdict *verdict) {
-    block_view view = {.block = block};
-    for (size_t f = 0; f < FIELD_COUNT; f++) view.fields[f] = whirl_layout_field(layout, fields[f].name);
+    const block_view view = view_of(&regime_analysis, layout, block);
     put_verdict(verdict, &view);
 }
 

@@ -36,14 +36,6 @@ enum {
     FIELD_COUNT
 };
 
-static size_t coordinates(const block_shape *shape) {
-    return shape->dimension;
-}
-
-static size_t longest(const block_shape *shape) {
-    return (size_t)shape->options->trace.longest;
-}
-
 static size_t most_nodes(const block_shape *shape) {
     return whirl_trace_torus_nodes(&shape->options->trace);
 }
@@ -91,15 +83,16 @@ static const field_plan fields[FIELD_COUNT] = {
                NULL},
     [TAIL] = {WHIRL_FIELD_TORUS_TAIL, "1", "last two harmonics of the curve over its largest", WHIRL_PER_POINT, 1,
               NULL},
-    [EXPONENTS] = {WHIRL_FIELD_TORUS_EXPONENTS, "1/revolution", "exponent, error", WHIRL_PER_POINT, 2, coordinates},
+    [EXPONENTS] = {WHIRL_FIELD_TORUS_EXPONENTS, "1/revolution", "exponent, error", WHIRL_PER_POINT, 2,
+                   rows_per_coordinate},
     [NODES] = {WHIRL_FIELD_TORUS_NODES, "1", "states at equal angles of the closed curve, one after the other",
                WHIRL_PER_POINT, 1, numbers_of_nodes},
     [FREQUENCY] = {WHIRL_FIELD_TORUS_FREQUENCY, "order", "x, y", WHIRL_PER_STATION, 2, NULL},
     [AMPLITUDE] = {WHIRL_FIELD_TORUS_AMPLITUDE, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
     [LOW] = {WHIRL_FIELD_TORUS_LOW, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
     [HIGH] = {WHIRL_FIELD_TORUS_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [SECTION_LOW] = {WHIRL_FIELD_TORUS_SECTION_LOW, "length", "x, y", WHIRL_PER_STATION, 2, longest},
-    [SECTION_HIGH] = {WHIRL_FIELD_TORUS_SECTION_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, longest},
+    [SECTION_LOW] = {WHIRL_FIELD_TORUS_SECTION_LOW, "length", "x, y", WHIRL_PER_STATION, 2, rows_of_longest_orbit},
+    [SECTION_HIGH] = {WHIRL_FIELD_TORUS_SECTION_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, rows_of_longest_orbit},
     [SECTION] = {WHIRL_FIELD_TORUS_SECTION, "length",
                  "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4,
                  most_nodes},

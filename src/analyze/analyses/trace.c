@@ -1,6 +1,5 @@
 // Points of branches: orbits and equilibria, stable or not, as numbers in a block and back.
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "analysis.h"
@@ -29,20 +28,12 @@ enum {
     FIELD_COUNT
 };
 
-static size_t coordinates(const block_shape *shape) {
-    return shape->dimension;
-}
-
 static size_t touches(const block_shape *shape) {
     return shape->touch_count;
 }
 
-static size_t longest(const block_shape *shape) {
-    return (size_t)shape->options->trace.longest;
-}
-
 static size_t numbers_of_nodes(const block_shape *shape) {
-    return (size_t)shape->options->trace.segments * longest(shape) * shape->dimension;
+    return (size_t)shape->options->trace.segments * rows_of_longest_orbit(shape) * shape->dimension;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -73,12 +64,13 @@ static const field_plan fields[FIELD_COUNT] = {
     [RESIDUAL] = {WHIRL_FIELD_TRACE_RESIDUAL, "1", "by which the orbit fails to close, over its largest coordinate",
                   WHIRL_PER_POINT, 1, NULL},
     [VOLUME] = {WHIRL_FIELD_TRACE_VOLUME, "1", "sum of ln|multiplier| by the divergence", WHIRL_PER_POINT, 1, NULL},
-    [MULTIPLIERS] = {WHIRL_FIELD_TRACE_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, coordinates},
+    [MULTIPLIERS] = {WHIRL_FIELD_TRACE_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, rows_per_coordinate},
     [TOUCHES] = {WHIRL_FIELD_TRACE_TOUCHES, "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4, touches},
     [NODES] = {WHIRL_FIELD_TRACE_NODES, "1", "states at the beginnings of segments, one after the other",
                WHIRL_PER_POINT, 1, numbers_of_nodes},
     [SECTION] = {WHIRL_FIELD_TRACE_SECTION, "length",
-                 "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4, longest},
+                 "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4,
+                 rows_of_longest_orbit},
     [LOW] = {WHIRL_FIELD_TRACE_LOW, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
     [HIGH] = {WHIRL_FIELD_TRACE_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
 };

@@ -415,17 +415,22 @@ static double highest_order(const subject *of) {
     return order_size(of) * (last > 0.0 ? last : 1.0);
 }
 
-static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
+/// What a spectrum's panel begins with: axes, and the orders of the largest lines. Gives its axis of amplitudes.
+static scale begin_spectrum(FILE *script, const subject *of, int full) {
     const double highest = highest_order(of);
-    const scale axis = scale_of(of, 0, 1.22);
-    fprintf(script,
-            "set xlabel frequency_label\nset ylabel amplitude_label\nset xrange [0:%.6g]\nset xtics %g\n"
-            "set key inside top right horizontal samplen 1.5\n",
-            highest, tic_step(highest, 6));
-    write_scale(script, &axis, 6);
-    write_line_labels(script, of, &axis, highest, 0);
+    const scale axis = scale_of(of, full, full ? 1.24 : 1.22);
+    fprintf(script, "set xlabel frequency_label%s\nset ylabel amplitude_label\nset xrange [%.6g:%.6g]\nset xtics %g\n",
+            full ? ".' (negative: backward whirl)'" : "", full ? -highest : 0.0, highest, tic_step(highest, 6));
+    write_scale(script, &axis, full ? 5 : 6);
+    write_line_labels(script, of, &axis, highest, full);
+    return axis;
+}
+
+static void write_spectrum_panel(FILE *script, const subject *of, const figure *what) {
+    const scale axis = begin_spectrum(script, of, 0);
     fprintf(
         script,
+        "set key inside top right horizontal samplen 1.5\n"
         "plot keyentry with lines linestyle 1 title '{/:Italic x}', \\\n"
         "  '%s' using (order*$1):(height(amplitude*$3)) with lines linestyle 2 linewidth 0.5 title '{/:Italic y}', \\\n"
         "  '' using (order*$1):(height(amplitude*$2)) with lines linestyle 1 linewidth 0.5 notitle\n"
@@ -435,14 +440,7 @@ static void write_spectrum_panel(FILE *script, const subject *of, const figure *
 }
 
 static void write_full_spectrum_panel(FILE *script, const subject *of, const figure *what) {
-    const double highest = highest_order(of);
-    const scale axis = scale_of(of, 1, 1.24);
-    fprintf(script,
-            "set xlabel frequency_label.' (negative: backward whirl)'\nset ylabel amplitude_label\n"
-            "set xrange [%.6g:%.6g]\nset xtics %g\n",
-            -highest, highest, tic_step(highest, 6));
-    write_scale(script, &axis, 5);
-    write_line_labels(script, of, &axis, highest, 1);
+    const scale axis = begin_spectrum(script, of, 1);
     fprintf(script,
             "set label 98 'backward' at graph 0.015, 0.9 left textcolor rgb '#D55E00'\n"
             "set label 99 'forward' at graph 0.985, 0.9 right textcolor rgb '#0072B2'\n"
