@@ -403,8 +403,8 @@ whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integra
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
 /// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.
-/// Chaos that has ended was a transient: the confidence is low then, and fair where the copy does not tell. The order of
-/// copies changes nothing.
+/// Chaos that has ended was a transient: the confidence is low then, and fair where the copy does not tell. The order
+/// of copies changes nothing.
 void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all);
 
 /// Options with errors of a step smaller by `factor` >= 1: tolerances divided by it, steps of a fixed-step method times
