@@ -338,7 +338,7 @@ static size_t find_peaks(const subject *of, const scale *axis, int full, peak *p
         if (full) peaks[count++] = (peak){-at, drawn_height(of, order, 4)};
     }
     for (size_t k = 0; k < count; k++) peaks[k].height = scale_place(axis, peaks[k].height);
-    qsort(peaks, count, sizeof *peaks, by_height);
+    if (count > 1) qsort(peaks, count, sizeof *peaks, by_height);
     return count;
 }
 
