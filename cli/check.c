@@ -145,20 +145,20 @@ static void print_time(double seconds, bool settle, int cores) {
 
 /// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
 static whirl_status tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch) {
-    const bool traced = whirl_analysis_is_traced(batch->analyses);
-    const double *const axes[] = {traced ? batch->bounds : batch->values, batch->second_values, batch->third_values};
-    const char *const names[] = {batch->parameter, batch->second, batch->third};
-    const size_t last = traced ? 1 : batch->count - 1;
     const int cores = available_cores();
+    const char *parameter;
+    size_t count;
+    const double *values = whirl_batch_values(batch, 0, &parameter, &count);
+    const bool varies = values != NULL;
     double seconds;
     const whirl_status status = estimate_seconds(study, batch, cores, &seconds);
-    if (status.code != WHIRL_OK || (!axes[0] && isnan(seconds))) return status;
+    if (status.code != WHIRL_OK || (!varies && isnan(seconds))) return status;
     printf("  %s: ", batch->name);
-    for (size_t i = 0; i < 3 && axes[i]; i++) {
-        if (i > 0) fputs(", ", stdout);
-        print_range(told, names[i], axes[i][0], axes[i][last]);
+    for (size_t i = 1; values; values = whirl_batch_values(batch, i++, &parameter, &count)) {
+        if (i > 1) fputs(", ", stdout);
+        print_range(told, parameter, values[0], values[count - 1]);
     }
-    if (axes[0] && !isnan(seconds)) fputs("; ", stdout);
+    if (varies && !isnan(seconds)) fputs("; ", stdout);
     if (!isnan(seconds)) print_time(seconds, batch->record.settle, cores);
     putchar('\n');
     return whirl_ok();

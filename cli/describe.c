@@ -193,20 +193,12 @@ static void print_sentence(const char *before, const char *text, int width) {
     putchar('\n');
 }
 
-/// How a case asks for an analysis.
-static const char *how_chosen(const char *name) {
-    whirl_analysis_set set = 0;
-    whirl_analysis_add(&set, name);
-    return whirl_analysis_is_traced(set)    ? "Of studies with `branch: {...}`."
-           : whirl_analysis_is_resting(set) ? "A study of its own, in place of sweep or response."
-                                            : "Written in the list `analyze: [...]`.";
-}
-
 static void print_subject(const subject *one, int width) {
     print_sentence(one->name, one->meaning, width);
     if (*one->source) print_sentence("Source", one->source, width);
     if (one->kind == SUBJECT_METHOD) puts("Written as `integrate: {method: ...}`.");
-    if (one->kind == SUBJECT_ANALYSIS) puts(how_chosen(one->name));
+    whirl_analysis_set own = 0;
+    if (one->kind == SUBJECT_ANALYSIS && whirl_analysis_add(&own, one->name)) puts(whirl_analysis_kind(own)->asked);
     if (!one->group || !whirl_group_at(one->group, 0)) return;
     putchar('\n');
     print_keys(one->group, width);

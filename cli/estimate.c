@@ -67,7 +67,7 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;
     *seconds = (double)NAN;
-    if (whirl_analysis_is_traced(batch->analyses) || whirl_analysis_is_resting(batch->analyses)) return whirl_ok();
+    if (!whirl_analysis_kind(batch->analyses)->moves) return whirl_ok();
     whirl_status status = whirl_study_machine(study, batch, batch->count / 2, &machine);
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     // A single revolution of a machine this large may take minutes.

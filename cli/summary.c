@@ -155,7 +155,8 @@ static bool has_modes(const whirl_table *table) {
 }
 
 static bool is_at_rest(const whirl_table *table) {
-    return whirl_analysis_is_resting(table->analyses);
+    const whirl_kind *kind = whirl_analysis_kind(table->analyses);
+    return !kind->moves && !kind->found;
 }
 
 /// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
@@ -551,7 +552,7 @@ static whirl_status print_tables(const whirl_result *result) {
             summarize_end(result, table->parameter, table->values[0]);
         if (whirl_analysis_has(table->analyses, "torus"))
             summarize_tori(result, table);
-        else if (whirl_analysis_is_traced(table->analyses))
+        else if (whirl_analysis_kind(table->analyses)->found)
             print_branches(result, table);
         else if (planned <= LONGEST_LIST && table->row == 0)
             print_list(result, table);
@@ -620,11 +621,11 @@ void summarize_study(const whirl_study *study) {
         if (batch->row > 0) printf("%s%s", batch->plane > 0 ? ", " : " and ", batch->second);
         if (batch->plane > 0) printf(" and %s", batch->third);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
-        if (whirl_analysis_is_resting(batch->analyses)) {
+        if (!whirl_analysis_kind(batch->analyses)->settles) {
             printf(": %.0f point%s about where the machine rests\n", points, plural(points));
             continue;
         }
-        if (whirl_analysis_is_traced(batch->analyses)) {
+        if (whirl_analysis_kind(batch->analyses)->found) {
             print_room(batch);
             continue;
         }

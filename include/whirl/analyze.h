@@ -495,15 +495,38 @@ typedef struct whirl_layout {
     size_t size;                          ///< doubles of the block
 } whirl_layout;
 
+/// A kind of points, with all that who handles batches and tables may ask of it: nobody asks which kind it is.
+typedef struct whirl_kind {
+    const char *name;   ///< "motion", "rest", "branch", "torus"
+    const char *asked;  ///< how a case asks for its analyses, a sentence
+    const char *method; ///< how its points are found, NULL: they are integrated, by the method of their options
+    const char *beside; ///< what is said behind the name of that method, "" nothing
+    /// Its points are motions: from a start on, over a transient and a record, with a verdict, and so with several
+    /// starts, confirmations and refinement.
+    bool moves;
+    bool settles; ///< motions are integrated at least until they have settled
+    /// Its points are found as a run goes on: how many they are, at most record.trace.points, and at which values is
+    /// known when they are there. Their options are those of whirl_trace_members, too.
+    bool found;
+    bool still; ///< also of machines that stand still, of which no revolutions are counted
+} whirl_kind;
+
+/// The studies of machines at rest: name, what it is of, source, and `STILL` where it is also of machines that stand
+/// still. Each is an analysis, and a part of a study, of that name.
+#define WHIRL_STUDIES_AT_REST(study)                                                                                   \
+    study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
+          "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
+        study(unbalance, "synchronous response to unbalance about where the machine rests",                            \
+              "Friswell, Penny, Garvey, Lees 2010", TURNING)
+
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {
-    const char *name;    ///< as written in a case file: "poincare", "spectrum", ...
-    const char *meaning; ///< one line
-    const char *source;  ///< author, year; "" where there is nothing to cite
-    bool usual;          ///< computed where a case does not say which
-    bool kept;           ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
-    bool resting;        ///< of a machine at rest, whose motion is not followed: chosen by a study of its name, alone
-    bool traced;         ///< of points of branches, or of tori: chosen by a study's part `branch`, alone
+    const char *name;       ///< as written in a case file: "poincare", "spectrum", ...
+    const char *meaning;    ///< one line
+    const char *source;     ///< author, year; "" where there is nothing to cite
+    bool usual;             ///< computed where a case does not say which
+    bool kept;              ///< of waveforms that are kept: computed exactly where some are (whirl_analysis_fit)
+    const whirl_kind *kind; ///< of the points that it is of
 } whirl_analysis;
 
 /// All analyses; static, ended by an entry whose name is NULL.
@@ -518,11 +541,8 @@ bool whirl_analysis_add(whirl_analysis_set *set, const char *name);
 /// Whether a choice has the analysis of that name.
 bool whirl_analysis_has(whirl_analysis_set set, const char *name);
 
-/// Whether a choice is of machines at rest (whirl_analyze_resting).
-bool whirl_analysis_is_resting(whirl_analysis_set set);
-
-/// Whether a choice is of points of branches (whirl_analyze_trace), or of tori (whirl_analyze_torus).
-bool whirl_analysis_is_traced(whirl_analysis_set set);
+/// The kind of points that a choice is of, all of one; that of motions where nothing is chosen. Static.
+const whirl_kind *whirl_analysis_kind(whirl_analysis_set set);
 
 /// Those that are computed where a case does not say which.
 whirl_analysis_set whirl_analysis_usual(void);

@@ -280,6 +280,10 @@ whirl_unit whirl_field_si(const whirl_result *result, const whirl_table *table, 
 /// The SI unit of a parameter, "1" of plain numbers and of what is no parameter. Borrowed.
 const char *whirl_result_parameter_unit(const whirl_result *result, const char *parameter);
 
+/// The options that the points of a table were computed with, group by group from 0: their members, and where in the
+/// table the struct is that they are members of; NULL past the last group.
+const whirl_member *whirl_table_options(const whirl_table *table, size_t group, size_t *offset);
+
 /// The value of a fact, "" where there is none of that name. Borrowed.
 const char *whirl_result_fact(const whirl_result *result, const char *name);
 

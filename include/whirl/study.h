@@ -74,6 +74,10 @@ typedef struct whirl_batch {
     const whirl_room *room;            ///< NULL, or what large values lie in; borrowed
 } whirl_batch;
 
+/// The values [count] of a parameter of a batch, by axis from 0, along its points, and its name; NULL past the last. Of
+/// a batch whose points are found its two bounds. Borrowed.
+const double *whirl_batch_values(const whirl_batch *batch, size_t axis, const char **name, size_t *count);
+
 /// Its members that are said of a study (part "study"); static, ended by one without a part.
 const whirl_member *whirl_batch_members(void);
 

@@ -147,9 +147,12 @@ static void read_units(case_reader *reader, const setting_list *study, case_cont
         problem_at(reader->problems, settings_find(study, "units")->place, "%s", status.message);
 }
 
-/// Only modes are of a shaft that stands still, too: motions are counted in revolutions.
+/// Whether the study is of a shaft that stands still, too: motions are counted in revolutions.
 static bool may_stand_still(const setting *study) {
-    return study && study->place->kind == NODE_MAPPING && node_member(study->place, schema_modes.name);
+    if (!study || study->place->kind != NODE_MAPPING) return false;
+    for (const whirl_analysis *one = whirl_analyses(); one->name; one++)
+        if (one->kind->still && node_member(study->place, one->name)) return true;
+    return false;
 }
 
 static void read_content(case_reader *reader, const file_node *root, case_content *content) {

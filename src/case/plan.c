@@ -38,16 +38,16 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
 /// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
 static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
     whirl_record_options *record = &batch->record;
-    const bool resting = whirl_analysis_is_resting(chosen), traced = whirl_analysis_is_traced(chosen);
-    batch->analyses = resting || traced ? chosen : whirl_analysis_fit(chosen, record);
-    record->spectra = spectra && !resting && !traced;
+    const whirl_kind *kind = whirl_analysis_kind(chosen);
+    batch->analyses = kind->moves ? whirl_analysis_fit(chosen, record) : chosen;
+    record->spectra = spectra && kind->moves;
     record->waveform = false;
     record->growth = WHIRL_GROWTH_NONE;
     record->orbits = false;
-    if (!resting && !traced) whirl_analysis_needs(batch->analyses, record);
-    if (resting || traced) record->waveform_revolutions = record->watch = 0;
-    if (resting) record->transient = 0;
-    if (resting) record->record = 1;
+    if (kind->moves) whirl_analysis_needs(batch->analyses, record);
+    if (!kind->moves) record->waveform_revolutions = record->watch = 0;
+    if (!kind->settles) record->transient = 0;
+    if (!kind->settles) record->record = 1;
 }
 
 // ---------------------------------------------------------------- contradictions
@@ -488,7 +488,7 @@ static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts
     return good;
 }
 
-static void finish_traced(valuation *v, const plan_parts *parts, whirl_batch *batch) {
+static void finish_found(valuation *v, const plan_parts *parts, whirl_batch *batch) {
     settings_take(v, &parts->branch, whirl_trace_members(), &batch->record.trace);
     choose_analyses(batch, batch->analyses, false);
 }
@@ -561,8 +561,8 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         whirl_batch *batch = &result->batches[i];
         batch->integrate = integrate;
         batch->record = record;
-        if (whirl_analysis_is_traced(batch->analyses))
-            finish_traced(v, parts, batch);
+        if (whirl_analysis_kind(batch->analyses)->found)
+            finish_found(v, parts, batch);
         else
             finish_points(reader, v, parts, result, batch);
     }
@@ -653,7 +653,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
 }
 
 whirl_status plan_check_speed(const whirl_batch *batch, double speed) {
-    if (speed > 0.0 || strcmp(batch->name, schema_modes.name) == 0) return whirl_ok();
+    if (speed > 0.0 || whirl_analysis_kind(batch->analyses)->still) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);
 }
 

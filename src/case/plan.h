@@ -58,7 +58,7 @@ typedef struct axis_parts {
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
-    const char *resting;      ///< "modes" or "unbalance", of which `sweep` is then; NULL: motions are followed
+    const char *resting;      ///< a study of machines at rest, of which `sweep` is then; NULL: motions are followed
     bool branches, swept_too; ///< branches are traced; and there is a sweep
     axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
     axis_parts across;        ///< what varies from row to row of a map, else without a parameter

@@ -164,7 +164,8 @@ static void check_other_axis(case_reader *reader, const axis_parts *axis, const 
                    "is %s, which varies along %s already, expected another parameter", axis->parameter->name, key);
 }
 
-static void read_map(case_reader *reader, const whirl_group *group, plan_parts *parts) {
+static void read_map(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
+    (void)given;
     read_part(reader, &parts->study, group->name, group, &parts->map);
     read_map_axis(reader, &parts->map, "x", &parts->sweep);
     read_map_axis(reader, &parts->map, "y", &parts->across);
@@ -172,37 +173,6 @@ static void read_map(case_reader *reader, const whirl_group *group, plan_parts *
     check_other_axis(reader, &parts->across, &parts->sweep, "x");
     check_other_axis(reader, &parts->planes, &parts->sweep, "x");
     check_other_axis(reader, &parts->planes, &parts->across, "y");
-}
-
-static const char *const kinds[] = {"response", "sweep", "map", "basin", "branch", "modes", "unbalance"};
-enum { KINDS = sizeof kinds / sizeof *kinds };
-
-/// The list of kinds is that of the message.
-static void tell_kinds(case_reader *reader, const file_node *study) {
-    char names[WHY_SIZE] = "";
-    for (size_t i = 0, used = 0; i < KINDS; i++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
-                                 i == 0           ? ""
-                                 : i + 1 == KINDS ? " and "
-                                                  : ", ",
-                                 kinds[i]);
-    problem_at(reader->problems, study, "has none of %s, expected one of them", names);
-}
-
-/// What a study is of: one point, points along a parameter or two, or machines at rest. The first that is given counts.
-static const setting *find_kind(case_reader *reader, const setting_list *study) {
-    const setting *found = NULL;
-    for (size_t i = 0; i < KINDS; i++) {
-        const setting *given = settings_find(study, kinds[i]);
-        if (given && found && strcmp(kinds[i], "branch") == 0 && strcmp(found->key->name, "sweep") == 0) continue;
-        if (given && found)
-            problem_at_key(reader->problems, (i == 1 ? found : given)->place,
-                           "stands beside %s, expected one of the two", i == 1 ? kinds[i] : found->key->name);
-        else if (given)
-            found = given;
-    }
-    if (!found) tell_kinds(reader, study->place);
-    return found;
 }
 
 /// What has no meaning where no motion is told of: of machines at rest, and of branches alone, whose motions settle.
@@ -215,9 +185,9 @@ static void check_lone_keys(case_reader *reader, const plan_parts *parts, const 
     }
 }
 
-static void read_resting(case_reader *reader, const setting *kind, plan_parts *parts) {
-    const whirl_group *group = strcmp(kind->key->name, "modes") == 0 ? &schema_modes : &schema_unbalance;
+static void read_resting(case_reader *reader, const setting *kind, const whirl_group *group, plan_parts *parts) {
     static const char *const axis[] = {"from", "to", "points", "step", "scale", "values"};
+    (void)kind;
     parts->resting = group->name;
     whirl_analysis_add(&parts->analyses, group->name);
     check_lone_keys(reader, parts, parts->resting, false);
@@ -308,25 +278,83 @@ static void read_branch(case_reader *reader, plan_parts *parts) {
     read_curves(reader, parts);
 }
 
-static void read_kind(case_reader *reader, plan_parts *parts) {
+// ---------------------------------------------------------------- kinds of study
+
+/// How a study that asks for it by a key of its own is read.
+typedef struct kind_of_study {
+    const whirl_group *group; ///< of what stands there, by the name of the key
+    void (*read)(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts);
+} kind_of_study;
+
+static void read_response(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
+    setting_list nothing;
+    (void)given;
+    read_part(reader, &parts->study, group->name, group, &nothing);
+}
+
+static void read_sweep_alone(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     char shown[SHOWN_SIZE];
-    const setting *kind = find_kind(reader, &parts->study);
-    const char *name = kind ? kind->key->name : "";
-    if (strcmp(name, "response") == 0) {
-        setting_list nothing;
-        read_part(reader, &parts->study, "response", &schema_response, &nothing);
-    } else if (strcmp(name, "modes") == 0 || strcmp(name, "unbalance") == 0) {
-        read_resting(reader, kind, parts);
-    } else if (strcmp(name, "map") == 0 || strcmp(name, "basin") == 0) {
-        read_map(reader, name[0] == 'm' ? &schema_map : &schema_basin, parts);
-    } else if (strcmp(name, "branch") == 0) {
-        read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep.keys); // there is none
-    } else if (kind && kind->place->kind == NODE_MAPPING) {
+    (void)group;
+    if (given->place->kind == NODE_MAPPING)
         read_sweep(reader, parts);
-    } else if (kind) {
-        problem_at(reader->problems, kind->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
-                   node_shown(kind->place, shown));
+    else
+        problem_at(reader->problems, given->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
+                   node_shown(given->place, shown));
+}
+
+/// Branches alone; read_branch reads what they are.
+static void read_no_sweep(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
+    (void)given, (void)group;
+    read_part(reader, &parts->study, schema_sweep.name, &schema_sweep, &parts->sweep.keys);
+}
+
+/// In the order in which they are named; those of machines at rest follow.
+static const kind_of_study kinds[] = {{&schema_response, read_response}, {&schema_sweep, read_sweep_alone},
+                                      {&schema_map, read_map},           {&schema_basin, read_map},
+                                      {&schema_branch, read_no_sweep},   {&schema_at_rest[0], read_resting}};
+enum { NAMED_KINDS = sizeof kinds / sizeof *kinds - 1 };
+
+/// By index from 0; false past the last.
+static bool kind_at(size_t index, kind_of_study *kind) {
+    const bool resting = index >= NAMED_KINDS;
+    *kind = kinds[resting ? NAMED_KINDS : index];
+    if (resting) kind->group += index - NAMED_KINDS;
+    return kind->group->name != NULL;
+}
+
+/// The list of kinds is that of the message.
+static void tell_kinds(case_reader *reader, const file_node *study) {
+    char names[WHY_SIZE] = "";
+    kind_of_study kind, next;
+    for (size_t i = 0, used = 0; kind_at(i, &kind); i++)
+        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
+                                 i == 0                  ? ""
+                                 : kind_at(i + 1, &next) ? ", "
+                                                         : " and ",
+                                 kind.group->name);
+    problem_at(reader->problems, study, "has none of %s, expected one of them", names);
+}
+
+/// What a study is of: the first kind that is given counts; only branches stand beside a sweep.
+static void read_kind(case_reader *reader, plan_parts *parts) {
+    const setting *found = NULL;
+    kind_of_study kind, chosen = {NULL, NULL};
+    for (size_t i = 0; kind_at(i, &kind); i++) {
+        const setting *given = settings_find(&parts->study, kind.group->name);
+        const bool swept = chosen.group == &schema_sweep;
+        if (!given || (swept && kind.group == &schema_branch)) continue;
+        // A response is what a study has that is not said otherwise: that is what is too much.
+        const bool first = found && kind.group == &schema_sweep;
+        if (found)
+            problem_at_key(reader->problems, (first ? found : given)->place,
+                           "stands beside %s, expected one of the two", (first ? given : found)->key->name);
+        else
+            found = given, chosen = kind;
     }
+    if (found)
+        chosen.read(reader, found, chosen.group, parts);
+    else
+        tell_kinds(reader, parts->study.place);
 }
 
 // ---------------------------------------------------------------- detail
@@ -490,7 +518,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     size_t count = 0;
     for (const whirl_analysis *a = whirl_analyses(); a->name && count < SETTINGS_MAX; a++)
-        if (!a->resting && !a->traced) names[count++] = a->name;
+        if (a->kind->moves) names[count++] = a->name;
     describe_names(where->kind == NODE_TEXT ? where->text : "", names, count, advice);
     problem_at(reader->problems, where, "is %s, which is no analysis, %s", node_shown(where, shown), advice);
 }
@@ -513,14 +541,14 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
         whirl_analysis_set one = 0;
         if (item->kind != NODE_TEXT || !whirl_analysis_add(&one, item->text))
             report_unknown_analysis(reader, item);
-        else if (whirl_analysis_is_resting(one))
+        else if (whirl_analysis_kind(one)->found)
+            problem_at(reader->problems, item, "is %s, of points of branches, expected branch: {...} beside the sweep",
+                       item->text);
+        else if (!whirl_analysis_kind(one)->moves)
             problem_at(reader->problems, item,
                        "is %s, which is a study of its own, expected %s: {...} in place of "
                        "response or sweep",
                        item->text, item->text);
-        else if (whirl_analysis_is_traced(one))
-            problem_at(reader->problems, item, "is %s, of points of branches, expected branch: {...} beside the sweep",
-                       item->text);
         parts->analyses |= one;
     }
 }

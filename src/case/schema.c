@@ -40,9 +40,22 @@ static const whirl_key case_keys[] = {
 static const whirl_key rotor_keys[] = {ROTOR_KEYS(WHIRL_POSITIVE)};
 static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
+#define OR_NAME(name, ...) ", " #name
+#define KEY_AT_REST(name, meaning, ...)                                                                                \
+    {#name,                                                                                                            \
+     "",                                                                                                               \
+     "",                                                                                                               \
+     WHIRL_KEY_CHOICE,                                                                                                 \
+     false,                                                                                                            \
+     "",                                                                                                               \
+     WHIRL_ANY,                                                                                                        \
+     "",                                                                                                               \
+     meaning ", along one parameter or at one point: see " #name,                                                      \
+     ""},
+
 static const whirl_key study_keys[] = {
     {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "one point; this, sweep, map, branch, modes or unbalance", ""},
+     "one point; a study has this or one of sweep, map, basin, branch" WHIRL_STUDIES_AT_REST(OR_NAME), ""},
     {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter", ""},
     {"map", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points of a plane of two parameters: see map", ""},
     {"basin", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
@@ -53,12 +66,8 @@ static const whirl_key study_keys[] = {
      ""},
     {"curves", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "curves over a second parameter, through the special points of the branches: see curves", ""},
-    {"modes", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "modes about where the machine rests, along one parameter or at one point: see modes", ""},
-    {"unbalance", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "synchronous response about where the machine rests, likewise: see unbalance", ""},
-    {"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "names of stations with the state they start from; zero where absent", ""},
+    WHIRL_STUDIES_AT_REST(KEY_AT_REST){"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+                                       "names of stations with the state they start from; zero where absent", ""},
     {"starts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
      "several starts of every point of a response, sweep or map, to see which motions exist side by side: see starts",
      ""},
@@ -176,10 +185,10 @@ const whirl_group schema_map = GROUP("map", "points of a plane of two parameters
 const whirl_group schema_basin =
     GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
 const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
-const whirl_group schema_modes =
-    GROUP("modes", "modes of small motions about where the machine rests", resting_keys, of_options);
-const whirl_group schema_unbalance =
-    GROUP("unbalance", "synchronous response about where the machine rests", resting_keys, of_options);
+#define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
+#define INDEX_AT_REST(name, ...) AT_REST_##name,
+#define ADDRESS_AT_REST(name, ...) &schema_at_rest[AT_REST_##name],
+const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
 const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
@@ -195,11 +204,26 @@ const char *schema_scaled_unit(const whirl_key *key) {
     return "";
 }
 
+enum { WHIRL_STUDIES_AT_REST(INDEX_AT_REST) };
+
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,    &schema_rotor,  &schema_study,     &schema_response,  &schema_sweep,  &schema_map,
-        &schema_basin,   &schema_axis,   &schema_modes,     &schema_unbalance, &schema_branch, &schema_curves,
-        &schema_initial, &schema_starts, &schema_integrate, &schema_keep,      &schema_detail, NULL,
+        &schema_case,
+        &schema_rotor,
+        &schema_study,
+        &schema_response,
+        &schema_sweep,
+        &schema_map,
+        &schema_basin,
+        &schema_axis,
+        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_branch,
+        &schema_curves,
+        &schema_initial,
+        &schema_starts,
+        &schema_integrate,
+        &schema_keep,
+        &schema_detail,
+        NULL,
     };
     return groups;
 }

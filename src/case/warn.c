@@ -69,16 +69,15 @@ static void warn_of_machine(warner *w, const given_value *given, size_t count) {
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
 }
 
-/// Point `point` of a batch, or an end of a branch.
+/// A point of a batch, by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
-    const double *const values[] = {batch->values, batch->second_values, batch->third_values};
-    const char *const names[] = {batch->parameter, batch->second, batch->third};
-    const bool traced = whirl_analysis_is_traced(batch->analyses);
     given_value given[3];
-    size_t count = 0;
-    for (; count < 3 && values[count]; count++) given[count] = (given_value){names[count], values[count][point]};
-    if (traced) given[0].value = batch->bounds[point > 0];
-    warn_of_machine(w, given, count);
+    const char *name;
+    const double *values;
+    size_t count, axes = 0;
+    for (; (values = whirl_batch_values(batch, axes, &name, &count)) != NULL; axes++)
+        given[axes] = (given_value){name, values[point]};
+    warn_of_machine(w, given, axes);
 }
 
 // ---------------------------------------------------------------- ranges
@@ -95,13 +94,16 @@ static void warn_of_range(warner *w, const char *batch, const char *name, const 
     warn(w, path, text);
 }
 
+/// The values of an axis are those of every `strides[axis]`-th point, up to the first of the next axis.
 static void warn_of_ranges(warner *w, const whirl_batch *batch) {
-    const size_t row = batch->row > 0 ? batch->row : batch->count,
-                 plane = batch->plane > 0 ? batch->plane : batch->count;
-    warn_of_range(w, batch->name, batch->parameter, batch->values, 1, row);
-    if (batch->second_values) warn_of_range(w, batch->name, batch->second, batch->second_values, row, plane / row);
-    if (batch->third_values)
-        warn_of_range(w, batch->name, batch->third, batch->third_values, plane, batch->count / plane);
+    const char *name;
+    const double *values;
+    size_t count;
+    for (size_t axis = 0; (values = whirl_batch_values(batch, axis, &name, &count)) != NULL; axis++) {
+        const size_t row = batch->row > 0 ? batch->row : count, plane = batch->plane > 0 ? batch->plane : count;
+        const size_t strides[] = {1, row, plane, count};
+        warn_of_range(w, batch->name, name, values, strides[axis], strides[axis + 1] / strides[axis]);
+    }
 }
 
 // ---------------------------------------------------------------- the whole
@@ -110,15 +112,15 @@ whirl_status case_warn(const case_content *content, whirl_result *result) {
     warner w = {.content = content, .result = result, .status = whirl_ok()};
     for (size_t i = 0; i < content->plan.batch_count; i++) {
         const whirl_batch *batch = &content->plan.batches[i];
-        if (!batch->values) {
+        const char *name;
+        size_t count;
+        if (!whirl_batch_values(batch, 0, &name, &count)) {
             warn_of_machine(&w, NULL, 0);
             continue;
         }
-        const size_t row = batch->row > 0 ? batch->row : batch->count;
-        const size_t corners[] = {0, row - 1, batch->count - row, batch->count - 1};
-        const bool traced = whirl_analysis_is_traced(batch->analyses);
-        for (size_t k = 0; k < 4; k++) warn_of_point(&w, batch, traced ? k : corners[k]);
-        if (!traced) warn_of_ranges(&w, batch);
+        const size_t row = batch->row > 0 ? batch->row : count, corners[] = {0, row - 1, count - row, count - 1};
+        for (size_t k = 0; k < 4; k++) warn_of_point(&w, batch, corners[k]);
+        warn_of_ranges(&w, batch);
     }
     return w.status;
 }

@@ -137,7 +137,7 @@ typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
     size_t first; ///< below `stride`
-    bool sections, resting;
+    bool sections, moves;
     bool lean;  ///< a map that is not told in full
     bool whole; ///< all fields, with all of their rows
 } selection;
@@ -190,17 +190,17 @@ static selection select_cells(const whirl_table *table, bool sections) {
 }
 
 static selection select_points(const whirl_table *table, bool sections) {
-    const bool resting = whirl_analysis_is_resting(table->analyses);
-    if (whirl_analysis_is_traced(table->analyses)) return select_all(table);
+    const whirl_kind *kind = whirl_analysis_kind(table->analyses);
+    if (kind->found) return select_all(table);
     if (table->row) return select_cells(table, sections);
     const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
-    const size_t room = resting && fitting < MOST_POINTS ? fitting : MOST_POINTS;
+    const size_t room = !kind->moves && fitting < MOST_POINTS ? fitting : MOST_POINTS;
     const size_t stride = thinned(table->count, room);
     return (selection){.table = table,
                        .stride = stride ? stride : 1,
                        .count = thinned(table->count, stride ? stride : 1),
                        .sections = sections,
-                       .resting = resting};
+                       .moves = kind->moves};
 }
 
 /// Columns and rows that a map has in the page, in each of its planes.
@@ -412,7 +412,7 @@ static kept_part part_of(const whirl_field *field, const selection *chosen) {
     const bool section =
         strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
     if (chosen->lean && !section && !is_looked_at_most(field)) return (kept_part){0};
-    if (field->rows == 1 || chosen->resting) return (kept_part){0, field->rows, field->columns};
+    if (field->rows == 1 || !chosen->moves) return (kept_part){0, field->rows, field->columns};
     if (strncmp(field->name, "torus/section_", strlen("torus/section_")) == 0) return (kept_part){0, field->rows, 2};
     if (strcmp(field->name, WHIRL_FIELD_TRACE_SECTION) == 0) return (kept_part){0, field->rows, 2};
     if (strcmp(field->name, WHIRL_FIELD_TRACE_MULTIPLIERS) == 0) return (kept_part){0, field->rows, field->columns};
@@ -539,9 +539,9 @@ static bool write_table(FILE *stream, const whirl_table *table, bool sections) {
     fprintf(stream, ",\"points\":%zu,\"count\":%zu", table->count, chosen.count);
     if (table->source)
         fprintf(stream, ",\"starts\":%zu,\"places\":%zu", table->source->starts, whirl_table_places(table));
-    script_members(stream, whirl_integrate_members(), &table->integrate);
-    script_members(stream, whirl_record_members(), &table->record);
-    if (whirl_analysis_is_traced(table->analyses)) script_members(stream, whirl_trace_members(), &table->record.trace);
+    const whirl_member *members;
+    for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
+        script_members(stream, members, (const char *)table + at);
     if (table->length_scales) write_chosen(stream, "length_scales", &chosen, table->length_scales);
     if (table->row)
         well = write_cells(stream, &chosen);

@@ -392,12 +392,12 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "stations", station_torus, result, table, point);
         return object;
     }
-    if (whirl_analysis_is_traced(table->analyses)) {
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NUMBER)) {
         put_trace(well, object, table, point);
         put_stations(well, object, "stations", station_trace, result, table, point);
         return object;
     }
-    if (whirl_analysis_is_resting(table->analyses)) {
+    if (!whirl_analysis_kind(table->analyses)->moves) {
         put_rest(well, object, result, table, point);
         return object;
     }
@@ -611,10 +611,10 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
     bool well = true;
     for (size_t i = 0; i < result->table_count; ++i) {
         json_t *object = json_object();
-        document_put_members(&well, object, whirl_integrate_members(), &result->tables[i].integrate);
-        document_put_members(&well, object, whirl_record_members(), &result->tables[i].record);
-        if (whirl_analysis_is_traced(result->tables[i].analyses))
-            document_put_members(&well, object, whirl_trace_members(), &result->tables[i].record.trace);
+        const whirl_table *table = &result->tables[i];
+        const whirl_member *members;
+        for (size_t group = 0, at; (members = whirl_table_options(table, group, &at)) != NULL; group++)
+            document_put_members(&well, object, members, (const char *)table + at);
         document_put(&well, methods, result->tables[i].name, object);
     }
     return dump_member(",\n", "integrated", methods, stream) && well;

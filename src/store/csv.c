@@ -254,10 +254,9 @@ static void write_options(FILE *stream, const whirl_result *result, const whirl_
     put_cell(&row, "table"), put_cell(&row, "option"), put_cell(&row, "value"), put_cell(&row, "meaning");
     end_line(&row);
     for (const whirl_table *table = result->tables; table < result->tables + result->table_count; ++table) {
-        put_options(&row, table->name, whirl_integrate_members(), &table->integrate);
-        put_options(&row, table->name, whirl_record_members(), &table->record);
-        if (whirl_analysis_is_traced(table->analyses))
-            put_options(&row, table->name, whirl_trace_members(), &table->record.trace);
+        const whirl_member *members;
+        for (size_t group = 0, at; (members = whirl_table_options(table, group, &at)) != NULL; group++)
+            put_options(&row, table->name, members, (const char *)table + at);
     }
 }
 

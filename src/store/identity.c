@@ -55,7 +55,7 @@ static void put_facts(FILE *out, const whirl_result *outline) {
 /// Which points a refined map has follows from what was found: the corners of its first squares tell what it is of.
 /// So do the starts that are not from neighbours. Of branches, curves and tori no point is known beforehand.
 static bool is_planned(const whirl_table *table, size_t point) {
-    if (whirl_analysis_is_traced(table->analyses) || whirl_table_from_neighbour(table, point)) return false;
+    if (whirl_analysis_kind(table->analyses)->found || whirl_table_from_neighbour(table, point)) return false;
     if (table->refine == 0) return true;
     const size_t slot = whirl_table_slot(table, point), x = slot % table->row, y = slot / table->row;
     return (x % table->refine == 0 || x + 1 == table->row) &&
@@ -76,7 +76,7 @@ static void put_points(FILE *out, const whirl_table *table) {
         sum = crc32c(sum, both, (size_t)length);
     }
     fprintf(out, "points of the %s\t", table->name);
-    if (whirl_analysis_is_traced(table->analyses))
+    if (whirl_analysis_kind(table->analyses)->found)
         fprintf(out, "those that are found along %s", table->parameter);
     else
         fprintf(out, "%zu", table->refine > 0 ? table->grid : count);
@@ -147,10 +147,9 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
     for (size_t i = 0; i < outline->table_count; ++i) {
         const whirl_table *table = &outline->tables[i];
         put_points(out, table);
-        put_options(out, table->name, whirl_integrate_members(), &table->integrate);
-        put_options(out, table->name, whirl_record_members(), &table->record);
-        if (whirl_analysis_is_traced(table->analyses))
-            put_options(out, table->name, whirl_trace_members(), &table->record.trace);
+        const whirl_member *members;
+        for (size_t group = 0, at; (members = whirl_table_options(table, group, &at)) != NULL; group++)
+            put_options(out, table->name, members, (const char *)table + at);
         fprintf(out, "analyses of the %s\t%x\n", table->name, table->analyses);
         put_fields(out, table);
     }

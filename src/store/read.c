@@ -411,11 +411,10 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     whirl_layout *layout = &table->layout;
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
     get_analyses(status, group, &table->analyses);
-    get_options(status, group, whirl_integrate_members(), &table->integrate);
-    get_options(status, group, whirl_record_members(), &table->record);
+    const whirl_member *members;
     whirl_members_default(whirl_trace_members(), &table->record.trace);
-    if (whirl_analysis_is_traced(table->analyses))
-        get_options(status, group, whirl_trace_members(), &table->record.trace);
+    for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
+        get_options(status, group, members, (char *)table + at);
     if (status->code == WHIRL_OK) *status = whirl_record_options_check(&table->record);
     get_field_names(status, group, table->name, layout);
     const shape points = get_shape(status, group, "values", how->limit / sizeof(double));

@@ -411,10 +411,9 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     put_analyses(status, group, table->analyses);
     put_texts_attribute(status, group, "fields",
                         texts_of(layout->fields[0].name, sizeof *layout->fields, layout->field_count));
-    put_options(status, group, whirl_integrate_members(), &table->integrate);
-    put_options(status, group, whirl_record_members(), &table->record);
-    if (whirl_analysis_is_traced(table->analyses))
-        put_options(status, group, whirl_trace_members(), &table->record.trace);
+    const whirl_member *members;
+    for (size_t i = 0, at; (members = whirl_table_options(table, i, &at)) != NULL; i++)
+        put_options(status, group, members, (const char *)table + at);
     if (status->code == WHIRL_OK) put_points(status, group, result, table);
     close_group(group);
 }

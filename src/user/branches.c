@@ -188,7 +188,7 @@ static whirl_status check_machine(const whirl_batch *batch, double value, const 
 whirl_status user_check_rest(const whirl_study *study) {
     const whirl_batch *batch = &study->batches[0];
     whirl_status status = whirl_ok();
-    if (!whirl_analysis_is_traced(batch->analyses) || !batch->record.trace.rest) return status;
+    if (!whirl_analysis_kind(batch->analyses)->found || !batch->record.trace.rest) return status;
     for (size_t i = 0; i < batch->count + 2 && status.code == WHIRL_OK; i++) {
         const double value = i < 2 ? batch->bounds[i] : batch->values[i - 2];
         whirl_machine machine;

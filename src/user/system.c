@@ -245,7 +245,7 @@ whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *an
         return whirl_fail(WHIRL_BAD_INPUT, "there is no analysis %.63s%s%s%s", analysis, near ? ", did you mean " : "",
                           near ? near : "", near ? "?" : "");
     }
-    if (whirl_analysis_is_traced(chosen) || whirl_analysis_is_resting(chosen))
+    if (!whirl_analysis_kind(chosen)->moves)
         return whirl_fail(WHIRL_BAD_INPUT, "%s is not for custom systems, expected an analysis of motions", analysis);
     system->analyses = chosen;
     return whirl_ok();

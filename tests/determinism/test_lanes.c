@@ -73,7 +73,7 @@ static whirl_result *run(const char *method, const double *values, size_t count,
     // Where all perturbations are followed the others do not run in lanes.
     batch->record.growth = strcmp(method, "rk4") == 0 ? WHIRL_GROWTH_ALL : WHIRL_GROWTH_LARGEST;
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
-        if (!analysis->resting && !analysis->traced &&
+        if (analysis->kind->moves &&
             (batch->record.growth == WHIRL_GROWTH_ALL || strcmp(analysis->name, "exponents") != 0))
             assert_true(whirl_analysis_add(&batch->analyses, analysis->name));
     if (isa)

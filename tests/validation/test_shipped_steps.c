@@ -51,7 +51,8 @@ static double worst_of(whirl_case *object) {
     assert_int_equal(whirl_case_study(object, &study).code, WHIRL_OK);
     for (size_t b = 0; b < study.batch_count; b++) {
         const whirl_batch *batch = &study.batches[b];
-        if (whirl_method_is_adaptive(batch->integrate.method) || whirl_analysis_is_resting(batch->analyses)) continue;
+        if (whirl_method_is_adaptive(batch->integrate.method) || !whirl_analysis_kind(batch->analyses)->settles)
+            continue;
         for (size_t point = 0; point<batch->count; point += batch->count> 1 ? batch->count - 1 : 1)
             worst = fmax(worst, growth_after(GROWN, &study, batch, point));
     }

@@ -3,12 +3,40 @@
 
 #include "analysis.h"
 
-// Traits.
-#define ON_DEMAND false, false, false, false
-#define USUAL true, false, false, false
-#define KEPT false, true, false, false
-#define RESTING false, false, true, false
-#define TRACED false, false, false, true
+static const whirl_kind motion = {.name = "motion",
+                                  .asked = "Written in the list `analyze: [...]`.",
+                                  .method = NULL,
+                                  .beside = "",
+                                  .moves = true,
+                                  .settles = true};
+
+#define AT_REST                                                                                                        \
+    .name = "rest", .asked = "A study of its own, in place of sweep or response.", .method = "linear, about rest",     \
+    .beside = ""
+static const whirl_kind rest = {AT_REST}, still = {AT_REST, .still = true};
+
+static const whirl_kind branch = {.name = "branch",
+                                  .asked = "Of studies with `branch: {...}`.",
+                                  .method = NULL,
+                                  .beside = ", followed by continuation",
+                                  .settles = true,
+                                  .found = true};
+
+static const whirl_kind torus = {.name = "torus",
+                                 .asked = "Of studies with `branch: {tori: yes, ...}`.",
+                                 .method = NULL,
+                                 .beside = ", followed by continuation",
+                                 .settles = true,
+                                 .found = true};
+
+// Which choices have it, and what it is of.
+#define ON_DEMAND false, false, &motion
+#define USUAL true, false, &motion
+#define KEPT false, true, &motion
+#define TURNING false, false, &rest
+#define STILL false, false, &still
+#define TRACED false, false, &branch
+#define OF_TORI false, false, &torus
 
 // clang-format off
 #define ANALYSES(analysis)                                                                                             \
@@ -35,14 +63,11 @@
     analysis(floquet,                                                                                                  \
              "the orbit that a motion has come to rest on, by Newton's method, and all its Floquet multipliers",       \
              "Floquet 1883; docs/theory.md", ON_DEMAND)                                                                \
-    analysis(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",           \
-             "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", RESTING)       \
-    analysis(unbalance, "synchronous response to unbalance about where the machine rests",                             \
-             "Friswell, Penny, Garvey, Lees 2010", RESTING)                                                            \
     analysis(trace, "orbits and equilibria along a branch, stable or not: multipliers, special points, contacts",     \
              "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)                                                    \
     analysis(torus, "quasi-periodic motions past Neimark-Sacker points: rotation numbers, bounds, exponents",          \
-             "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", TRACED)
+             "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", OF_TORI)                                       \
+    WHIRL_STUDIES_AT_REST(analysis)
 // clang-format on
 
 #define ABOUT(name, meaning, source, ...) {#name, meaning, source, __VA_ARGS__},
@@ -77,16 +102,10 @@ whirl_analysis_set whirl_analysis_usual(void) {
     return set;
 }
 
-bool whirl_analysis_is_resting(whirl_analysis_set set) {
+const whirl_kind *whirl_analysis_kind(whirl_analysis_set set) {
     for (unsigned i = 0; analyses[i].name; i++)
-        if ((set >> i & 1u) && analyses[i].resting) return true;
-    return false;
-}
-
-bool whirl_analysis_is_traced(whirl_analysis_set set) {
-    for (unsigned i = 0; analyses[i].name; i++)
-        if ((set >> i & 1u) && analyses[i].traced) return true;
-    return false;
+        if (set >> i & 1u) return analyses[i].kind;
+    return &motion;
 }
 
 whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options) {

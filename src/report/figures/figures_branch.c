@@ -320,11 +320,10 @@ whirl_status draw_branches(const drawing *to) {
     const whirl_table *table = whirl_result_table(to->result, "branch");
     const whirl_table *curves = whirl_result_table(to->result, "curves");
     whirl_status status = whirl_ok();
-    const bool traced = table && table->count > 1 && whirl_analysis_is_traced(table->analyses);
-    for (size_t s = 0; traced && s < to->result->station_count && status.code == WHIRL_OK; s++)
+    const bool drawn = table && table->count > 1;
+    for (size_t s = 0; drawn && s < to->result->station_count && status.code == WHIRL_OK; s++)
         status = draw_station(to, table, s);
     if (status.code == WHIRL_OK) status = draw_tori(to);
-    if (status.code == WHIRL_OK && curves && curves->count > 1 && whirl_analysis_is_traced(curves->analyses))
-        status = draw_curves(to, curves);
+    if (status.code == WHIRL_OK && curves && curves->count > 1) status = draw_curves(to, curves);
     return status;
 }

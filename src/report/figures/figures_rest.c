@@ -513,11 +513,13 @@ whirl_status draw_at_rest(const drawing *to) {
     whirl_status status = whirl_ok();
     for (size_t t = 0; t < to->result->table_count && status.code == WHIRL_OK; t++) {
         const whirl_table *table = &to->result->tables[t];
-        if (!whirl_analysis_is_resting(table->analyses) || table->count < 1) continue;
         const bool modes = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY) != NULL;
+        const bool response = whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_AMPLITUDE) != NULL;
+        if (table->count < 1) continue;
         if (modes && table->count > 1) status = draw_campbell(to, table);
         if (modes && status.code == WHIRL_OK) status = draw_shapes(to, table);
-        for (size_t s = 0; !modes && table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK; s++)
+        for (size_t s = 0; response && table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK;
+             s++)
             status = draw_response(to, table, s);
     }
     return status;

@@ -101,7 +101,7 @@ static void write_changes(const page *to, size_t index, const whirl_table *table
 void page_branches(const page *to, size_t index) {
     const whirl_table *table = whirl_result_table(to->results[index], "branch");
     char label[UNIT_LABEL_SIZE];
-    if (!table || !whirl_analysis_is_traced(table->analyses)) return;
+    if (!table) return;
     const double unit = whirl_shown_parameter(&to->units[index], table->parameter).size;
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
     fprintf(to->stream, "<h3 id=\"branches-%zu\">Where and why motions change</h3>\n", index + 1);

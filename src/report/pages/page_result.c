@@ -104,12 +104,12 @@ static void describe_points(const whirl_shown_units *units, const whirl_table *t
 /// at rest no motion is followed, and along branches each orbit for itself.
 static void write_way(FILE *stream, const whirl_table *table) {
     const whirl_integrate_options *how = &table->integrate;
-    const bool resting = whirl_analysis_is_resting(table->analyses), traced = whirl_analysis_is_traced(table->analyses);
+    const whirl_kind *kind = whirl_analysis_kind(table->analyses);
     fputs("<td>", stream);
-    html_text(stream, resting ? "linear, about rest" : how->method);
-    if (how->chosen && !resting) fputs(" (by auto)", stream);
-    if (traced) fputs(", followed by continuation", stream);
-    if (resting || traced) {
+    html_text(stream, kind->method ? kind->method : how->method);
+    if (how->chosen && !kind->method) fputs(" (by auto)", stream);
+    fputs(kind->beside, stream);
+    if (!kind->moves) {
         fputs("</td><td class=\"number\">\u2013</td><td class=\"number\">\u2013</td>"
               "<td class=\"number\">\u2013</td>",
               stream);

@@ -16,6 +16,16 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     return study->machine(study->family, &own, value, machine);
 }
 
+const double *whirl_batch_values(const whirl_batch *batch, size_t axis, const char **name, size_t *count) {
+    const bool found = whirl_analysis_kind(batch->analyses)->found;
+    const double *const values[] = {found ? batch->bounds : batch->values, batch->second_values, batch->third_values};
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    if (axis >= sizeof values / sizeof *values || !values[axis]) return NULL;
+    *name = names[axis];
+    *count = found ? 2 : batch->count;
+    return values[axis];
+}
+
 whirl_status map_add_field(const whirl_batch *batch, whirl_layout *layout) {
     if (!batch->second_values) return whirl_ok();
     if (layout->field_count + 2 >= WHIRL_MAX_FIELDS)

@@ -1,4 +1,5 @@
-#include "resting.h"
+// Points of machines at rest, whose motion is not followed.
+#include "kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -6,6 +7,9 @@
 
 #include "critical.h"
 #include "deal.h"
+
+/// Points that one thread, or one share, takes at a time: neighbours share the modes of the point between them.
+enum { RESTING_PIECE = 8 };
 
 /// A thread at a piece.
 typedef struct worker {
@@ -120,7 +124,7 @@ static whirl_status work_at_pieces(worker *w, deal *pieces) {
     return status;
 }
 
-whirl_status resting_work(study_run *run, const pass *p) {
+static whirl_status work(study_run *run, const pass *p) {
     deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
@@ -142,3 +146,5 @@ whirl_status resting_work(study_run *run, const pass *p) {
     }
     return whirl_ok();
 }
+
+const study_kind rest_kind = {.name = "rest", .piece = RESTING_PIECE, .work = work};

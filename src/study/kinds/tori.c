@@ -1,4 +1,5 @@
-#include "tori.h"
+// Tori that begin at the Neimark-Sacker points of branches, whose batch stands before theirs.
+#include "kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -164,7 +165,7 @@ static whirl_status follow(tori *all, leg *one) {
 }
 
 /// The leg from one of the points; nothing where another one ends there, or a stop was asked for.
-static void work(tori *all, leg *one) {
+static void work_at(tori *all, leg *one) {
     bool needed;
     whirl_status status = whirl_table_trace(all->branches, all->points[one->which], &one->start);
     first_error_note(&one->error, &status);
@@ -231,14 +232,14 @@ static void trace_tori(tori *all) {
 #pragma omp parallel for ordered schedule(dynamic) num_threads(all->rows.run->threads)
     for (size_t which = first; which < end; which++) {
         leg one = {.which = which};
-        work(all, &one);
+        work_at(all, &one);
 #pragma omp ordered
         add(all, &one);
         free_leg(&one);
     }
 }
 
-whirl_status tori_work(study_run *run, const pass *p) {
+static whirl_status work(study_run *run, const pass *p) {
     tori all = {.branches = whirl_result_table(run->result, "branch")};
     whirl_status status = rows_open(&all.rows, run, p);
     const bool wanted = status.code == WHIRL_OK && !all.rows.left_out;
@@ -253,3 +254,5 @@ whirl_status tori_work(study_run *run, const pass *p) {
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();
 }
+
+const study_kind torus_kind = {.name = "torus", .piece = 0, .cost = ROW_COST, .work = work};

@@ -1,4 +1,6 @@
-#include "tracing.h"
+// Branches of orbits, and curves of their special points over two parameters: the table then has as many points as were
+// found.
+#include "kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -318,7 +320,7 @@ static whirl_status trace_curves(rows *r) {
 
 // ---------------------------------------------------------------- a pass
 
-whirl_status tracing_work(study_run *run, const pass *p) {
+static whirl_status work(study_run *run, const pass *p) {
     rows r;
     whirl_status status = rows_open(&r, run, p);
     if (status.code == WHIRL_OK && !r.left_out) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
@@ -327,3 +329,5 @@ whirl_status tracing_work(study_run *run, const pass *p) {
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();
 }
+
+const study_kind branch_kind = {.name = "branch", .piece = 0, .cost = ROW_COST, .work = work};

@@ -280,6 +280,19 @@ whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *num
     return whirl_ok();
 }
 
+const whirl_member *whirl_table_options(const whirl_table *table, size_t group, size_t *offset) {
+    const struct {
+        const whirl_member *members;
+        size_t offset;
+    } groups[] = {{whirl_integrate_members(), offsetof(whirl_table, integrate)},
+                  {whirl_record_members(), offsetof(whirl_table, record)},
+                  {whirl_trace_members(), offsetof(whirl_table, record.trace)}};
+    const size_t count = whirl_analysis_kind(table->analyses)->found ? 3 : 2;
+    if (group >= count) return NULL;
+    *offset = groups[group].offset;
+    return groups[group].members;
+}
+
 /// The member with a name that stands `*index` such members on; *index is what is left where there are fewer.
 static const whirl_member *named_member(const whirl_member *member, size_t *index) {
     for (; member->part; member++)
@@ -289,18 +302,12 @@ static const whirl_member *named_member(const whirl_member *member, size_t *inde
 
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size) {
     char value[WHIRL_NAME_SIZE];
-    const void *object = &table->integrate;
-    const whirl_member *member = named_member(whirl_integrate_members(), &index);
-    if (!member) {
-        object = &table->record;
-        member = named_member(whirl_record_members(), &index);
-    }
-    if (!member && whirl_analysis_is_traced(table->analyses)) {
-        object = &table->record.trace;
-        member = named_member(whirl_trace_members(), &index);
-    }
+    const whirl_member *members, *member = NULL;
+    size_t offset = 0;
+    for (size_t group = 0; !member && (members = whirl_table_options(table, group, &offset)) != NULL; group++)
+        member = named_member(members, &index);
     if (!member) return NULL;
-    whirl_member_text(member, object, value);
+    whirl_member_text(member, (const char *)table + offset, value);
     snprintf(text, size, "%s", value);
     return member->name;
 }

@@ -102,8 +102,8 @@ double whirl_table_number(const whirl_table *table, size_t point, const char *fi
 }
 
 double whirl_table_second(const whirl_table *table, size_t point) {
-    const bool traced = whirl_analysis_is_traced(table->analyses);
-    return whirl_table_number(table, point, traced ? WHIRL_FIELD_TRACE_SECOND : WHIRL_FIELD_MAP_SECOND, 0);
+    const bool map = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND) != NULL;
+    return whirl_table_number(table, point, map ? WHIRL_FIELD_MAP_SECOND : WHIRL_FIELD_TRACE_SECOND, 0);
 }
 
 double whirl_table_third(const whirl_table *table, size_t point) {

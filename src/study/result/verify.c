@@ -241,8 +241,7 @@ static whirl_status verify(const whirl_study *study, const whirl_run_options *ru
 static whirl_status check(const whirl_study *study, const whirl_verify_options *options, const whirl_run_options *run) {
     if (study->batch_count != 1 || study->batches[0].count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the study has %zu batches, expected one with points", study->batch_count);
-    const whirl_analysis_set analyses = study->batches[0].analyses;
-    if (whirl_analysis_is_resting(analyses) || whirl_analysis_is_traced(analyses))
+    if (!whirl_analysis_kind(study->batches[0].analyses)->moves)
         return whirl_fail(WHIRL_BAD_INPUT, "%s follow no motion by steps, expected a response or a sweep to verify",
                           study->batches[0].name);
     if (options->revolutions < 1)

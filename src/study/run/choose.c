@@ -37,7 +37,7 @@ whirl_status whirl_study_choose_methods(whirl_study *study) {
     for (size_t i = 0; i < study->batch_count && i < WHIRL_MAX_BATCHES && status.code == WHIRL_OK; i++) {
         whirl_batch *batch = &study->batches[i];
         // Machines at rest are not integrated; where coefficients turn with the shaft, dop853 does it.
-        if (whirl_analysis_is_resting(batch->analyses))
+        if (!whirl_analysis_kind(batch->analyses)->settles)
             snprintf(batch->integrate.method, sizeof batch->integrate.method, "dop853");
         else if (strcmp(batch->integrate.method, "auto") == 0 && batch->count > 0 && study->machine)
             status = choose(study, batch);

@@ -1,5 +1,5 @@
 // What a pass is and costs.
-#include "passes.h"
+#include "kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,8 +14,8 @@ double pass_weight(const study_run *run, const pass *p) {
 }
 
 double pass_revolutions(const study_run *run, const pass *p) {
-    const double of_branch = 10.0; // what a point of a branch costs, about
-    if (whirl_analysis_is_traced(run->study->batches[p->batch].analyses)) return of_branch;
+    const study_kind *kind = study_kind_of(&run->study->batches[p->batch]);
+    if (kind->cost > 0.0) return kind->cost;
     return pass_weight(run, p) * ((double)p->record.transient + p->record.record);
 }
 

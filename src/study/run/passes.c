@@ -4,9 +4,7 @@
 #include <stdlib.h>
 
 #include "chains.h"
-#include "resting.h"
-#include "tori.h"
-#include "tracing.h"
+#include "kinds.h"
 
 /// Order of the passes: those with long points first, so that no thread is left with one at the end.
 static void sort_long_first(chains *all, size_t count) {
@@ -34,13 +32,9 @@ static whirl_status work_without_chains(study_run *run, const pass *passes, size
     whirl_status status = whirl_ok();
     size_t others = 0;
     for (size_t i = 0; i < *count && status.code == WHIRL_OK; i++) {
-        const whirl_analysis_set analyses = run->study->batches[passes[i].batch].analyses;
-        if (whirl_analysis_is_resting(analyses))
-            status = resting_work(run, &passes[i]);
-        else if (whirl_analysis_has(analyses, "torus"))
-            status = tori_work(run, &passes[i]);
-        else if (whirl_analysis_is_traced(analyses))
-            status = tracing_work(run, &passes[i]);
+        const study_kind *kind = study_kind_of(&run->study->batches[passes[i].batch]);
+        if (kind->work)
+            status = kind->work(run, &passes[i]);
         else
             left[others++] = &passes[i];
     }

@@ -111,10 +111,14 @@ static inline size_t batch_copies(const whirl_batch *batch) {
     return batch->carry == WHIRL_CARRY_BOTH ? 2 : 1;
 }
 
+/// Whether its points are found as the run goes on.
+static inline bool batch_is_found(const whirl_batch *batch) {
+    return whirl_analysis_kind(batch->analyses)->found;
+}
+
 /// Points of a batch that are known beforehand, or as many as its branches may have.
 static inline size_t batch_slots(const whirl_batch *batch) {
-    return whirl_analysis_is_traced(batch->analyses) ? (size_t)batch->record.trace.points
-                                                     : batch->count * batch_copies(batch);
+    return batch_is_found(batch) ? (size_t)batch->record.trace.points : batch->count * batch_copies(batch);
 }
 
 /// Slots of a batch's table: there may be starts from neighbours besides.

@@ -36,14 +36,14 @@ static whirl_status check_study(const whirl_study *study) {
         const whirl_batch *batch = &study->batches[i];
         if (batch->count == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "batch '%s' has no points, expected at least one", batch->name);
-        const bool moving = !whirl_analysis_is_traced(batch->analyses) && !whirl_analysis_is_resting(batch->analyses);
+        const bool moving = whirl_analysis_kind(batch->analyses)->moves;
         if (batch->starts > 1 && (batch->carry != WHIRL_CARRY_NONE || !moving || batch->starts > WHIRL_MAX_STARTS))
             return whirl_fail(WHIRL_BAD_INPUT,
                               "batch '%s' has %zu starts, expected up to %d, and of motions that are "
                               "not carried",
                               batch->name, batch->starts, WHIRL_MAX_STARTS);
-        const bool judged = !whirl_analysis_is_traced(batch->analyses);
-        if (judged && (batch->confirm || study_is_refined(study) || batch->refine > 0) && !has_regime(batch))
+        if (!batch_is_found(batch) && (batch->confirm || study_is_refined(study) || batch->refine > 0) &&
+            !has_regime(batch))
             return whirl_fail(WHIRL_BAD_INPUT, "verdicts of the %s cannot be %s: the analysis 'regime' is not chosen",
                               batch->name, batch->confirm ? "confirmed" : "refined");
         if (batch->neighbours > 0 && (batch->starts <= 1 || batch->count <= 1))
@@ -81,7 +81,7 @@ static whirl_status make_ends(study_run *run) {
     if (machine.release) machine.release(machine.owner);
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *batch = &study->batches[i];
-        if (whirl_analysis_is_traced(batch->analyses)) continue;
+        if (batch_is_found(batch)) continue;
         const bool carries = batch->carry != WHIRL_CARRY_NONE || batch->neighbours > 0;
         if (!carries && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] =
@@ -119,7 +119,7 @@ static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s)
     *s = (stage){.name = name};
     for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++) {
         const whirl_batch *batch = &run->study->batches[i];
-        if ((confirming && !batch->confirm) || (run->traced && whirl_analysis_is_traced(batch->analyses))) continue;
+        if ((confirming && !batch->confirm) || (run->traced && batch_is_found(batch))) continue;
         pass own = {.batch = i, .integrate = batch->integrate, .record = batch->record, .count = batch_slots(batch)};
         if (confirming) own = pass_confirming(&own);
         pass late = own;

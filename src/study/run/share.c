@@ -1,15 +1,14 @@
 // Shares of a study: which of several runs computes which points.
 #include <stdlib.h>
 
-#include "passes.h"
+#include "kinds.h"
 #include "refined_map.h"
-#include "resting.h"
 
 /// Points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {
-    if (whirl_analysis_is_traced(batch->analyses)) return batch_slots(batch);
+    const size_t piece = study_kind_of(batch)->piece;
     if (batch->carry != WHIRL_CARRY_NONE) return batch->count;
-    return whirl_analysis_is_resting(batch->analyses) ? RESTING_PIECE : 1;
+    return piece > 0 ? piece : batch_slots(batch);
 }
 
 bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t batch, size_t slot) {
@@ -31,7 +30,7 @@ static bool is_open(const study_run *run, const pass *p, size_t slot) {
 /// Whether something of the piece that a point belongs to may be dealt to this run.
 static bool is_dealt(const study_run *run, const pass *p, size_t slot) {
     const whirl_batch *batch = &run->study->batches[p->batch];
-    if (whirl_analysis_is_traced(batch->analyses)) return run->dealer->gather != NULL;
+    if (batch_is_found(batch)) return run->dealer->gather != NULL;
     const size_t piece = p->confirming ? 1 : piece_of(batch), first = piece > 1 ? slot / piece * piece : slot;
     const size_t all = batch_slots(batch), end = first + piece < all ? first + piece : all;
     bool open = false;
@@ -55,7 +54,7 @@ whirl_status share_pass(const study_run *run, pass *p) {
     p->count = chains * length;
     const whirl_batch *batch = &run->study->batches[p->batch];
     const bool follows = p->confirming && batch->carry != WHIRL_CARRY_NONE;
-    p->dealt = run->dealer && !follows && !whirl_analysis_is_traced(batch->analyses);
+    p->dealt = run->dealer && !follows && !batch_is_found(batch);
     return whirl_ok();
 }
 

@@ -10,9 +10,9 @@
 #include "room.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
-    const bool traced = whirl_analysis_is_traced(batch->analyses);
-    for (size_t slot = 0; traced && slot < table->count; slot++) table->values[slot] = NAN;
-    if (traced) return;
+    const bool found = batch_is_found(batch);
+    for (size_t slot = 0; found && slot < table->count; slot++) table->values[slot] = NAN;
+    if (found) return;
     for (size_t copy = 0; copy < batch_room(batch) / batch->count; copy++)
         for (size_t k = 0; k < batch->count; k++) {
             const size_t slot = copy * batch->count + k;
@@ -34,7 +34,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     if (machine.release) machine.release(machine.owner);
     if (status.code == WHIRL_OK) status = starts_add_fields(batch, stations, &table->layout);
     if (status.code == WHIRL_OK) status = map_add_field(batch, &table->layout);
-    if (status.code == WHIRL_OK && study_is_refined(study) && !whirl_analysis_is_traced(batch->analyses))
+    if (status.code == WHIRL_OK && study_is_refined(study) && !batch_is_found(batch))
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
@@ -76,7 +76,7 @@ static whirl_status make_blocks(whirl_table *table, size_t large) {
 /// Blocks that change after they were kept stay in memory.
 static bool may_leave(const study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
-    return run->keeper && !own->confirm && !study_is_refined(run->study) && !whirl_analysis_is_traced(own->analyses);
+    return run->keeper && !own->confirm && !study_is_refined(run->study) && !batch_is_found(own);
 }
 
 whirl_status tables_fill(const study_run *run, size_t memory) {
@@ -87,8 +87,8 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
         table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_LEAST);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
-        // Beside points at rest no state is kept.
-        const size_t dimension = whirl_analysis_is_resting(table->analyses) ? 0 : run->dimension;
+        // Beside other points no state is kept.
+        const size_t dimension = whirl_analysis_kind(table->analyses)->moves ? run->dimension : 0;
         status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table, bytes);
     }
     return status;

@@ -177,7 +177,7 @@ static void single_analyses(void **state) {
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) {
         char list[64];
         if (strcmp(a->name, "waveform") == 0) continue; // of which some must be kept
-        if (a->resting || a->traced) continue;          // a study, or a part of it, of its own
+        if (!a->kind->moves) continue;                  // a study, or a part of it, of its own
         snprintf(list, sizeof list, "analyze: [%s]", a->name);
         whirl_case_free(parse_edited("analyze: [poincare, regime, spectrum]", list));
     }

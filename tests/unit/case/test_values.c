@@ -507,7 +507,7 @@ static void absent_parts_have_the_defaults_of_the_layers(void **state) {
     whirl_analysis_add(&asked_for, "evidence");
     whirl_analysis_add(&asked_for, "floquet");
     for (const whirl_analysis *analysis = whirl_analyses(); analysis->name; analysis++)
-        if (analysis->resting || analysis->traced) whirl_analysis_add(&asked_for, analysis->name);
+        if (!analysis->kind->moves) whirl_analysis_add(&asked_for, analysis->name);
     assert_int_equal(batch.analyses, all & ~asked_for);
     whirl_case_free(object);
     free(text);
