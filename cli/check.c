@@ -15,6 +15,7 @@
 #include "phases.h"
 #include "progress.h"
 #include "summary.h"
+#include "whirl/report.h"
 
 typedef struct check_arguments {
     case_arguments given; ///< its settings; the cases are argv from `first` on
@@ -173,7 +174,8 @@ static whirl_status tell_result(const char *path, const whirl_case *object, cons
     whirl_status status = whirl_case_describe_result(object, told);
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
         status = tell_extent(told, study, &study->batches[i]);
-    if (status.code == WHIRL_OK && batch->values) summarize_end(told, batch->parameter, batch->values[0]);
+    if (status.code == WHIRL_OK && batch->values)
+        whirl_result_write_end(told, batch->parameter, batch->values[0], stdout);
     for (size_t i = 0; *whirl_result_warning(told, i); i++)
         fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
     whirl_result_free(told);

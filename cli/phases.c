@@ -4,6 +4,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "whirl/report.h"
+
 /// What was seen of the machines of a batch.
 typedef struct phases {
     size_t fitting;     ///< those whose forces repeat
@@ -53,11 +55,6 @@ static void print_watch(const phases *seen, int watched) {
                seen->most, three, watched);
 }
 
-void tell_keyphasor(const char *keyphasor, double rate) {
-    printf("  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
-           rate / 6.283185307179586);
-}
-
 whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor) {
     const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
     phases seen = {0};
@@ -72,7 +69,7 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, con
         if (!turning) return whirl_ok(); // machines of a batch differ in numbers, not in structure
     }
     if (*whirl_rotor_keyphasor(rotor))
-        tell_keyphasor(whirl_rotor_keyphasor(rotor), whirl_rotor_clock(rotor));
+        whirl_write_keyphasor(whirl_rotor_keyphasor(rotor), whirl_rotor_clock(rotor), stdout);
     else
         printf("  sections: once a revolution of the shaft\n");
     print(&seen, count);

@@ -10,7 +10,4 @@
 /// fit none, and what the verdicts will be called. Errors as those of the machines.
 whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor);
 
-/// "sections: once a turn of the force at disc (31 Hz), which counts as a revolution here"; rate in rad/s.
-void tell_keyphasor(const char *keyphasor, double rate);
-
 #endif

@@ -6,7 +6,7 @@
 
 #include "case_arguments.h"
 #include "files.h"
-#include "summary.h"
+#include "whirl/report.h"
 
 typedef struct show_arguments {
     int first; ///< of the results in argv
@@ -51,7 +51,7 @@ static int show(const char *path, const show_arguments *how) {
             how->full ? whirl_result_write_json(result, stdout) : whirl_result_write_json_summary(result, stdout);
         outcome = complain_of(&status);
     } else {
-        const whirl_status status = summarize_result(result);
+        const whirl_status status = whirl_result_write_summary(result, stdout);
         outcome = complain_of(&status);
     }
     whirl_result_free(result);

@@ -13,8 +13,8 @@
 #include "output.h"
 #include "progress.h"
 #include "ranks.h"
-#include "summary.h"
 #include "together.h"
+#include "whirl/report.h"
 
 enum { PATH_SIZE = 4096 };
 
@@ -113,7 +113,7 @@ static int show(const study_arguments *arguments, const whirl_result *result) {
                                                          : whirl_result_write_json_summary(result, stdout);
         if (status.code != WHIRL_OK) return complain_of(&status);
     } else if (!arguments->quiet) {
-        const whirl_status status = summarize_result(result);
+        const whirl_status status = whirl_result_write_summary(result, stdout);
         if (status.code != WHIRL_OK) return complain_of(&status);
         printf("%s\n", arguments->output);
     }

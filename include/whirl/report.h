@@ -36,6 +36,17 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
 whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
                                   const char *const *names, size_t count, const char *directory);
 
+/// Writes what was found in lines of text, each ended by a line feed: every point of a short table, counts of verdicts
+/// of a long one, what was located along branches and modes. WHIRL_NO_MEMORY where there is none to tell all of it.
+whirl_status whirl_result_write_summary(const whirl_result *result, FILE *stream);
+
+/// Its line where the steps of a sweep do not meet its end (the fact "sweep ends at"); `first` is its first value.
+void whirl_result_write_end(const whirl_result *result, const char *parameter, double first, FILE *stream);
+
+/// Its line on the phase that sections are taken by, where it is not the shaft's: "sections: once a turn of the force
+/// at disc (31 Hz), which counts as a revolution here"; rate in rad/s.
+void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *stream);
+
 /// Writes the points as whirl_result_write_json does, without what has a row for every revolution or node: sections,
 /// curves of tori, nodes of orbits.
 whirl_status whirl_result_write_json_summary(const whirl_result *result, FILE *stream);

@@ -8,6 +8,7 @@
 #include "gnuplot.h"
 #include "machine_at.h"
 #include "page.h"
+#include "shown_kinds.h"
 #include "whirl/report.h"
 
 /// What is made on the way, freed by report_free.
@@ -56,8 +57,10 @@ static whirl_status draw_result(report *made, const whirl_result *result, size_t
     whirl_status status = folder_make_own(made->paths[index]);
     if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
     if (status.code == WHIRL_OK) status = draw_maps(&to);
-    if (status.code == WHIRL_OK) status = draw_branches(&to);
-    if (status.code == WHIRL_OK) status = draw_at_rest(&to);
+    for (size_t t = 0; t < result->table_count && status.code == WHIRL_OK; t++) {
+        const shown_kind *kind = shown_kind_of(&result->tables[t]);
+        if (kind && kind->draw) status = kind->draw(&to, &result->tables[t]);
+    }
     if (status.code == WHIRL_OK) status = draw_points(&to);
     whirl_case_free(machine);
     return status;

@@ -46,12 +46,13 @@ typedef struct drawing {
 /// Writes data and scripts of the bifurcation diagrams, one a station, of the table "sweep" if there is one.
 whirl_status draw_bifurcations(const drawing *to);
 
-/// Writes data and scripts of the diagrams of machines at rest: modes over a parameter, their shapes, the response of
-/// every station to unbalance.
-whirl_status draw_at_rest(const drawing *to);
-
-/// Writes data and scripts of branches, one a station, and of curves of special points, after the bifurcation diagrams.
-whirl_status draw_branches(const drawing *to);
+/// Writes data and scripts of the diagrams of tables of one kind (shown_kinds.h): modes over a parameter, and their
+/// shapes; the response of every station to unbalance; branches, one a station, or curves of special points; rotation
+/// numbers, amplitudes and exponents of tori over the parameter, one a branch of tori.
+whirl_status draw_modes(const drawing *to, const whirl_table *table);
+whirl_status draw_unbalance(const drawing *to, const whirl_table *table);
+whirl_status draw_branches(const drawing *to, const whirl_table *table);
+whirl_status draw_tori(const drawing *to, const whirl_table *table);
 
 /// Writes data and scripts of maps over two parameters: regimes, and numbers of the points.
 whirl_status draw_maps(const drawing *to);

@@ -316,14 +316,11 @@ static whirl_status draw_curves(const drawing *to, const whirl_table *table) {
     return report_file_close(&file);
 }
 
-whirl_status draw_branches(const drawing *to) {
-    const whirl_table *table = whirl_result_table(to->result, "branch");
-    const whirl_table *curves = whirl_result_table(to->result, "curves");
+whirl_status draw_branches(const drawing *to, const whirl_table *table) {
     whirl_status status = whirl_ok();
-    const bool drawn = table && table->count > 1;
-    for (size_t s = 0; drawn && s < to->result->station_count && status.code == WHIRL_OK; s++)
+    if (table->count < 2) return status;
+    if (*table->second) return draw_curves(to, table);
+    for (size_t s = 0; s < to->result->station_count && status.code == WHIRL_OK; s++)
         status = draw_station(to, table, s);
-    if (status.code == WHIRL_OK) status = draw_tori(to);
-    if (status.code == WHIRL_OK && curves && curves->count > 1) status = draw_curves(to, curves);
     return status;
 }

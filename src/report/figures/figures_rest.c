@@ -509,18 +509,15 @@ static whirl_status draw_response(const drawing *to, const whirl_table *table, s
     return report_file_close(&file);
 }
 
-whirl_status draw_at_rest(const drawing *to) {
+whirl_status draw_modes(const drawing *to, const whirl_table *table) {
+    if (table->count < 1) return whirl_ok();
+    const whirl_status status = table->count > 1 ? draw_campbell(to, table) : whirl_ok();
+    return status.code == WHIRL_OK ? draw_shapes(to, table) : status;
+}
+
+whirl_status draw_unbalance(const drawing *to, const whirl_table *table) {
     whirl_status status = whirl_ok();
-    for (size_t t = 0; t < to->result->table_count && status.code == WHIRL_OK; t++) {
-        const whirl_table *table = &to->result->tables[t];
-        const bool modes = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY) != NULL;
-        const bool response = whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_AMPLITUDE) != NULL;
-        if (table->count < 1) continue;
-        if (modes && table->count > 1) status = draw_campbell(to, table);
-        if (modes && status.code == WHIRL_OK) status = draw_shapes(to, table);
-        for (size_t s = 0; response && table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK;
-             s++)
-            status = draw_response(to, table, s);
-    }
+    for (size_t s = 0; table->count > 1 && s < to->result->station_count && status.code == WHIRL_OK; s++)
+        status = draw_response(to, table, s);
     return status;
 }

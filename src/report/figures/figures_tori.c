@@ -317,10 +317,9 @@ static whirl_status draw_one(const drawing *to, const whirl_table *table, const 
     return status.code == WHIRL_OK ? write_script(to, table, own, what) : status;
 }
 
-whirl_status draw_tori(const drawing *to) {
-    const whirl_table *table = tori_table(to->result);
+whirl_status draw_tori(const drawing *to, const whirl_table *table) {
     whirl_status status = whirl_ok();
-    for (size_t point = 0; table && point < table->count && status.code == WHIRL_OK; point++) {
+    for (size_t point = 0; point < table->count && status.code == WHIRL_OK; point++) {
         const whirl_tori own = whirl_table_tori(table, point);
         if (own.found > 1) status = draw_one(to, table, &own);
         point = own.last;

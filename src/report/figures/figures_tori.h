@@ -16,7 +16,4 @@ void tori_plot_bands(FILE *script, int column, bool keyed);
 /// What a caption says of them.
 extern const char tori_caption[];
 
-/// Writes data and scripts of rotation numbers, amplitudes and exponents over the parameter, one a branch of tori.
-whirl_status draw_tori(const drawing *to);
-
 #endif

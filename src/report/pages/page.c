@@ -4,6 +4,7 @@
 
 #include "html.h"
 #include "quantities.h"
+#include "shown_kinds.h"
 #include "whirl/version.h"
 
 /// The source of the claims, or the title of the only result, or how many results there are.
@@ -58,6 +59,23 @@ static bool has_starts(const whirl_result *result) {
     return false;
 }
 
+/// How a table is shown that has a section of its own, else NULL: curves are told by their figure, and of a machine as
+/// it stands there is no change to tell of.
+static const shown_kind *section_of(const whirl_table *table) {
+    const shown_kind *kind = shown_kind_of(table);
+    return kind && kind->section && *table->parameter && !*table->second ? kind : NULL;
+}
+
+static void write_kinds(const page *to, size_t r) {
+    for (size_t t = 0; t < to->results[r]->table_count; t++) {
+        const whirl_table *table = &to->results[r]->tables[t];
+        const shown_kind *kind = section_of(table);
+        if (!kind) continue;
+        fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", kind->anchor, r + 1, kind->name);
+        kind->section(to, r, table);
+    }
+}
+
 static void write_result_contents(const page *to, size_t r) {
     const whirl_result *result = to->results[r];
     const whirl_table *sweep = whirl_result_table(result, "sweep");
@@ -65,9 +83,10 @@ static void write_result_contents(const page *to, size_t r) {
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
-    if (whirl_result_table(result, "branch"))
-        write_entry(to->stream, "branches", r + 1, "Where and why motions change");
-    if (whirl_result_table(result, "tori")) write_entry(to->stream, "tori", r + 1, "Quasi-periodic motions");
+    for (size_t t = 0; t < result->table_count; t++) {
+        const shown_kind *kind = section_of(&result->tables[t]);
+        if (kind) write_entry(to->stream, kind->anchor, r + 1, kind->name);
+    }
     if (whirl_result_table(result, "basin") || has_starts(result))
         write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)
@@ -95,11 +114,9 @@ static void write_result(const page *to, size_t result) {
     fputs("</span></h2>\n", to->stream);
     page_found(to, result);
     page_intervals(to, result);
-    page_branches(to, result);
-    page_tori(to, result);
+    write_kinds(to, result);
     page_attractors(to, result);
     page_starts(to, result);
-    page_critical(to, result);
     page_jumps(to, result);
     page_points(to, result);
     page_figures(to, result);

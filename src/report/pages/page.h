@@ -36,9 +36,6 @@ void page_found(const page *to, size_t result);    ///< verdicts in numbers, and
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);          ///< regimes along the sweep
-void page_branches(const page *to, size_t result);           ///< special points of branches
-void page_tori(const page *to, size_t result);               ///< quasi-periodic motions that begin at some of them
-void page_critical(const page *to, size_t result);           ///< critical speeds and thresholds of stability
 void page_jumps(const page *to, size_t result);              ///< where neighbours of one regime differ
 void page_attractors(const page *to, size_t result);         ///< of a basin
 void page_starts(const page *to, size_t result);             ///< attractors of places with several starts

@@ -1,10 +1,58 @@
-// Where and why motions change: the special points of branches, as a table.
+// How branches are shown: where and why motions change, their special points as a table.
 #include <math.h>
 #include <string.h>
 
 #include "html.h"
-#include "page.h"
 #include "quantities.h"
+#include "shown_kinds.h"
+#include "summary.h"
+
+// ---------------------------------------------------------------- the summary
+
+/// "  branch 3: P-2, 76 points from 0.3374, where branch 2 changes".
+static void print_branch(FILE *out, const whirl_unit *unit, const whirl_trace *first, size_t count) {
+    char name[VERDICT_SIZE];
+    whirl_orbit_name(first->point.orbit, name, sizeof name);
+    fprintf(out, "  branch %zu: %s, %zu point%s from %.6g%s%s", first->branch, name, count,
+            summary_plural((double)count), first->point.value / unit->size, *unit->name ? " " : "", unit->name);
+    if (first->parent > 0) fprintf(out, ", where branch %zu changes", first->parent);
+    fputc('\n', out);
+}
+
+static void print_special(FILE *out, const whirl_unit *unit, const whirl_trace *at) {
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_special_text(&at->point, text, sizeof text);
+    fprintf(out, "    %14.9g%s%s  %-15s %s\n", at->point.value / unit->size, *unit->name ? " " : "", unit->name,
+            whirl_special_name(at->point.special), text);
+}
+
+static size_t points_of(const whirl_table *table, size_t first) {
+    const double branch = whirl_table_number(table, first, WHIRL_FIELD_TRACE_NUMBER, 0);
+    size_t count = 0;
+    while (first + count < table->count &&
+           whirl_table_number(table, first + count, WHIRL_FIELD_TRACE_NUMBER, 0) == branch)
+        count++;
+    return count;
+}
+
+/// What was found along every branch, and where and why it ends.
+static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        whirl_trace at;
+        const bool begins = point == 0 || whirl_table_number(table, point, WHIRL_FIELD_TRACE_NUMBER, 0) !=
+                                              whirl_table_number(table, point - 1, WHIRL_FIELD_TRACE_NUMBER, 0);
+        if (whirl_table_trace(table, point, &at).code != WHIRL_OK) continue;
+        if (begins) print_branch(out, &unit, &at, points_of(table, point));
+        if (at.point.special != WHIRL_REGULAR && isnan(at.point.second)) print_special(out, &unit, &at);
+        if (!isnan(at.end))
+            fprintf(out, "    %14.9g%s%s  %s\n", at.point.value / unit.size, *unit.name ? " " : "", unit.name,
+                    whirl_branch_end_text((whirl_branch_end)at.end));
+        whirl_orbit_free(at.point.orbit);
+    }
+}
+
+// ---------------------------------------------------------------- the page
 
 /// The regular points of the branch on both sides of a special one; both the same where there is one side.
 static void find_sides(const whirl_table *table, size_t point, size_t *before, size_t *after) {
@@ -98,13 +146,10 @@ static void write_changes(const page *to, size_t index, const whirl_table *table
     fputs("</tbody></table></div>\n", to->stream);
 }
 
-void page_branches(const page *to, size_t index) {
-    const whirl_table *table = whirl_result_table(to->results[index], "branch");
+static void section(const page *to, size_t index, const whirl_table *table) {
     char label[UNIT_LABEL_SIZE];
-    if (!table) return;
     const double unit = whirl_shown_parameter(&to->units[index], table->parameter).size;
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
-    fprintf(to->stream, "<h3 id=\"branches-%zu\">Where and why motions change</h3>\n", index + 1);
     write_changes(to, index, table, label, unit);
     html_table(to->stream, "Branches", "");
     fputs("<thead><tr><th class=\"number\">Branch</th><th>Motion</th><th class=\"number\">From ", to->stream);
@@ -116,3 +161,10 @@ void page_branches(const page *to, size_t index) {
         if (!isnan(point_number(table, point, WHIRL_FIELD_TRACE_END))) write_end(to->stream, table, point, unit);
     fputs("</tbody></table></div>\n", to->stream);
 }
+
+const shown_kind shown_branches = {.field = WHIRL_FIELD_TRACE_NUMBER,
+                                   .anchor = "branches",
+                                   .name = "Where and why motions change",
+                                   .summarize = summarize,
+                                   .section = section,
+                                   .draw = draw_branches};

@@ -1,29 +1,30 @@
-#include "summary_doubts.h"
+// What the summary says of undetermined motions.
+#include "summary.h"
 
 #include <stdio.h>
 
 /// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
-static void print_doubt(const whirl_result *result, const whirl_table *table, const whirl_doubt *doubt) {
+static void print_doubt(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_doubt *doubt) {
     const whirl_unit unit = whirl_result_unit(result, table->parameter);
     char text[WHIRL_MESSAGE_SIZE];
-    printf("  undetermined at %zu point%s", doubt->points, doubt->points == 1 ? "" : "s");
+    fprintf(out, "  undetermined at %zu point%s", doubt->points, doubt->points == 1 ? "" : "s");
     if (table->parameter[0])
-        printf(", first at %.6g%s%s", table->values[doubt->first] / unit.size, *unit.name ? " " : "", unit.name);
+        fprintf(out, ", first at %.6g%s%s", table->values[doubt->first] / unit.size, *unit.name ? " " : "", unit.name);
     whirl_verdict_reason(&doubt->verdict, text, sizeof text);
-    printf(": %s", text);
+    fprintf(out, ": %s", text);
     whirl_verdict_advice(&doubt->verdict, text, sizeof text);
-    if (*text) printf("; to settle it, %s", text);
-    putchar('\n');
+    if (*text) fprintf(out, "; to settle it, %s", text);
+    fputc('\n', out);
 }
 
-void summarize_doubts(const whirl_result *result, const whirl_table *table) {
+void summarize_doubts(FILE *out, const whirl_result *result, const whirl_table *table) {
     whirl_doubt doubts[WHIRL_REMEDIES];
     const size_t count = whirl_layout_has_verdict(&table->layout) ? whirl_table_doubts(table, doubts) : 0;
     bool remedied = false;
     for (size_t i = 0; i < count; i++) {
-        print_doubt(result, table, &doubts[i]);
+        print_doubt(out, result, table, &doubts[i]);
         const whirl_remedy remedy = doubts[i].verdict.advice.remedy;
         remedied = remedied || (remedy != WHIRL_NO_REMEDY && remedy != WHIRL_OTHER_START);
     }
-    if (remedied) puts("  whirl run --refine does these points again so");
+    if (remedied) fputs("  whirl run --refine does these points again so\n", out);
 }

@@ -1,10 +1,70 @@
-// Quasi-periodic motions past Neimark-Sacker points, one row a branch of tori.
+// How tori are shown: quasi-periodic motions past Neimark-Sacker points, one row a branch of tori.
 #include <math.h>
 
 #include "html.h"
 #include "machine_at.h"
-#include "page.h"
 #include "quantities.h"
+#include "shown_kinds.h"
+
+// ---------------------------------------------------------------- the summary
+
+/// ", stable", ", unstable", ", 12 of them stable".
+static void print_stability(FILE *out, const whirl_tori *own) {
+    if (own->stable > 0 && own->stable < own->found)
+        fprintf(out, ", %zu of them stable", own->stable);
+    else
+        fputs(own->stable > 0 ? ", stable" : ", unstable", out);
+}
+
+/// "rotation number 0.39865 to 0.41552; second line of disc, y: order 0.60135 to 0.58448".
+static void print_lines(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_tori *own) {
+    fprintf(out, "      rotation number %.6g to %.6g",
+            whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_ROTATION, 0),
+            whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_ROTATION, 0));
+    if (own->station < result->station_count) {
+        const double *first = whirl_table_field(table, own->first, WHIRL_FIELD_TORUS_FREQUENCY, own->station);
+        const double *last = whirl_table_field(table, own->last, WHIRL_FIELD_TORUS_FREQUENCY, own->station);
+        fprintf(out, "; second line of %s, %c: order %.6g to %.6g", result->stations[own->station].name,
+                "xy"[own->axis], first[own->axis], last[own->axis]);
+    }
+    fputc('\n', out);
+}
+
+static void print_torus_end(FILE *out, const whirl_table *table, const whirl_unit *unit, size_t point) {
+    const double *resonance = whirl_table_field(table, point, WHIRL_FIELD_TORUS_RESONANCE, 0);
+    const double limit = whirl_table_number(table, point, WHIRL_FIELD_TORUS_LIMIT, 0);
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_torus_end_text(whirl_table_number(table, point, WHIRL_FIELD_TORUS_END, 0), resonance[0], resonance[1], text,
+                         sizeof text);
+    fprintf(out, "    %14.9g%s%s  %s", table->values[point] / unit->size, *unit->name ? " " : "", unit->name, text);
+    if (isfinite(limit)) fprintf(out, " at %.6g", limit / unit->size);
+    fputc('\n', out);
+}
+
+static void print_tori(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_unit *unit,
+                       const whirl_tori *own) {
+    fprintf(out, "  torus %.0f: ", whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_NUMBER, 0));
+    if (own->found > 0) fprintf(out, "%zu point%s ", own->found, own->found == 1 ? "" : "s");
+    fprintf(out, "from %.6g%s%s, where branch %.0f changes",
+            whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_BEGINS, 0) / unit->size, *unit->name ? " " : "",
+            unit->name, whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_BRANCH, 0));
+    if (own->found > 0) print_stability(out, own);
+    fputc('\n', out);
+    if (own->found > 0) print_lines(out, result, table, own);
+    if (!isnan(whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_END, 0)))
+        print_torus_end(out, table, unit, own->last);
+}
+
+static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        const whirl_tori own = whirl_table_tori(table, point);
+        print_tori(out, result, table, &unit, &own);
+        point = own.last;
+    }
+}
+
+// ---------------------------------------------------------------- the page
 
 /// A page under way, and one branch of tori: rows of the table.
 typedef struct tori_view {
@@ -91,12 +151,9 @@ static void write_head(const tori_view *v, const char *label) {
           stream);
 }
 
-void page_tori(const page *to, size_t index) {
+static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
-    const whirl_table *table = whirl_result_table(result, "tori");
     char label[UNIT_LABEL_SIZE];
-    if (!table || !whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER)) return;
-    fprintf(to->stream, "<h3 id=\"tori-%zu\">Quasi-periodic motions</h3>\n", index + 1);
     if (table->count == 0) {
         fputs("<p>Along the branches that were followed no torus begins.</p>\n", to->stream);
         return;
@@ -113,3 +170,10 @@ void page_tori(const page *to, size_t index) {
     fputs("</tbody></table></div>\n", to->stream);
     whirl_case_free(machine);
 }
+
+const shown_kind shown_tori = {.field = WHIRL_FIELD_TORUS_NUMBER,
+                               .anchor = "tori",
+                               .name = "Quasi-periodic motions",
+                               .summarize = summarize,
+                               .section = section,
+                               .draw = draw_tori};

@@ -1,4 +1,5 @@
-#include "summary_starts.h"
+// What several starts a point have come to rest on.
+#include "summary.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -7,24 +8,20 @@
 
 enum { MOST_RANGES = 6, MOST_ATTRACTORS = 12 };
 
-static const char *plural(size_t count) {
-    return count == 1 ? "" : "s";
-}
-
-void summarize_share(const whirl_table *table, size_t point, const char *before) {
+void summarize_share(FILE *out, const whirl_table *table, size_t point, const char *before) {
     if (!table->attractors) return;
     const whirl_coexisting *one = &table->attractors[point];
     if (one->starts == 0) {
-        printf("%sattractor %zu, found from a neighbour: 0 of %zu starts", before, one->number, one->of);
+        fprintf(out, "%sattractor %zu, found from a neighbour: 0 of %zu starts", before, one->number, one->of);
         return;
     }
-    printf("%sattractor %zu, %.3g %% +- %.2g %% of the starts", before, one->number, 100.0 * one->share,
-           100.0 * one->error);
+    fprintf(out, "%sattractor %zu, %.3g %% +- %.2g %% of the starts", before, one->number, 100.0 * one->share,
+            100.0 * one->error);
 }
 
 /// "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Those of one number stand
 /// together.
-static void print_attractors(const whirl_table *table) {
+static void print_attractors(FILE *out, const whirl_table *table) {
     size_t told = 0;
     for (size_t i = 0; i < table->count;) {
         const whirl_coexisting *one = &table->attractors[i];
@@ -36,13 +33,14 @@ static void print_attractors(const whirl_table *table) {
             met += table->attractors[i].starts > 0;
         }
         if (told++ >= MOST_ATTRACTORS) continue;
-        printf("  attractor %zu: at %zu point%s, %.3g %%", one->number, points, plural(points), 100.0 * low);
-        if (high > low) printf(" to %.3g %%", 100.0 * high);
-        fputs(" of the starts", stdout);
-        if (met < points) printf("; at %zu found from neighbours alone", points - met);
-        putchar('\n');
+        fprintf(out, "  attractor %zu: at %zu point%s, %.3g %%", one->number, points, summary_plural((double)points),
+                100.0 * low);
+        if (high > low) fprintf(out, " to %.3g %%", 100.0 * high);
+        fputs(" of the starts", out);
+        if (met < points) fprintf(out, "; at %zu found from neighbours alone", points - met);
+        fputc('\n', out);
     }
-    if (told > MOST_ATTRACTORS) printf("  and %zu more\n", told - MOST_ATTRACTORS);
+    if (told > MOST_ATTRACTORS) fprintf(out, "  and %zu more\n", told - MOST_ATTRACTORS);
 }
 
 /// Attractors of every place [places], to be freed; NULL without memory.
@@ -53,7 +51,7 @@ static size_t *count_beside(const whirl_table *table, size_t places) {
     return beside;
 }
 
-static void print_range(const whirl_result *view, const whirl_table *table, size_t first, size_t last) {
+static void print_range(FILE *out, const whirl_result *view, const whirl_table *table, size_t first, size_t last) {
     const whirl_unit unit = whirl_result_unit(view, table->parameter);
     const double *values = table->source->values; // the first start has every place in its order, but in partial files
     double ends[2] = {NAN, NAN};
@@ -62,12 +60,12 @@ static void print_range(const whirl_result *view, const whirl_table *table, size
         if (place == first) ends[0] = values[i] / unit.size;
         if (place == last) ends[1] = values[i] / unit.size;
     }
-    printf(first == last ? " %.6g" : " %.6g to %.6g", ends[0], ends[1]);
-    printf("%s%s", *unit.name ? " " : "", unit.name);
+    fprintf(out, first == last ? " %.6g" : " %.6g to %.6g", ends[0], ends[1]);
+    fprintf(out, "%s%s", *unit.name ? " " : "", unit.name);
 }
 
 /// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
-static whirl_status print_coexisting(const whirl_result *view, const whirl_table *table) {
+static whirl_status print_coexisting(FILE *out, const whirl_result *view, const whirl_table *table) {
     const size_t places = whirl_table_planned(table);
     size_t several = 0, ranges = 0, *beside = count_beside(table, places);
     if (!beside) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", places);
@@ -76,36 +74,36 @@ static whirl_status print_coexisting(const whirl_result *view, const whirl_table
         free(beside);
         return whirl_ok();
     }
-    printf("  several attractors side by side at %zu of %zu points", several, places);
+    fprintf(out, "  several attractors side by side at %zu of %zu points", several, places);
     for (size_t place = 0; place < places && table->row == 0; place++) {
         if (beside[place] < 2) continue;
         size_t last = place;
         while (last + 1 < places && beside[last + 1] > 1) last++;
         if (ranges++ < MOST_RANGES) {
-            fputs(ranges == 1 ? ":" : ",", stdout);
-            print_range(view, table, place, last);
+            fputs(ranges == 1 ? ":" : ",", out);
+            print_range(out, view, table, place, last);
         }
         place = last;
     }
-    if (ranges > MOST_RANGES) printf(" and %zu more ranges", ranges - MOST_RANGES);
-    putchar('\n');
+    if (ranges > MOST_RANGES) fprintf(out, " and %zu more ranges", ranges - MOST_RANGES);
+    fputc('\n', out);
     free(beside);
     return whirl_ok();
 }
 
-whirl_status summarize_starts(const whirl_result *view, const whirl_table *table) {
+whirl_status summarize_starts(FILE *out, const whirl_result *view, const whirl_table *table) {
     size_t done = 0, untold = 0;
     if (!table->attractors) return whirl_ok();
     const whirl_table *source = table->source;
-    if (table->row == 0 && whirl_table_planned(table) > 1) print_attractors(table);
-    const whirl_status status = print_coexisting(view, table);
+    if (table->row == 0 && whirl_table_planned(table) > 1) print_attractors(out, table);
+    const whirl_status status = print_coexisting(out, view, table);
     if (status.code != WHIRL_OK) return status;
     for (size_t i = 0; i < source->count; i++) {
         done += whirl_table_done(source, i);
         untold += whirl_table_done(source, i) && whirl_table_verdict(source, i).regime == WHIRL_UNDETERMINED;
     }
-    if (untold > 0) printf("  without a verdict: %zu of %zu starts: a longer transient may tell\n", untold, done);
-    printf("  %zu starts a point miss an attractor that %.2g %% of all lead to with a chance of 5 %%\n", source->starts,
-           100.0 * whirl_missed_share(source->starts));
+    if (untold > 0) fprintf(out, "  without a verdict: %zu of %zu starts: a longer transient may tell\n", untold, done);
+    fprintf(out, "  %zu starts a point miss an attractor that %.2g %% of all lead to with a chance of 5 %%\n",
+            source->starts, 100.0 * whirl_missed_share(source->starts));
     return whirl_ok();
 }

@@ -1,0 +1,10 @@
+// The registry of kinds of tables that are shown each in its own way.
+#include "shown_kinds.h"
+
+static const shown_kind *const kinds[] = {&shown_branches, &shown_tori, &shown_modes, &shown_unbalance};
+
+const shown_kind *shown_kind_of(const whirl_table *table) {
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (whirl_layout_field(&table->layout, kinds[i]->field)) return kinds[i];
+    return NULL;
+}

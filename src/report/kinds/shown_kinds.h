@@ -1,0 +1,25 @@
+/// How tables are shown whose points are no motions: one file a kind in this folder, one line in the registry. Tables
+/// of motions are what summary, figures and pages themselves are about.
+#ifndef REPORT_SHOWN_KINDS_H
+#define REPORT_SHOWN_KINDS_H
+
+#include "page.h"
+
+typedef struct shown_kind {
+    const char *field;         ///< which its tables have, and no others
+    const char *anchor, *name; ///< of its section, where it has one
+    /// Its lines of the summary, below the table's heading.
+    void (*summarize)(FILE *out, const whirl_result *result, const whirl_table *table);
+    /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along
+    /// one parameter.
+    void (*section)(const page *to, size_t result, const whirl_table *table);
+    /// Data and scripts of its figures.
+    whirl_status (*draw)(const drawing *to, const whirl_table *table);
+} shown_kind;
+
+/// That of a table, NULL of motions.
+const shown_kind *shown_kind_of(const whirl_table *table);
+
+extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance;
+
+#endif

@@ -1,0 +1,146 @@
+// How modes are shown: in numbers, with critical speeds and thresholds of stability.
+#include <math.h>
+
+#include "html.h"
+#include "quantities.h"
+#include "shown_kinds.h"
+#include "summary.h"
+
+// ---------------------------------------------------------------- the summary
+
+/// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
+static void print_modes(FILE *out, const whirl_table *table, size_t point) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+    const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
+    const double rigid = whirl_table_number(table, point, WHIRL_FIELD_MODES_RIGID_BODY, 0);
+    if (rigid > 0)
+        fprintf(out, "  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, summary_plural(rigid));
+    for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
+        const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
+        fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i],
+                frequency[i] / 6.283185307179586, *whirls ? 10 : 0, ratio[i], whirls);
+    }
+    const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
+    const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
+    if (isfinite(modulo))
+        fprintf(out, "  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n",
+                modulo);
+    if (isfinite(stability))
+        fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n",
+                stability > 0 ? "unstable" : "stable", rigid > 0 ? " other" : "", stability);
+}
+
+/// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".
+static void print_critical(FILE *out, const whirl_result *result, const whirl_table *table) {
+    static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *rows = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        if (!whirl_table_done(table, point) || !rows) continue;
+        for (size_t i = 0; i < field->rows; i++, rows += field->columns) {
+            if (!(rows[0] >= 1 && rows[0] <= 3)) continue;
+            fprintf(out, "  %-18s at %.9g%s%s: %s, %.6g rad/s, damping ratio %.3g\n", names[(int)rows[0]],
+                    rows[1] / unit.size, *unit.name ? " " : "", unit.name,
+                    rows[5] > 0.05    ? "forward"
+                    : rows[5] < -0.05 ? "backward"
+                                      : "to and fro",
+                    rows[3], rows[4]);
+        }
+    }
+}
+
+/// The modes at the first and the last value that are done.
+static void print_modes_at_ends(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    size_t first = 0, last = table->count;
+    while (first < table->count && !whirl_table_done(table, first)) first++;
+    while (last > first && !whirl_table_done(table, last - 1)) last--;
+    for (size_t point = first; point < last; point += point + 1 < last ? last - 1 - point : 1) {
+        fprintf(out, " modes at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        print_modes(out, table, point);
+    }
+}
+
+static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+    if (whirl_table_planned(table) > 1) {
+        print_critical(out, result, table);
+        print_modes_at_ends(out, result, table);
+    } else if (whirl_table_done(table, 0)) {
+        print_modes(out, table, 0);
+    }
+}
+
+// ---------------------------------------------------------------- the page
+
+static size_t count_critical(const whirl_table *table) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    size_t count = 0;
+    for (size_t point = 0; field && point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++)
+            count += isfinite(row[i * field->columns]);
+    }
+    return count;
+}
+
+/// Whether frequencies are known but for multiples of the speed, at any point.
+static bool is_modulated(const whirl_table *table) {
+    for (size_t point = 0; point < table->count; point++) {
+        const double *modulo = whirl_table_field(table, point, WHIRL_FIELD_MODES_MODULO, 0);
+        if (modulo && whirl_table_done(table, point) && isfinite(*modulo)) return true;
+    }
+    return false;
+}
+
+static void write_row(FILE *stream, const double *row, double unit) {
+    static const char *const kinds[] = {"", "critical speed", "instability begins", "instability ends"};
+    fprintf(stream,
+            "<tr><th>%s</th><td class=\"number\">%.9g</td><td class=\"number\">%.6g</td><td class=\"number\">%.6g</td>"
+            "<td class=\"number\">%.4g</td><td>%s</td></tr>\n",
+            kinds[(int)row[0]], row[1] / unit, row[2] * 60.0 / 6.283185307179586, row[3] / 6.283185307179586, row[4],
+            row[5] > 0.05    ? "forward"
+            : row[5] < -0.05 ? "backward"
+                             : "to and fro");
+}
+
+static void section(const page *to, size_t index, const whirl_table *table) {
+    char label[UNIT_LABEL_SIZE];
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    if (is_modulated(table))
+        fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
+              "speeds are not told.</p>\n",
+              to->stream);
+    if (!field || count_critical(table) == 0) {
+        fputs(
+            is_modulated(table)
+                ? "<p>Between the values that were looked at the machine neither loses nor regains its stability.</p>\n"
+                : "<p>Between the values that were looked at no natural frequency meets the speed of the shaft, and "
+                  "the machine neither loses nor regains its stability.</p>\n",
+            to->stream);
+        return;
+    }
+    units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
+    html_table(to->stream, "Critical speeds and thresholds of stability", "");
+    fputs("<thead><tr><th>What</th><th class=\"number\">", to->stream);
+    html_text(to->stream, label);
+    fputs("</th><th class=\"number\">speed (rpm)</th><th class=\"number\">frequency (Hz)</th>"
+          "<th class=\"number\">damping ratio</th><th>whirl</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
+            if (row[0] >= 1.0 && row[0] <= 3.0)
+                write_row(to->stream, row, whirl_shown_parameter(&to->units[index], table->parameter).size);
+    }
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
+                                .anchor = "critical",
+                                .name = "Critical speeds and stability",
+                                .summarize = summarize,
+                                .section = section,
+                                .draw = draw_modes};

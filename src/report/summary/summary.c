@@ -1,0 +1,121 @@
+// What a result says in lines of text.
+#include "summary.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "shown_kinds.h"
+#include "whirl/report.h"
+
+const char *summary_plural(double count) {
+    return count == 1 ? "" : "s";
+}
+
+void summary_name(const whirl_verdict *verdict, char *name, size_t size) {
+    if (verdict->regime == WHIRL_PERIODIC)
+        whirl_verdict_name(verdict, name, size);
+    else
+        snprintf(name, size, "%s", whirl_regime_name(verdict->regime));
+}
+
+whirl_unit summary_length_unit(const whirl_shown_units *units) {
+    return units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
+}
+
+whirl_shown_units summary_units(const whirl_result *result) {
+    whirl_shown_units units;
+    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
+    return units;
+}
+
+/// Motions of a table with several starts that began where those of neighbours ended.
+static size_t count_from_neighbours(const whirl_table *table) {
+    size_t count = 0;
+    for (size_t i = 0; i < table->source->count; i++) count += whirl_table_from_neighbour(table->source, i);
+    return count;
+}
+
+/// " and rho: 32 x 16 points", ", rho and sigma: 32 x 16 x 3 points".
+static void print_axes(FILE *out, const whirl_table *table) {
+    const size_t planes = whirl_table_planes(table);
+    const bool stacked = table->plane > 0;
+    fprintf(out, "%s%s%s%s: %zu x %zu", stacked ? ", " : " and ", table->second, stacked ? " and " : "", table->third,
+            table->row, whirl_table_rows(table));
+    if (stacked) fprintf(out, " x %zu", planes);
+    fputs(" points", out);
+}
+
+/// "sweep of r_k: 512 points", "map of r_k and rho: 32 x 16 points".
+static void print_heading(FILE *out, const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    fprintf(out, "%s of %s", table->name, table->parameter);
+    if (table->row > 0)
+        print_axes(out, table);
+    else
+        fprintf(out, ": %zu point%s", planned, summary_plural((double)planned));
+    if (table->source) fprintf(out, ", %zu starts each", table->source->starts);
+    if (table->source && table->source->neighbours > 0)
+        fprintf(out, " and %zu from neighbours", count_from_neighbours(table));
+    fputc('\n', out);
+}
+
+void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *out) {
+    fprintf(out, "  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
+            rate / 6.283185307179586);
+}
+
+void whirl_result_write_end(const whirl_result *result, const char *parameter, double first, FILE *out) {
+    const char *const said = whirl_result_fact(result, "sweep ends at"), *const missed = strstr(said, "short of ");
+    if (!missed) return;
+    const whirl_unit unit = whirl_result_unit(result, parameter);
+    const char *const gap = *unit.name ? " " : "";
+    const double last = strtod(said, NULL), end = strtod(missed + strlen("short of "), NULL);
+    if (last == first)
+        fprintf(out, "  the step is larger than the range: %.6g%s%s is the only value\n", last / unit.size, gap,
+                unit.name);
+    else
+        fprintf(out, "  the steps end at %.6g%s%s, short of %.6g%s%s\n", last / unit.size, gap, unit.name,
+                end / unit.size, gap, unit.name);
+}
+
+static whirl_status print_table(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const shown_kind *kind = shown_kind_of(table);
+    const bool single = !*table->parameter && whirl_table_planned(table) == 1;
+    if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
+    if (!kind && single) {
+        const whirl_status status = summarize_response(out, result, table);
+        summarize_refinement(out, table->source ? table->source : table);
+        return status;
+    }
+    if (*table->parameter)
+        print_heading(out, table);
+    else
+        fprintf(out, "%s:\n", table->name);
+    if (!kind) return summarize_points(out, result, table);
+    kind->summarize(out, result, table);
+    return whirl_ok();
+}
+
+whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
+    size_t done, total;
+    whirl_result *view;
+    fprintf(out, "%s\n", result->title[0] ? result->title : result->case_name);
+    for (size_t i = 0; *whirl_result_warning(result, i); i++)
+        fprintf(out, "warning: %s\n", whirl_result_warning(result, i));
+    const char *const keyphasor = whirl_result_keyphasor(result);
+    if (*keyphasor) whirl_write_keyphasor(keyphasor, whirl_result_clock(result), out);
+    if (whirl_result_partial(result, &done, &total)) {
+        if (done == 0)
+            fprintf(out, "partial: stopped before the first of %zu point%s\n", total, summary_plural((double)total));
+        else if (done < total)
+            fprintf(out, "partial: stopped after %zu of %zu point%s\n", done, total, summary_plural((double)total));
+        else
+            fputs("partial: stopped when all points were done, before all were confirmed or refined\n", out);
+    }
+    whirl_status status = whirl_result_by_attractor(result, &view);
+    if (status.code != WHIRL_OK) return status;
+    for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++)
+        status = print_table(out, view, &view->tables[i]);
+    whirl_result_view_free(view);
+    return status;
+}

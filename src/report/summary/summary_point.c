@@ -1,0 +1,108 @@
+// The summary of one motion.
+#include <math.h>
+#include <stdio.h>
+
+#include "summary.h"
+
+static void print_rubs(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t i = 0; i < result->contact_count; i++) {
+        const double share = whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i);
+        if (share > 0)
+            fprintf(out, "  %s: %.3g %% of the time\n", result->contacts[i], 100 * share);
+        else if (share >= 0)
+            fprintf(out, "  %s: no contact\n", result->contacts[i]);
+    }
+}
+
+/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", or "disc 231, journal 191 µm" where the case asks for a
+/// unit.
+static void print_radii(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS)) return;
+    const whirl_shown_units units = summary_units(result);
+    const whirl_unit unit = summary_length_unit(&units);
+    const double scale = whirl_result_length_scale(result, table, point),
+                 size = units.size.size > 0.0 ? scale / unit.size : 1.0;
+    fputs("  largest radius:", out);
+    for (size_t i = 0; i < result->station_count; i++)
+        fprintf(out, "%s %s %.4g", i ? "," : "", result->stations[i].name,
+                size * whirl_table_number(table, point, WHIRL_FIELD_ORBIT_MAX_RADIUS, i));
+    if (size != 1.0 || scale == unit.size)
+        fprintf(out, " %s\n", unit.name);
+    else
+        fprintf(out, " (in %.6g %s)\n", scale / unit.size, unit.name);
+}
+
+/// "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line a station; phases as
+/// whirl_synchronous has them.
+static void print_synchronous(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    const whirl_shown_units units = summary_units(result);
+    const whirl_unit unit = summary_length_unit(&units);
+    const double size = units.amplitude * whirl_result_length_scale(result, table, point) / unit.size;
+    const char *way = units.amplitude_name;
+    for (size_t i = 0; i < result->station_count; i++) {
+        const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, i);
+        const double *lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, i);
+        if (!amplitude || !lag || !isfinite(lag[0]) || !isfinite(lag[1])) continue;
+        fprintf(out, "  at 1X: %s x %.4g %s %s lag %.1f deg, y %.4g %s %s lag %.1f deg\n", result->stations[i].name,
+                size * amplitude[0], unit.name, way, lag[0], size * amplitude[1], unit.name, way, lag[1]);
+    }
+}
+
+/// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
+static void print_confidence(FILE *out, const whirl_verdict *verdict) {
+    char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
+    // A motion rests where it does at both tolerances.
+    const whirl_verdict second = {
+        .regime = verdict->other_regime, .period = verdict->other_period, .rests = verdict->rests};
+    summary_name(&second, other, sizeof other);
+    whirl_verdict_advice(verdict, advice, sizeof advice);
+    fprintf(out, "  confidence: %s (", whirl_confidence_name(verdict->confidence));
+    fprintf(out, verdict->confirmed ? "at the second tolerance: %s)" : "one tolerance only)", other);
+    if (verdict->confidence == WHIRL_LOW && *advice) fprintf(out, "; to settle it, %s", advice);
+    fputc('\n', out);
+}
+
+static void print_verdict(FILE *out, const char *table, const whirl_verdict *verdict) {
+    char text[WHIRL_MESSAGE_SIZE];
+    whirl_verdict_name(verdict, text, sizeof text);
+    fprintf(out, "%s: %s\n", table, text);
+    whirl_verdict_reason(verdict, text, sizeof text);
+    if (text[0]) fprintf(out, "  %s\n", text);
+    print_confidence(out, verdict);
+}
+
+/// "exponents failed: their sum is -4.186, the equations give -1.257; take a smaller tolerance or more steps".
+static void print_failed_exponents(FILE *out, const whirl_table *table, size_t point) {
+    if (!(whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_FAILED, 0) > 0.5)) return;
+    fprintf(out,
+            "  exponents failed: their sum is %.4g, the equations give %.4g; take a smaller tolerance or more steps\n",
+            whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM, 0),
+            whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0));
+}
+
+static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    if (!whirl_table_done(table, point)) {
+        fprintf(out, "%s: not computed\n", table->name);
+        return;
+    }
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    if (whirl_layout_has_verdict(&table->layout))
+        print_verdict(out, table->name, &verdict);
+    else
+        fprintf(out, "%s: no verdict, as the analyses have no regime\n", table->name);
+    if (verdict.regime == WHIRL_DIVERGING) return;
+    print_failed_exponents(out, table, point);
+    print_rubs(out, result, table, point);
+    print_radii(out, result, table, point);
+    print_synchronous(out, result, table, point);
+}
+
+whirl_status summarize_response(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const size_t count = table->attractors ? table->count : 1;
+    for (size_t point = 0; point < count; point++) {
+        print_point(out, result, table, point);
+        summarize_share(out, table, point, "  ");
+        if (table->attractors) fputc('\n', out);
+    }
+    return summarize_starts(out, result, table);
+}

@@ -1,0 +1,229 @@
+// The summary of many motions: every one of a few, else windows or counts of verdicts.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "summary.h"
+#include "whirl/report.h"
+
+enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8 };
+
+static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t i = 0; i < result->contact_count; i++)
+        if (whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i) > 0) return true;
+    return false;
+}
+
+static void print_list(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        char name[VERDICT_SIZE] = "";
+        if (whirl_layout_has_verdict(&table->layout)) whirl_verdict_name(&verdict, name, sizeof name);
+        fprintf(out, "  %10.6g %s%s%-26s", table->values[point] / unit.size, unit.name, *unit.name ? "  " : " ", name);
+        fprintf(out, " %-5s",
+                whirl_layout_has_verdict(&table->layout) ? whirl_confidence_name(verdict.confidence) : "");
+        if (isfinite(verdict.exponent.value))
+            fprintf(out, " exponent %8.4f +- %-7.1g", verdict.exponent.value,
+                    fmax(verdict.exponent.error, 1e-4)); // not below what the digits show
+        else if (verdict.exponents_failed)
+            fprintf(out, " %-28s", "exponents failed");
+        fputs(rubs(result, table, point) ? "  rub" : "", out);
+        summarize_share(out, table, point, "  ");
+        fputc('\n', out);
+    }
+}
+
+typedef struct verdict_counts {
+    size_t count, of[MAX_VERDICTS];
+    char names[MAX_VERDICTS][VERDICT_SIZE];
+} verdict_counts;
+
+static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict, size_t weight) {
+    char name[VERDICT_SIZE];
+    summary_name(verdict, name, sizeof name);
+    size_t i = 0;
+    while (i < tally->count && strcmp(tally->names[i], name) != 0) i++;
+    if (i == MAX_VERDICTS) return;
+    if (i == tally->count) memcpy(tally->names[tally->count++], name, sizeof name);
+    tally->of[i] += weight;
+}
+
+/// Neighbouring points of one verdict.
+typedef struct window {
+    size_t first, last;
+    char name[VERDICT_SIZE];
+} window;
+
+/// The windows of a sweep in its order; as many as there are, of which `most` are written.
+static size_t find_windows(const whirl_table *table, window *windows, size_t most) {
+    size_t count = 0;
+    window now = {.name = ""};
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        char name[VERDICT_SIZE];
+        summary_name(&verdict, name, sizeof name);
+        const bool next_to = count > 0 && whirl_table_slot(table, point) == whirl_table_slot(table, now.last) + 1;
+        if (!next_to || strcmp(name, now.name) != 0 || table->branch[point] != table->branch[now.last]) {
+            count++;
+            now.first = point;
+            memcpy(now.name, name, sizeof name);
+        }
+        now.last = point;
+        if (count <= most) windows[count - 1] = now;
+    }
+    return count;
+}
+
+/// "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. False, and nothing, where they are too many.
+static bool print_windows(FILE *out, const whirl_result *result, const whirl_table *table) {
+    window windows[LONGEST_LIST];
+    const size_t count = find_windows(table, windows, LONGEST_LIST);
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t i = 0; i < count && count <= LONGEST_LIST; i++) {
+        const window *const one = &windows[i];
+        const double a = table->values[one->first] / unit.size, b = table->values[one->last] / unit.size;
+        char range[VERDICT_SIZE];
+        int length = snprintf(range, sizeof range, "%.6g", a);
+        if (one->last > one->first) length += snprintf(range + length, sizeof range - (size_t)length, " to %.6g", b);
+        snprintf(range + length, sizeof range - (size_t)length, "%s%s", *unit.name ? " " : "", unit.name);
+        fprintf(out, "  %-24s %s%s", range, one->name, table->branch[one->first] < 0 ? ", from the last value on" : "");
+        if (table->attractors) fprintf(out, ", attractor %zu", table->attractors[one->first].number);
+        fputc('\n', out);
+    }
+    return count <= LONGEST_LIST;
+}
+
+/// How many points of the grid of a refined map each of its points stands for [count]; NULL where points stand for
+/// themselves. False without memory.
+static bool weights_of(const whirl_table *table, size_t **weights) {
+    const size_t grid = whirl_table_grid(table);
+    *weights = NULL;
+    if (table->refine == 0) return true;
+    size_t *own = *weights = calloc(table->count + 1, sizeof *own), *cover = calloc(grid + 1, sizeof *cover);
+    if (cover) whirl_table_cover(table, cover);
+    for (size_t i = 0; own && cover && i < grid; i++) own[cover[i]] += cover[i] < table->count;
+    const bool made = own && cover;
+    free(cover);
+    return made;
+}
+
+static size_t weight_of(const size_t *weights, size_t point) {
+    return weights ? weights[point] : 1;
+}
+
+/// "refined from squares of 16: 5210 of 66049 points computed (7.9 %), 612 revolutions each; all would have taken about
+/// 4.04e+07 revolutions".
+static void print_grid(FILE *out, const whirl_table *table) {
+    size_t done = 0;
+    if (table->refine == 0) return;
+    for (size_t point = 0; point < table->count; point++) done += whirl_table_done(table, point);
+    const double each = whirl_table_revolutions(table), grid = (double)table->grid;
+    fprintf(
+        out,
+        "  refined from squares of %zu: %zu of %zu points computed (%.1f %%), %.0f revolutions each; all would have "
+        "taken about %.3g revolutions\n",
+        table->refine, done, table->grid, 100.0 * (double)done / grid, each, whirl_table_grid_revolutions(table));
+}
+
+/// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those
+/// of its grid, told or computed.
+static void print_counts(FILE *out, const whirl_result *result, const whirl_table *table) {
+    verdict_counts tally = {.count = 0};
+    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0}, *weights;
+    const bool weighed = weights_of(table, &weights);
+    for (size_t point = 0; weighed && point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        const size_t weight = weight_of(weights, point);
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        if (whirl_layout_has_verdict(&table->layout)) count_verdict(&tally, &verdict, weight);
+        rubbing += rubs(result, table, point) ? weight : 0;
+        failed += verdict.exponents_failed ? weight : 0;
+        sure[verdict.confidence] += weight;
+    }
+    free(weights);
+    const bool listed =
+        !whirl_layout_has_verdict(&table->layout) || (table->row == 0 && print_windows(out, result, table));
+    for (size_t i = 0; i < tally.count && !listed; i++) fprintf(out, "  %6zu  %s\n", tally.of[i], tally.names[i]);
+    if (result->contact_count > 0) fprintf(out, "  %6zu  with rub\n", rubbing);
+    if (failed > 0) fprintf(out, "  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);
+    if (whirl_layout_has_verdict(&table->layout))
+        fprintf(out, "  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR],
+                sure[WHIRL_LOW]);
+}
+
+static bool is_basin(const whirl_table *table) {
+    return strcmp(table->name, "basin") == 0;
+}
+
+/// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.
+static whirl_status print_attractors(FILE *out, const whirl_table *table) {
+    enum { SHOWN = 16 };
+    whirl_attractor found[SHOWN];
+    size_t count = 0;
+    const whirl_status status =
+        is_basin(table) ? whirl_table_attractors(table, NULL, found, SHOWN, &count) : whirl_ok();
+    if (!is_basin(table) || status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+    for (size_t k = 0; k < count && k < SHOWN; k++) {
+        const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
+        char name[VERDICT_SIZE];
+        summary_name(&verdict, name, sizeof name);
+        fprintf(out, "  attractor %zu: %s from %zu start%s, %.1f %% +- %.1f %%\n", k + 1, name, found[k].points,
+                summary_plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
+    }
+    if (count > SHOWN) fprintf(out, "  and %zu more\n", count - SHOWN);
+    size_t done = 0, told = 0, *weights;
+    const bool weighed = weights_of(table, &weights);
+    for (size_t i = 0; weighed && i < table->count; i++) done += whirl_table_done(table, i) ? weight_of(weights, i) : 0;
+    free(weights);
+    for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
+    if (count <= SHOWN && told < done)
+        fprintf(out, "  without a verdict: %zu start%s, %.1f %%: a longer transient may tell\n", done - told,
+                summary_plural((double)(done - told)), 100.0 * (double)(done - told) / (double)done);
+    return weighed ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the shares of attractors");
+}
+
+/// "refined: 5 points, 2 still in doubt".
+void summarize_refinement(FILE *out, const whirl_table *table) {
+    size_t refined = 0, doubtful = 0;
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_REFINE_ROUNDS)) return;
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        refined += whirl_table_number(table, point, WHIRL_FIELD_REFINE_ROUNDS, 0) > 0;
+        doubtful += whirl_table_verdict(table, point).confidence == WHIRL_LOW;
+    }
+    fprintf(out, "  refined: %zu point%s, %zu still in doubt\n", refined, summary_plural((double)refined), doubtful);
+}
+
+/// "4 jumps within a regime, first between 0.188 and 0.186: two motions side by side, or one that changes suddenly".
+static void print_jumps(FILE *out, const whirl_result *result, const whirl_table *table) {
+    whirl_jump first;
+    size_t count;
+    if (whirl_table_jumps(table, &first, 1, &count).code != WHIRL_OK || count == 0) return;
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    fprintf(out,
+            "  %zu jump%s within a regime%s between %.5g and %.5g%s%s: two motions side by side, or one that changes "
+            "suddenly\n",
+            count, summary_plural((double)count), count > 1 ? ", first" : "", table->values[first.from] / unit.size,
+            table->values[first.to] / unit.size, *unit.name ? " " : "", unit.name);
+}
+
+whirl_status summarize_points(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const size_t planned = whirl_table_planned(table);
+    print_grid(out, table);
+    if (strcmp(table->name, "sweep") == 0 && table->count > 0)
+        whirl_result_write_end(result, table->parameter, table->values[0], out);
+    if (planned <= LONGEST_LIST && table->row == 0)
+        print_list(out, result, table);
+    else
+        print_counts(out, result, table);
+    if (planned > 1) summarize_doubts(out, result, table);
+    whirl_status status = print_attractors(out, table);
+    if (status.code == WHIRL_OK) status = summarize_starts(out, result, table);
+    summarize_refinement(out, table->source ? table->source : table);
+    print_jumps(out, result, table);
+    return status;
+}
