@@ -517,7 +517,9 @@ typedef struct whirl_kind {
     study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
         study(unbalance, "synchronous response to unbalance about where the machine rests",                            \
-              "Friswell, Penny, Garvey, Lees 2010", TURNING)
+              "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                           \
+            study(critical_speeds, "critical speeds without damping, all at once, forward and backward",               \
+                  "Friswell, Penny, Garvey, Lees 2010, 6.3", TURNING)
 
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {
@@ -612,6 +614,9 @@ typedef struct whirl_resting {
     const whirl_modes *modes;       ///< of it, where they are asked for, else NULL
     size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
+    /// Makes the same machine at another speed (rad/s), to be released. Errors as those of machines.
+    whirl_status (*at_speed)(const void *context, double speed, whirl_machine *machine);
+    const void *context; ///< handed to at_speed
 } whirl_resting;
 
 /// Fills `block` [layout->size] with what the chosen analyses, all of machines at rest, say of one. Errors as

@@ -110,6 +110,10 @@
 #define WHIRL_FIELD_MODES_REST "modes/rest"
 #define WHIRL_FIELD_MODES_SHAPE "modes/shape"
 
+#define WHIRL_FIELD_CRITICAL_SPEEDS_SPEED "critical_speeds/speed"
+#define WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION "critical_speeds/direction"
+#define WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY "critical_speeds/rigid_body"
+#define WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE "critical_speeds/shape"
 #define WHIRL_FIELD_UNBALANCE_SPEED "unbalance/speed"
 #define WHIRL_FIELD_UNBALANCE_REST "unbalance/rest"
 #define WHIRL_FIELD_UNBALANCE_AMPLITUDE "unbalance/amplitude"

@@ -66,6 +66,27 @@ whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, d
 /// and its first harmonic. Errors as whirl_modes_new, and where the response is beyond all bounds.
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
 
+/// The critical speeds of a machine without damping: speeds of the shaft at which a mode goes round once a revolution.
+typedef struct whirl_critical_speeds {
+    size_t dimension, count; ///< of the state; of the speeds
+    double *speeds;          ///< [count] rad/s, rising; of equal ones forward whirl comes first
+    double *directions;      ///< [count] of the whirl, as whirl_mode has it
+    double *vectors; ///< [count][dimension][2] shapes, real and imaginary parts, of places and, over them, rates
+    size_t free;     ///< rigid-body modes, whose speed is 0 and which are left out
+} whirl_critical_speeds;
+
+/// Finds all critical speeds at once, without a search: of M q'' - i w G q' + K q = 0 with motions that turn with the
+/// shaft they are the roots of K q = w^2 (M - i G) q (Friswell, Penny, Garvey, Lees 2010, 6.3), where damping is left
+/// out and G is what rates gain by the speed, so that `faster` is the same machine at another speed. Modes whose w^2 is
+/// not above 0 never meet the speed (discs that are thin). WHIRL_BAD_INPUT where the machine rests nowhere, its
+/// stiffness changes with the speed or is not symmetric, its coefficients turn with the shaft, it has states other than
+/// places and rates, or both speeds are the same. Freed by whirl_critical_speeds_free.
+whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl_machine *faster,
+                                       whirl_critical_speeds **speeds);
+
+/// Frees them; NULL is none.
+void whirl_critical_speeds_free(whirl_critical_speeds *speeds);
+
 #ifdef __cplusplus
 }
 #endif

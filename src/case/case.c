@@ -32,7 +32,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     size_t count = 0;
     for (; count < 3 && values[count]; count++) given[count] = (given_value){names[count], values[count][point]};
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &rotor);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, 0.0, &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
     if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
     whirl_rotor_free(rotor);
@@ -89,7 +89,7 @@ static void check_basin(case_reader *reader, const case_content *content, const 
 static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
     whirl_rotor *rotor;
     whirl_layout layout;
-    whirl_status status = machine_build(&content->machine, v, &rotor);
+    whirl_status status = machine_build(&content->machine, v, 0.0, &rotor);
     if (status.code != WHIRL_OK) return; // said already
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const whirl_batch *batch = &content->plan.batches[b];
@@ -446,7 +446,7 @@ whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double
     *rotor = NULL;
     const int before = exhausted_watch();
     whirl_status status = valuation_open(&v, &object->content.parameters, &given, name && *name ? 1 : 0);
-    if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, rotor);
+    if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, 0.0, rotor);
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor");
     valuation_close(&v);
     return status;

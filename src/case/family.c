@@ -41,7 +41,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     given_value given[3];
     const size_t count = list_given(batch, value, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, &m->rotor);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, batch->speed, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     valuation_close(&v);

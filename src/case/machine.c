@@ -250,9 +250,9 @@ static whirl_status evaluate(const setting_list *settings, valuation *v, whirl_s
     return whirl_ok();
 }
 
-static whirl_status new_design(const machine_parts *machine, valuation *v, whirl_design **design) {
+static whirl_status new_design(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
     *design = NULL;
-    const double speed = settings_number(v, &machine->rotor, "speed");
+    if (speed == 0.0) speed = settings_number(v, &machine->rotor, "speed");
     const double length = settings_number(v, &machine->rotor, "length_scale");
     return whirl_design_new(speed, length, design);
 }
@@ -277,8 +277,8 @@ static whirl_status add_element(const machine_parts *machine, size_t index, valu
     return status;
 }
 
-static whirl_status make_design(const machine_parts *machine, valuation *v, whirl_design **design) {
-    whirl_status status = new_design(machine, v, design);
+static whirl_status make_design(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
+    whirl_status status = new_design(machine, v, speed, design);
     if (status.code == WHIRL_OK) status = add_parts(&machine->materials, v, whirl_design_material, *design);
     if (status.code == WHIRL_OK) status = add_parts(&machine->shafts, v, whirl_design_shaft, *design);
     if (status.code == WHIRL_OK) status = add_parts(&machine->stations, v, whirl_design_station, *design);
@@ -287,10 +287,10 @@ static whirl_status make_design(const machine_parts *machine, valuation *v, whir
     return status;
 }
 
-whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor) {
+whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
     whirl_design *design;
     *rotor = NULL;
-    whirl_status status = make_design(machine, v, &design);
+    whirl_status status = make_design(machine, v, speed, &design);
     if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
     whirl_design_free(design);
     return status;
@@ -298,7 +298,7 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rot
 
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {
     whirl_design *design;
-    const whirl_status status = make_design(machine, v, &design);
+    const whirl_status status = make_design(machine, v, 0.0, &design);
     if (status.code == WHIRL_OK) whirl_design_doubts(design, tell, context);
     whirl_design_free(design);
     return status;
@@ -336,7 +336,7 @@ whirl_status machine_build_element(const machine_parts *machine, valuation *v, c
     whirl_design *design;
     *rotor = NULL;
     if (index == machine->element_count) return no_element(machine, element);
-    whirl_status status = new_design(machine, v, &design);
+    whirl_status status = new_design(machine, v, 0.0, &design);
     for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
         status = whirl_design_station(design, machine->stations.names[i], &mass, 1);
     if (status.code == WHIRL_OK) status = add_element(machine, index, v, design);
@@ -348,7 +348,7 @@ whirl_status machine_build_element(const machine_parts *machine, valuation *v, c
 whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count) {
     whirl_design *design;
     *count = 0;
-    whirl_status status = make_design(machine, v, &design);
+    whirl_status status = make_design(machine, v, 0.0, &design);
     if (status.code == WHIRL_OK) status = whirl_design_shafts(design, out, count);
     whirl_design_free(design);
     return status;
@@ -390,7 +390,7 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     whirl_rotor *rotor = NULL;
     size_t problems = 0;
     teller to = {reader, machine};
-    whirl_status status = make_design(machine, v, &design);
+    whirl_status status = make_design(machine, v, 0.0, &design);
     if (status.code == WHIRL_OK) {
         status = whirl_rotor_new(design, &rotor);
         if (status.code == WHIRL_BAD_INPUT) {

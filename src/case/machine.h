@@ -29,8 +29,8 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// formula_settle of all its settings.
 void machine_settle(valuation *v, machine_parts *machine);
 
-/// Builds a rotor with the values of `valuation`.
-whirl_status machine_build(const machine_parts *machine, valuation *v, whirl_rotor **rotor);
+/// Builds a rotor with the values of `valuation`, which turns at `speed` (rad/s) or, with 0, at that of the case.
+whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
 /// Tells of its doubts, as whirl_design_doubts does.
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "balance.h"
+#include "direction.h"
 #include "matrix.h"
 #include "periodic.h"
 #include "rest.h"
@@ -18,21 +19,6 @@ typedef struct root {
     double real, imaginary;
     size_t place;
 } root;
-
-// ---------------------------------------------------------------- direction of whirl
-
-static double direction_of(const whirl_system *system, const double *v) {
-    double area = 0.0, square = 0.0;
-    for (size_t p = 0; p < system->probe_count; p++) {
-        const whirl_probe *probe = &system->probes[p];
-        const double *x = v + 2 * probe->x, *y = v + 2 * probe->y;
-        square += x[0] * x[0] + x[1] * x[1];
-        if (probe->x == probe->y) continue;
-        square += y[0] * y[0] + y[1] * y[1];
-        area += 2.0 * (x[1] * y[0] - x[0] * y[1]);
-    }
-    return square > 0.0 ? area / square : 0.0;
-}
 
 // ---------------------------------------------------------------- sorting out
 
@@ -102,7 +88,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
     for (size_t i = 0; i < waves; i++) {
         double *shape = modes->vectors + 2 * i * d;
         spread(m, vectors + 2 * roots[i].place * n, shape);
-        modes->modes[i] = (whirl_mode){roots[i].real, roots[i].imaginary, direction_of(m->system, shape)};
+        modes->modes[i] = (whirl_mode){roots[i].real, roots[i].imaginary, whirl_direction(m->system, shape)};
     }
     return modes;
 }

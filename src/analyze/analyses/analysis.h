@@ -40,6 +40,10 @@ size_t rows_of_longest_orbit(const block_shape *shape);
 /// NULL when the field was left out.
 double *view_numbers(const block_view *view, size_t field, size_t which);
 
+/// Writes row `row` of a field of shapes (x_cos, x_sin, y_cos, y_sin of every station) of a motion Re(v exp(i w t)), v
+/// [dimension][2]: the largest displacement of any station is 1, at the instant of its peak.
+void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view);
+
 /// Fields of what is watched (whirl/watched.h): their numbers, their plans, and how they are filled from a record.
 #define WATCHED_INDEX(array, ...) WATCHED_##array,
 #define WATCHED_PLAN(array, extent, columns, fold, square, name, unit, meaning)                                        \
@@ -74,7 +78,7 @@ block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double
 
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
-    unbalance_analysis, floquet_analysis, trace_analysis, torus_analysis;
+    unbalance_analysis, critical_speeds_analysis, floquet_analysis, trace_analysis, torus_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

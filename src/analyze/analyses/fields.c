@@ -1,6 +1,8 @@
 // Where the numbers of a field lie in the block of a point.
 #include <string.h>
 
+#include <math.h>
+
 #include "analysis.h"
 
 const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name) {
@@ -27,4 +29,21 @@ block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double
 double *view_numbers(const block_view *view, size_t field, size_t which) {
     const whirl_field *f = view->fields[field];
     return f && which < f->repeat ? view->block + f->offset + which * f->rows * f->columns : NULL;
+}
+
+void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view) {
+    double largest = 0.0, c = 1.0, s = 0.0;
+    for (size_t p = 0; p < 2 * system->probe_count; p++) {
+        const double *x = v + 2 * (p % 2 ? system->probes[p / 2].y : system->probes[p / 2].x);
+        const double size = hypot(x[0], x[1]);
+        if (size > (1.0 + 1e-9) * largest) largest = size, c = x[0] / size, s = x[1] / size;
+    }
+    for (size_t p = 0; p < 2 * system->probe_count && largest > 0.0; p++) {
+        const whirl_probe *probe = &system->probes[p / 2];
+        const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
+        double *out = view_numbers(view, field, p / 2) + 4 * row + 2 * (p % 2);
+        // x cos(w t) + y sin(w t) of Re(X exp(i w t)).
+        out[0] = (x[0] * c + x[1] * s) / largest;
+        out[1] = -(x[1] * c - x[0] * s) / largest;
+    }
 }

@@ -77,28 +77,6 @@ static void fill_modes(const whirl_resting *point, const whirl_modes *modes, siz
         view_numbers(view, OVERDAMPED, 0)[i] = rate * modes->reals[i];
 }
 
-/// The largest displacement of any station is 1, at the instant of its peak.
-static void fill_shapes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
-    const whirl_system *system = point->system;
-    for (size_t i = 0; i < modes->count && i < most; i++) {
-        const double *v = modes->vectors + 2 * i * modes->dimension;
-        double largest = 0.0, c = 1.0, s = 0.0;
-        for (size_t p = 0; p < 2 * system->probe_count; p++) {
-            const double *x = v + 2 * (p % 2 ? system->probes[p / 2].y : system->probes[p / 2].x);
-            const double size = hypot(x[0], x[1]);
-            if (size > (1.0 + 1e-9) * largest) largest = size, c = x[0] / size, s = x[1] / size;
-        }
-        for (size_t p = 0; p < 2 * system->probe_count && largest > 0.0; p++) {
-            const whirl_probe *probe = &system->probes[p / 2];
-            const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
-            double *out = view_numbers(view, SHAPE, p / 2) + 4 * i + 2 * (p % 2);
-            // x cos(w t) + y sin(w t) of Re(X exp(i w t)).
-            out[0] = (x[0] * c + x[1] * s) / largest;
-            out[1] = -(x[1] * c - x[0] * s) / largest;
-        }
-    }
-}
-
 static void fill_critical(const whirl_resting *point, size_t most, const block_view *view) {
     for (size_t i = 0; i < point->critical_count && i < most; i++) {
         const whirl_critical *found = &point->critical[i];
@@ -125,7 +103,8 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         view_numbers(view, REST, p)[1] = modes->rest[probe->y];
     }
     fill_modes(point, modes, most, view);
-    fill_shapes(point, modes, most, view);
+    for (size_t i = 0; i < modes->count && i < most; i++)
+        fill_shape(point->system, modes->vectors + 2 * i * modes->dimension, i, SHAPE, view);
     fill_critical(point, most + 1, view);
     return whirl_ok();
 }

@@ -29,6 +29,7 @@ static const whirl_member members[] = {
            WHIRL_KEY_NUMBER, false, "5", WHIRL_POSITIVE, NULL, "spectra are kept up to this order of the speed", ""),
     WHOLE("modes", modes, "modes", "count", "16", 1, 512, false,
           "modes that are kept, those of the lowest frequencies"),
+    WHOLE(NULL, modes, "critical_speeds", "count", "16", 1, 512, false, "critical speeds that are kept, the lowest"),
     MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "

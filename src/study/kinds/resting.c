@@ -58,7 +58,22 @@ static whirl_status locate(worker *w, size_t slot, const resting_machine *own) {
                : status;
 }
 
+/// A batch, at a value of its parameter.
+typedef struct place {
+    const whirl_study *study;
+    const whirl_batch *batch;
+    double value;
+} place;
+
+static whirl_status at_speed(const void *context, double speed, whirl_machine *machine) {
+    const place *at = context;
+    whirl_batch batch = *at->batch;
+    batch.speed = speed;
+    return at->study->machine(at->study->family, &batch, at->value, machine);
+}
+
 static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
+    const place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     const whirl_resting point = {.system = machine->system,
                                  .start = machine->start,
@@ -66,7 +81,9 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .speed = machine->speed,
                                  .modes = own->modes,
                                  .critical_count = w->count,
-                                 .critical = w->found};
+                                 .critical = w->found,
+                                 .at_speed = at_speed,
+                                 .context = &at};
     whirl_status status =
         whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter)

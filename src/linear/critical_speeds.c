@@ -1,0 +1,392 @@
+// Critical speeds without damping, all at once: the roots of K q = w^2 (M - i G) q.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "direction.h"
+#include "matrix.h"
+#include "rest.h"
+
+/// What a machine is about where it rests, in SI: of places q, q'' = stiffness q + rates q', [count][count] each.
+typedef struct matrices {
+    size_t count;
+    size_t *places; ///< [count] coordinates of the state
+    double *stiffness, *rates;
+    double *block; ///< all of these numbers
+} matrices;
+
+// ---------------------------------------------------------------- the matrices
+
+/// The coordinate whose derivative by time coordinate `row` is, n where it is none.
+static size_t rate_of(const double *jacobian, size_t n, size_t row) {
+    size_t found = n;
+    for (size_t k = 0; k < n; k++) {
+        const double number = jacobian[row * n + k];
+        if (number == 0.0) continue;
+        if (found < n || number != 1.0) return n;
+        found = k;
+    }
+    return found == row ? n : found;
+}
+
+/// Of a Jacobian [n][n] by the system's time, whose unit is 1/clock.
+static whirl_status split(const double *jacobian, size_t n, const size_t *kept, double clock, matrices *out) {
+    size_t *places = calloc(2 * n + 1, sizeof *places), *rates = places ? places + n : NULL, count = 0;
+    if (!places) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    for (size_t i = 0; i < n; i++) {
+        const size_t rate = rate_of(jacobian, n, i);
+        if (rate == n) continue;
+        places[count] = i;
+        rates[count++] = rate;
+    }
+    out->count = count;
+    out->block = calloc(2 * count * count + 1, sizeof *out->block);
+    out->places = places;
+    if (!out->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    out->stiffness = out->block;
+    out->rates = out->block + count * count;
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < count; k++) {
+            out->stiffness[i * count + k] = clock * clock * jacobian[rates[i] * n + places[k]];
+            out->rates[i * count + k] = clock * jacobian[rates[i] * n + rates[k]];
+        }
+    for (size_t i = 0; i < count; i++) places[i] = kept[places[i]];
+    if (2 * count == n) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "%zu of %zu states are neither places nor their rates: critical speeds are of "
+                      "machines that have no others",
+                      n - 2 * count, n);
+}
+
+static whirl_status take(mean_system *m, const whirl_machine *machine, double *x, double *jacobian, matrices *out) {
+    whirl_status status = rest_find(m, x);
+    if (status.code != WHIRL_OK) return status;
+    if (mean_is_modulated(m, x, jacobian))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "coefficients turn with the shaft: no single frequency is that of the shaft");
+    mean_jacobian(m, x, jacobian);
+    return split(jacobian, m->count, m->kept, machine->clock, out);
+}
+
+/// Freed by matrices_free, after a failure too.
+static whirl_status matrices_new(const whirl_machine *machine, matrices *out) {
+    mean_system mean;
+    void *block;
+    const size_t d = machine->system->dimension;
+    *out = (matrices){.count = 0};
+    whirl_status status = mean_begin(&mean, machine->system, &block);
+    if (status.code != WHIRL_OK) return status;
+    double *x = malloc((d + d * d + 1) * sizeof *x);
+    if (x) {
+        memcpy(x, machine->start, d * sizeof *x);
+        status = take(&mean, machine, x, x + d, out);
+    } else {
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", d);
+    }
+    free(x);
+    free(block);
+    return status;
+}
+
+static void matrices_free(matrices *m) {
+    free(m->places);
+    free(m->block);
+}
+
+// ---------------------------------------------------------------- the roots
+
+/// A complex problem of order n as a real one of order 2n, whose vectors are the real parts above the imaginary ones:
+/// every root is there twice.
+typedef struct roots {
+    size_t n;
+    double *values;  ///< [2n] w^2, rising
+    double *vectors; ///< [2n][n][2] in their order
+    double *block;   ///< all of these numbers, and workspace
+} roots;
+
+/// K + s (1 - i G), and 1 - i G, of the real problem; K is the stiffness with the other sign.
+static void fill(const matrices *slow, const double *gyroscopic, double shift, double *left, double *right) {
+    const size_t n = slow->count, all = 2 * n;
+    memset(right, 0, all * all * sizeof *right);
+    for (size_t i = 0; i < n; i++) {
+        right[i * all + i] = right[(n + i) * all + n + i] = 1.0;
+        for (size_t k = 0; k < n; k++) {
+            right[i * all + n + k] += gyroscopic[i * n + k];
+            right[(n + i) * all + k] -= gyroscopic[i * n + k];
+        }
+    }
+    for (size_t i = 0; i < all * all; i++) left[i] = shift * right[i];
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) {
+            left[i * all + k] -= slow->stiffness[i * n + k];
+            left[(n + i) * all + n + k] -= slow->stiffness[i * n + k];
+        }
+}
+
+static int by_value(const void *a, const void *b) {
+    const double *p = a, *q = b;
+    return (p[0] > q[0]) - (p[0] < q[0]);
+}
+
+/// The vectors of real roots in their order, as complex numbers. Roots [all][2]: w^2, place.
+static void sort(roots *r, double (*order)[2], const double *found) {
+    const size_t n = r->n, all = 2 * n;
+    qsort(order, all, sizeof *order, by_value);
+    for (size_t i = 0; i < all; i++) {
+        // Of a root that is there twice, rounding may make a pair: then either part is a vector.
+        const double *v = found + 2 * all * (size_t)order[i][1];
+        r->values[i] = order[i][0];
+        for (size_t k = 0; k < n; k++) {
+            r->vectors[2 * (i * n + k)] = v[2 * k];
+            r->vectors[2 * (i * n + k) + 1] = v[2 * (n + k)];
+        }
+    }
+}
+
+/// Right-hand sides stand row by row: [all][all] is transposed.
+static void transpose(size_t all, double *a) {
+    for (size_t i = 0; i < all; i++)
+        for (size_t k = 0; k < i; k++) {
+            const double moved = a[i * all + k];
+            a[i * all + k] = a[k * all + i];
+            a[k * all + i] = moved;
+        }
+}
+
+/// By the inverse, in which low speeds are large; the shift lets rigid-body modes have one.
+static whirl_status solve(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
+    const size_t all = 2 * slow->count;
+    double *left = r->block, *right = left + all * all, *real = right + all * all, *imaginary = real + all;
+    double *found = imaginary + all, (*order)[2] = (double(*)[2])(found + 2 * all * all);
+    fill(slow, gyroscopic, shift, left, right);
+    transpose(all, right);
+    if (!matrix_solve(all, left, all, right))
+        return whirl_fail(WHIRL_BAD_INPUT, "the matrices of critical speeds are singular");
+    transpose(all, right);
+    if (!matrix_eigen(all, right, real, imaginary, found))
+        return whirl_fail(WHIRL_BAD_INPUT, "the roots of critical speeds were not found");
+    double largest = 0.0;
+    for (size_t i = 0; i < all; i++) largest = fmax(largest, fabs(real[i]));
+    for (size_t i = 0; i < all; i++) {
+        if (fabs(imaginary[i]) > 1e-6 * fabs(real[i]) + 1e-13 * largest)
+            return whirl_fail(WHIRL_BAD_INPUT, "the stiffness is not symmetric (cross-coupled): critical speeds "
+                                               "without damping are of machines whose stiffness is");
+        order[i][0] = 1.0 / real[i] - shift;
+        order[i][1] = (double)i;
+    }
+    sort(r, order, found);
+    return whirl_ok();
+}
+
+static whirl_status roots_new(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
+    const size_t n = slow->count, all = 2 * n;
+    *r = (roots){.n = n};
+    r->block = calloc(5 * all * all + 5 * all + 2 * n * all + 1, sizeof *r->block);
+    if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    r->values = r->block + 4 * all * all + 4 * all;
+    r->vectors = r->values + all;
+    return solve(slow, gyroscopic, shift, r);
+}
+
+// ---------------------------------------------------------------- shapes
+
+/// Subtracts from v [n][2] its part along the unit vector u; what is left in length.
+static double without(size_t n, const double *u, double *v) {
+    double real = 0.0, imaginary = 0.0, square = 0.0;
+    for (size_t i = 0; i < n; i++) {
+        real += u[2 * i] * v[2 * i] + u[2 * i + 1] * v[2 * i + 1];
+        imaginary += u[2 * i] * v[2 * i + 1] - u[2 * i + 1] * v[2 * i];
+    }
+    for (size_t i = 0; i < n; i++) {
+        v[2 * i] -= u[2 * i] * real - u[2 * i + 1] * imaginary;
+        v[2 * i + 1] -= u[2 * i] * imaginary + u[2 * i + 1] * real;
+        square += v[2 * i] * v[2 * i] + v[2 * i + 1] * v[2 * i + 1];
+    }
+    return sqrt(square);
+}
+
+static double length_of(size_t n, const double *v) {
+    double square = 0.0;
+    for (size_t i = 0; i < 2 * n; i++) square += v[i] * v[i];
+    return sqrt(square);
+}
+
+/// Of 2m vectors [2m][n][2], which span m complex directions, leaves m orthonormal ones in front, the clearest first.
+static void make_independent(size_t n, size_t m, double *vectors) {
+    for (size_t k = 0; k < m; k++) {
+        size_t best = k;
+        for (size_t i = k; i < 2 * m; i++)
+            if (length_of(n, vectors + 2 * n * i) > (1.0 + 1e-9) * length_of(n, vectors + 2 * n * best)) best = i;
+        double *own = vectors + 2 * n * k, *other = vectors + 2 * n * best;
+        for (size_t i = 0; i < 2 * n && best != k; i++) {
+            const double moved = own[i];
+            own[i] = other[i];
+            other[i] = moved;
+        }
+        const double length = length_of(n, own);
+        for (size_t i = 0; i < 2 * n && length > 0.0; i++) own[i] /= length;
+        for (size_t i = k + 1; i < 2 * m; i++) without(n, own, vectors + 2 * n * i);
+    }
+}
+
+/// The shape in all coordinates, places and their rates, which are not known by themselves: 0.
+static void spread(const matrices *of, const double *v, double *out) {
+    for (size_t i = 0; i < of->count; i++) memcpy(out + 2 * of->places[i], v + 2 * i, 2 * sizeof *out);
+}
+
+/// Twice the signed area that two shapes share, a Hermitian form: that of a shape with itself is its direction, but for
+/// its size.
+static void share_area(const whirl_system *system, const double *a, const double *b, double out[2]) {
+    out[0] = out[1] = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const double *ax = a + 2 * probe->x, *ay = a + 2 * probe->y, *bx = b + 2 * probe->x, *by = b + 2 * probe->y;
+        if (probe->x == probe->y) continue;
+        // i (conj(ax) by - conj(ay) bx)
+        out[0] += -(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]);
+        out[1] += (ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]);
+    }
+}
+
+/// Shapes [m] of one speed, any mixture of which is one: those that whirl most clearly in one direction each, forward
+/// first. work: 8 m m + 2 m + 4 m n numbers.
+static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
+    const size_t d = system->dimension, all = 2 * m;
+    double *form = work, *values = form + all * all, *mixed = values + all, *vectors = mixed + all * all;
+    double *own = vectors + 2 * all * m;
+    if (m < 2) return true;
+    for (size_t i = 0; i < m; i++)
+        for (size_t k = 0; k < m; k++) {
+            double area[2];
+            share_area(system, shapes + 2 * d * i, shapes + 2 * d * k, area);
+            form[i * all + k] = form[(m + i) * all + m + k] = area[0];
+            form[(m + i) * all + k] = area[1];
+            form[i * all + m + k] = -area[1];
+        }
+    if (!matrix_symmetric_modes(all, form, NULL, values, mixed)) return false;
+    // The largest area, which is forward, first.
+    for (size_t i = 0; i < all; i++)
+        for (size_t k = 0; k < m; k++) {
+            vectors[2 * (i * m + k)] = mixed[(all - 1 - i) * all + k];
+            vectors[2 * (i * m + k) + 1] = mixed[(all - 1 - i) * all + m + k];
+        }
+    make_independent(m, m, vectors);
+    memset(own, 0, 2 * m * d * sizeof *own);
+    for (size_t i = 0; i < m; i++)
+        for (size_t k = 0; k < m; k++) {
+            const double *c = vectors + 2 * (i * m + k), *shape = shapes + 2 * d * k;
+            for (size_t j = 0; j < d; j++) {
+                own[2 * (i * d + j)] += c[0] * shape[2 * j] - c[1] * shape[2 * j + 1];
+                own[2 * (i * d + j) + 1] += c[0] * shape[2 * j + 1] + c[1] * shape[2 * j];
+            }
+        }
+    memcpy(shapes, own, 2 * m * d * sizeof *own);
+    return true;
+}
+
+/// Adds the speed of roots from `first` up to before `after`, which are one.
+static bool add_speed(const whirl_system *system, const matrices *of, roots *r, size_t first, size_t after,
+                      whirl_critical_speeds *out) {
+    const size_t m = (after - first) / 2, d = out->dimension;
+    double *shapes = out->vectors + 2 * d * out->count;
+    double *work = m > 1 ? calloc(14 * m * m + 4 * m + 2 * m * d + 1, sizeof *work) : NULL;
+    if (m > 1 && !work) return false;
+    make_independent(r->n, m, r->vectors + 2 * r->n * first);
+    for (size_t i = 0; i < m; i++) spread(of, r->vectors + 2 * r->n * (first + i), shapes + 2 * d * i);
+    const bool made = sort_directions(system, m, shapes, work);
+    for (size_t i = 0; i < m && made; i++) {
+        out->directions[out->count] = whirl_direction(system, shapes + 2 * d * i);
+        out->speeds[out->count++] = sqrt(r->values[first + 2 * i]);
+    }
+    free(work);
+    return made;
+}
+
+static whirl_critical_speeds *allocate(size_t dimension, size_t count) {
+    const size_t numbers = 2 * count + 2 * count * dimension;
+    whirl_critical_speeds *speeds = calloc(1, sizeof *speeds + (numbers + 1) * sizeof(double));
+    if (!speeds) return NULL;
+    speeds->dimension = dimension;
+    speeds->speeds = (double *)(speeds + 1);
+    speeds->directions = speeds->speeds + count;
+    speeds->vectors = speeds->directions + count;
+    return speeds;
+}
+
+static whirl_status collect(const whirl_system *system, const matrices *of, roots *r, double zero,
+                            whirl_critical_speeds **out) {
+    const double alike = 1e-7; // of w^2: what rounding leaves between equal roots
+    whirl_critical_speeds *speeds = allocate(system->dimension, r->n);
+    bool made = speeds != NULL;
+    for (size_t first = 0, after; first < 2 * r->n && made; first = after) {
+        const double value = r->values[first];
+        for (after = first + 1; after < 2 * r->n && r->values[after] - value <= fmax(alike * fabs(value), zero);)
+            after++;
+        // Every root is there twice: what is left over is of the next ones.
+        if ((after - first) % 2 != 0 && after < 2 * r->n) after++;
+        if (value > zero && isfinite(value))
+            made = add_speed(system, of, r, first, after, speeds);
+        else if (value > -zero)
+            speeds->free += (after - first) / 2;
+    }
+    if (made)
+        *out = speeds;
+    else
+        whirl_critical_speeds_free(speeds);
+    return made ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", r->n);
+}
+
+// ---------------------------------------------------------------- the whole
+
+static double largest_of(size_t count, const double *a) {
+    double largest = 0.0;
+    for (size_t i = 0; i < count; i++) largest = fmax(largest, fabs(a[i]));
+    return largest;
+}
+
+/// gyroscopic becomes what the rates gain by a rad/s of the speed, with the other sign.
+static whirl_status compare(const matrices *slow, const matrices *fast, double gained, double *gyroscopic) {
+    const size_t n = slow->count;
+    const double size = largest_of(n * n, slow->stiffness);
+    if (fast->count != n || gained == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "there is no machine at another speed, from which gyroscopic moments follow");
+    for (size_t i = 0; i < n * n; i++) {
+        if (fabs(fast->stiffness[i] - slow->stiffness[i]) > 1e-9 * size)
+            return whirl_fail(WHIRL_BAD_INPUT, "the stiffness changes with the speed (films, tables over speed): the "
+                                               "critical speeds of such machines are found by modes along the speed");
+        gyroscopic[i] = (slow->rates[i] - fast->rates[i]) / gained;
+    }
+    return whirl_ok();
+}
+
+static whirl_status find(const whirl_machine *machine, const matrices *slow, const matrices *fast, double gained,
+                         whirl_critical_speeds **out) {
+    const size_t n = slow->count;
+    double *gyroscopic = calloc(n * n + 1, sizeof *gyroscopic);
+    if (!gyroscopic) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+    const double shift = 1e-6 * largest_of(n * n, slow->stiffness);
+    roots r = {.block = NULL};
+    whirl_status status = compare(slow, fast, gained, gyroscopic);
+    if (status.code == WHIRL_OK) status = roots_new(slow, gyroscopic, shift, &r);
+    if (status.code == WHIRL_OK) status = collect(machine->system, slow, &r, 1e-8 * shift, out);
+    free(r.block);
+    free(gyroscopic);
+    return status;
+}
+
+whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl_machine *faster,
+                                       whirl_critical_speeds **out) {
+    matrices slow = {.count = 0}, fast = {.count = 0};
+    *out = NULL;
+    whirl_status status = matrices_new(machine, &slow);
+    if (status.code == WHIRL_OK) status = matrices_new(faster, &fast);
+    if (status.code == WHIRL_OK) status = find(machine, &slow, &fast, faster->speed - machine->speed, out);
+    matrices_free(&slow);
+    matrices_free(&fast);
+    return status;
+}
+
+void whirl_critical_speeds_free(whirl_critical_speeds *speeds) {
+    free(speeds);
+}
