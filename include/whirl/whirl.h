@@ -13,6 +13,7 @@
 #include "whirl/claims.h"
 #include "whirl/descriptor.h"
 #include "whirl/ensemble.h"
+#include "whirl/figure.h"
 #include "whirl/handles.h"
 #include "whirl/import.h"
 #include "whirl/integrate.h"

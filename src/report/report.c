@@ -4,11 +4,12 @@
 #include <string.h>
 
 #include "explorer.h"
-#include "figures.h"
+#include "figure_kinds.h"
 #include "gnuplot.h"
+#include "gnuplot_script.h"
 #include "machine_at.h"
 #include "page.h"
-#include "shown_kinds.h"
+#include "report_file.h"
 #include "whirl/report.h"
 
 /// What is made on the way, freed by report_free.
@@ -16,7 +17,7 @@ typedef struct report {
     char (*folders)[FOLDER_NAME_SIZE];
     char (*paths)[FILE_PATH_SIZE];
     claim_outcome *outcomes;
-    figure_list figures;
+    drawn_figures figures;
     whirl_shown_units *units;
     whirl_result **views; ///< [count] in which every attractor stands once
     size_t count;
@@ -46,22 +47,51 @@ static void name_folders(report *made, const char *const *names, size_t count) {
     }
 }
 
+/// A figure's data and its script in the folder of its result.
+static whirl_status write_figure(const char *folder, const whirl_figure *figure) {
+    report_file file;
+    char name[FIGURE_FILE_SIZE];
+    snprintf(name, sizeof name, "%s.dat", figure->name);
+    whirl_status status = report_file_open(&file, folder, name);
+    if (status.code != WHIRL_OK) return status;
+    gnuplot_write_data(file.stream, figure);
+    status = report_file_close(&file);
+    if (status.code != WHIRL_OK) return status;
+    snprintf(name, sizeof name, "%s.gp", figure->name);
+    status = report_file_open(&file, folder, name);
+    if (status.code != WHIRL_OK) return status;
+    snprintf(name, sizeof name, "%s.dat", figure->name);
+    gnuplot_write_script(file.stream, figure, figure->name, name, "png pdf");
+    return report_file_close(&file);
+}
+
+/// Writes a figure and notes it for the page.
+static whirl_status draw_figure(report *made, const drawing *of, const figure_place *place, size_t result) {
+    whirl_figure *figure;
+    whirl_status status = figure_make(of, place, NULL, &figure);
+    if (status.code != WHIRL_OK) return status;
+    status = write_figure(made->paths[result], figure);
+    drawn_figure *own = &made->figures.items[made->figures.count++];
+    *own = (drawn_figure){.result = result, .name = place->name};
+    memcpy(own->caption, figure->caption, sizeof own->caption);
+    whirl_figure_free(figure);
+    return status;
+}
+
 static whirl_status draw_result(report *made, const whirl_result *result, size_t index) {
     whirl_case *machine = machine_of(result);
-    const drawing to = {.result = result,
-                        .index = index,
-                        .units = &made->units[index],
-                        .machine = machine,
-                        .folder = made->paths[index],
-                        .list = &made->figures};
+    const drawing of = {result, &made->units[index], machine};
+    figure_list list = {.count = 0};
     whirl_status status = folder_make_own(made->paths[index]);
-    if (status.code == WHIRL_OK) status = draw_bifurcations(&to);
-    if (status.code == WHIRL_OK) status = draw_maps(&to);
-    for (size_t t = 0; t < result->table_count && status.code == WHIRL_OK; t++) {
-        const shown_kind *kind = shown_kind_of(&result->tables[t]);
-        if (kind && kind->draw) status = kind->draw(&to, &result->tables[t]);
-    }
-    if (status.code == WHIRL_OK) status = draw_points(&to);
+    if (status.code == WHIRL_OK) status = figures_list(&of, &list);
+    drawn_figure *items = realloc(made->figures.items, (made->figures.count + list.count + 1) * sizeof *items);
+    if (items)
+        made->figures.items = items;
+    else if (status.code == WHIRL_OK)
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu figures", list.count);
+    for (size_t i = 0; i < list.count && status.code == WHIRL_OK; i++)
+        status = draw_figure(made, &of, &list.items[i], index);
+    free(list.items);
     whirl_case_free(machine);
     return status;
 }
@@ -82,12 +112,12 @@ static whirl_status write_figures(report *made, const whirl_result *const *resul
 static whirl_status draw(report *made, const char *program) {
     const size_t count = made->figures.count;
     gnuplot_job *jobs = calloc(count + 1, sizeof *jobs);
-    char(*scripts)[STEM_SIZE + 4] = calloc(count + 1, sizeof *scripts);
+    char(*scripts)[FIGURE_FILE_SIZE] = calloc(count + 1, sizeof *scripts);
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu figures", count);
     if (jobs && scripts) {
         for (size_t i = 0; i < count; i++) {
-            const figure *what = &made->figures.items[i];
-            snprintf(scripts[i], sizeof scripts[i], "%s.gp", what->stem);
+            const drawn_figure *what = &made->figures.items[i];
+            snprintf(scripts[i], sizeof scripts[i], "%s.gp", what->name.name);
             jobs[i] = (gnuplot_job){made->paths[what->result], scripts[i], false};
         }
         status = gnuplot_run(program, jobs, count);

@@ -61,28 +61,24 @@ def check_file(path):
                 expect("HDF5", metres, RADIUS, EXACT)
 
 
-def numbers(path):
-    lines = (line.split() for line in path.read_text(encoding="utf-8").splitlines() if line and line[0] != "#")
-    return [[float(word) for word in line] for line in lines if "nan" not in line]
+def series(figure, panel, shape):
+    """The points of all series of a shape in a panel."""
+    own = next(one for one in figure["panels"] if one["name"] == panel)
+    chosen = [one for one in own["series"] if one["shape"] == shape and "x" in one]
+    return [(x, y) for one in chosen for x, y in zip(one["x"], one["y"]) if x is not None]
 
 
-def factor(path):
-    """What a script multiplies lengths by: mm per unit of its data."""
-    return float(re.search(r"^length = (\S+)$", path.read_text(encoding="utf-8"), re.M)[1])
-
-
-def check_figures(folder):
-    length = factor(folder / "bifurcation-disc.gp")
-    dots = numbers(folder / "bifurcation-disc.dat")
-    assert len({dot[0] for dot in dots}) == 4
-    for _, x, y in dots:
-        expect("bifurcation diagram", length * math.hypot(x, y), RADIUS / 1e-3, DATA)
-    for line in numbers(folder / "sweep.dat"):
-        expect("largest radius", length * line[6], RADIUS / 1e-3, DATA)
+def check_figures(figure_of):
+    diagram = figure_of("bifurcation-disc")
+    x, y = series(diagram, "x", "dots"), series(diagram, "y", "dots")
+    assert len({place for place, _ in x}) == 4
+    for (_, across), (_, up) in zip(x, y):
+        expect("bifurcation diagram", math.hypot(across, up), RADIUS / 1e-3, DATA)
+    for _, radius in series(diagram, "radius", "line"):
+        expect("largest radius", radius, RADIUS / 1e-3, DATA)
     for c in ("0.1mm", "0.4mm"):
-        own = factor(folder / f"c-{c}-disc.gp")
-        for _, x, y in numbers(folder / f"c-{c}-disc-waveform.dat"):
-            expect(f"orbit at c = {c}", own * math.hypot(x, y), RADIUS / 1e-3, DATA)
+        for across, up in series(figure_of(f"c-{c}-disc"), "orbit", "line"):
+            expect(f"orbit at c = {c}", math.hypot(across, up), RADIUS / 1e-3, DATA)
 
 
 def check_page(text):
@@ -110,7 +106,7 @@ def main():
         run("report", "linear.h5", "-q", "-o", "report", "--units", "mm")
         check_csv(folder / "csv")
         check_file(folder / "linear.h5")
-        check_figures(folder / "report" / "linear")
+        check_figures(lambda name: json.loads(run("figure", "linear.h5", name, "--units", "mm", "-o", "-")))
         check_page((folder / "report" / "report.html").read_text(encoding="utf-8"))
 
 

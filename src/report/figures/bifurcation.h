@@ -1,23 +1,20 @@
-// A bifurcation diagram: what is drawn of a station, and the parts that its figure is made of.
+/// What a bifurcation diagram of a station shows, and what its panels share.
 #ifndef REPORT_BIFURCATION_H
 #define REPORT_BIFURCATION_H
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 
-#include "figures.h"
+#include "figure_kinds.h"
 #include "regimes.h"
 
 enum { MOST_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
 
-/// What is drawn of a station, and what the panels share.
 typedef struct bifurcation {
     const whirl_result *result;
     const whirl_table *table;
     const whirl_case *machine; ///< that they are of (machine_at.h), or NULL
     size_t station;
-    const char *data; ///< file of the section
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;
     bool shaded;              ///< where the rotor rubs, which is seen where it does not everywhere
@@ -42,17 +39,5 @@ void bifurcation_survey(bifurcation *of);
 
 /// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.
 void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high);
-
-/// One block (gnuplot: index) for each class that is present and each branch, in that order.
-whirl_status bifurcation_write_section(const drawing *to, const bifurcation *of, const char *name);
-
-/// One line a point, one block a branch; an empty line where points were not computed.
-whirl_status bifurcation_write_sweep(const drawing *to, const bifurcation *of);
-
-/// Shades the ranges of the parameter in which there is contact, behind the panels that follow.
-void bifurcation_write_rub_bands(FILE *script, const bifurcation *of);
-
-/// The panels from the top, with their heights in parts.
-void bifurcation_write_panels(FILE *script, const bifurcation *of);
 
 #endif

@@ -1,4 +1,4 @@
-// Cells of a map: where they lie, and how they are written for gnuplot.
+// Cells of a map: where they lie, and where those of different kinds meet.
 #include "map_cells.h"
 
 #include <math.h>
@@ -117,44 +117,22 @@ void map_cells_free(map_cells *map) {
     map->cover = map->cover_of_planes = NULL;
 }
 
-// ---------------------------------------------------------------- writing
+// ---------------------------------------------------------------- what is drawn
 
-/// An edge that reaches under the next cell, which is drawn later: nothing shines through between the two.
-static double reach(const double *edges, bool next) {
-    return next ? edges[1] + 0.5 * (edges[2] - edges[1]) : edges[1];
-}
-
-/// The cells of a row from one column to another, its end not included, that have one value.
-typedef struct run {
-    size_t row, begin, end;
-} run;
-
-/// Whether all cells above have a value.
-static bool is_covered(const map_cells *map, const run *r, const double *values) {
-    if (r->row + 1 == map->rows) return false;
-    for (size_t i = r->begin; i < r->end; i++)
-        if (isnan(values[(r->row + 1) * map->columns + i])) return false;
+bool map_cells_next(const map_cells *map, const double *values, map_run *run) {
+    const size_t all = map->columns * map->rows;
+    size_t at = run->next;
+    while (at < all && isnan(values[at])) at++;
+    if (at >= all) return false;
+    const size_t row = at / map->columns, begin = at % map->columns, end_of_row = (row + 1) * map->columns;
+    size_t end = at + 1;
+    while (map->refined && end < end_of_row && values[end] == values[at]) end++;
+    const double left = map->x[begin], right = map->x[end - row * map->columns];
+    *run = (map_run){.next = end,
+                     .value = values[at],
+                     .x = {fmin(left, right), fmax(left, right)},
+                     .y = {fmin(map->y[row], map->y[row + 1]), fmax(map->y[row], map->y[row + 1])}};
     return true;
-}
-
-static void write_run(FILE *stream, const map_cells *map, const run *r, const double *values) {
-    const size_t next = r->row * map->columns + r->end;
-    const double *x = map->x + r->end - 1, *y = map->y + r->row, left = map->x[r->begin];
-    const bool beside = r->end < map->columns && !isnan(values[next]), above = is_covered(map, r, values);
-    const bool across = beside && above && !isnan(values[next + map->columns]);
-    const double right = reach(x, beside && (across || !above)), up = reach(y, above && (across || !beside));
-    fprintf(stream, "%.10g %.10g %.10g %.10g %.10g %.10g %.10g\n", 0.5 * (left + x[1]), 0.5 * (y[0] + y[1]),
-            fmin(left, right), fmax(left, right), fmin(y[0], up), fmax(y[0], up), values[next - 1]);
-}
-
-void map_cells_write(FILE *stream, const map_cells *map, const double *values) {
-    for (size_t row = 0; row < map->rows; row++) {
-        const double *own = values + row * map->columns;
-        for (run r = {.row = row}; r.begin < map->columns; r.begin = r.end) {
-            for (r.end = r.begin + 1; map->refined && r.end < map->columns && own[r.end] == own[r.begin];) r.end++;
-            if (!isnan(own[r.begin])) write_run(stream, map, &r, values);
-        }
-    }
 }
 
 /// Where the cells on both sides of a line meet: those of column `at` - 1 and `at` where it stands, else of rows.
@@ -172,32 +150,22 @@ static bool is_crossed(const border *b, size_t along) {
     return one != 0 && other != 0 && one != other;
 }
 
-static void write_piece(FILE *stream, const border *b, size_t begin, size_t end) {
-    const double *edges = b->stands ? b->map->y : b->map->x, here = b->stands ? b->map->x[b->at] : b->map->y[b->at];
-    if (b->stands)
-        fprintf(stream, "%.10g %.10g\n%.10g %.10g\n\n", here, edges[begin], here, edges[end]);
-    else
-        fprintf(stream, "%.10g %.10g\n%.10g %.10g\n\n", edges[begin], here, edges[end], here);
-}
-
-/// Whether there is any of it.
-static bool write_border(FILE *stream, const border *b) {
+static void add_border(whirl_figure *figure, whirl_series *to, const border *b) {
     const size_t count = b->stands ? b->map->rows : b->map->columns;
-    bool any = false;
+    const double *edges = b->stands ? b->map->y : b->map->x, here = b->stands ? b->map->x[b->at] : b->map->y[b->at];
     for (size_t begin = 0, end; begin < count; begin = end) {
         const bool crossed = is_crossed(b, begin);
         for (end = begin + 1; end < count && is_crossed(b, end) == crossed;) end++;
-        if (crossed && stream) write_piece(stream, b, begin, end);
-        any = any || crossed;
+        if (!crossed) continue;
+        series_add(figure, to, b->stands ? here : edges[begin], b->stands ? edges[begin] : here);
+        series_add(figure, to, b->stands ? here : edges[end], b->stands ? edges[end] : here);
+        series_break(figure, to);
     }
-    return any;
 }
 
-bool map_cells_write_borders(FILE *stream, const map_cells *map, const long *labels) {
+void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *map, const long *labels) {
     border b = {.map = map, .labels = labels, .stands = true};
-    bool any = false;
-    for (b.at = 1; b.at < map->columns; b.at++) any = write_border(stream, &b) || any;
+    for (b.at = 1; b.at < map->columns; b.at++) add_border(figure, to, &b);
     b.stands = false;
-    for (b.at = 1; b.at < map->rows; b.at++) any = write_border(stream, &b) || any;
-    return any;
+    for (b.at = 1; b.at < map->rows; b.at++) add_border(figure, to, &b);
 }

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdio.h>
 
+#include "figure_build.h"
 #include "units.h"
 #include "whirl/result.h"
 
@@ -25,13 +25,17 @@ typedef struct map_cells {
 bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
 void map_cells_free(map_cells *cells);
 
-/// Writes cells that have one of the values [rows][columns], a line each: its middle, its edges and the value. Some
-/// edges reach under cells that come later in the order of rows and have a value, too. In a refined map neighbours of
-/// one value in a row are one.
-void map_cells_write(FILE *stream, const map_cells *cells, const double *values);
+/// Cells of one value that are drawn as one: in a refined map neighbours in a row. Starts as {0}.
+typedef struct map_run {
+    size_t next;  ///< cell behind them
+    double value; ///< theirs
+    span x, y;
+} map_run;
 
-/// Writes where cells of different labels [rows][columns] meet, as lines; nothing beside cells without one (0). False
-/// where they meet nowhere. NULL for the stream: nothing is written.
-bool map_cells_write_borders(FILE *stream, const map_cells *cells, const long *labels);
+/// The next of them, by values [rows][columns]; cells without one (NaN) are left out. False where there are no more.
+bool map_cells_next(const map_cells *cells, const double *values, map_run *run);
+
+/// Adds lines where cells of different labels [rows][columns] meet; none beside cells without one (0).
+void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *cells, const long *labels);
 
 #endif

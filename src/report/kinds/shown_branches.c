@@ -166,5 +166,4 @@ const shown_kind shown_branches = {.field = WHIRL_FIELD_TRACE_NUMBER,
                                    .anchor = "branches",
                                    .name = "Where and why motions change",
                                    .summarize = summarize,
-                                   .section = section,
-                                   .draw = draw_branches};
+                                   .section = section};

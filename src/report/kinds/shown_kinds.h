@@ -13,8 +13,6 @@ typedef struct shown_kind {
     /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along
     /// one parameter.
     void (*section)(const page *to, size_t result, const whirl_table *table);
-    /// Data and scripts of its figures.
-    whirl_status (*draw)(const drawing *to, const whirl_table *table);
 } shown_kind;
 
 /// That of a table, NULL of motions.

@@ -142,5 +142,4 @@ const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
                                 .anchor = "critical",
                                 .name = "Critical speeds and stability",
                                 .summarize = summarize,
-                                .section = section,
-                                .draw = draw_modes};
+                                .section = section};

@@ -175,5 +175,4 @@ const shown_kind shown_tori = {.field = WHIRL_FIELD_TORUS_NUMBER,
                                .anchor = "tori",
                                .name = "Quasi-periodic motions",
                                .summarize = summarize,
-                               .section = section,
-                               .draw = draw_tori};
+                               .section = section};

@@ -24,5 +24,4 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
     }
 }
 
-const shown_kind shown_unbalance = {
-    .field = WHIRL_FIELD_UNBALANCE_AMPLITUDE, .summarize = summarize, .draw = draw_unbalance};
+const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE, .summarize = summarize};

@@ -48,7 +48,7 @@ static bool has_figures(const page *to, size_t result, bool diagrams) {
     for (size_t i = 0; i < to->figures->count; i++)
         found = found ||
                 (to->figures->items[i].result == result && &to->figures->items[i] != page_main_figure(to, result) &&
-                 (to->figures->items[i].point == NO_POINT) == diagrams);
+                 (to->figures->items[i].name.point < 0) == diagrams);
     return found;
 }
 

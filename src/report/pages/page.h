@@ -6,11 +6,25 @@
 #include <stdio.h>
 
 #include "claim_parts.h"
-#include "figures.h"
+#include "units.h"
 #include "whirl/claims.h"
+#include "whirl/figure.h"
 #include "whirl/result.h"
 
-enum { FOLDER_NAME_SIZE = 96 };
+enum { FOLDER_NAME_SIZE = 96, FIGURE_FILE_SIZE = 208 };
+
+/// A figure of a report: NAME.png, NAME.pdf, NAME.gp and NAME.dat in the folder of its result.
+typedef struct drawn_figure {
+    size_t result; ///< index of the result it shows
+    whirl_figure_name name;
+    char caption[900];
+    bool drawn; ///< gnuplot made its pictures
+} drawn_figure;
+
+typedef struct drawn_figures {
+    size_t count;
+    drawn_figure *items;
+} drawn_figures;
 
 /// All that a page shows. Borrowed.
 typedef struct page {
@@ -21,7 +35,7 @@ typedef struct page {
     size_t count;
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
-    const figure_list *figures;
+    const drawn_figures *figures;
     const whirl_shown_units *units; ///< [count]
     bool explorer;                  ///< explorer.html stands beside the page
 } page;
@@ -42,7 +56,8 @@ void page_starts(const page *to, size_t result);             ///< attractors of 
 void page_points(const page *to, size_t result);             ///< the table of points
 const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
 void page_figures(const page *to, size_t result);            ///< all but the main one
-void page_figure(const page *to, const figure *what);
-const figure *page_main_figure(const page *to, size_t result); ///< that of its first diagram; NULL where it has none
+void page_figure(const page *to, const drawn_figure *what);
+const drawn_figure *page_main_figure(const page *to,
+                                     size_t result); ///< that of its first diagram; NULL where it has none
 
 #endif

@@ -2,23 +2,22 @@
 #include "html.h"
 #include "page.h"
 
-static void write_links(const page *to, const figure *what) {
+static void write_links(const page *to, const drawn_figure *what) {
     const char *folder = to->folders[what->result];
     fputs(" <span class=\"soft\">", to->stream);
-    if (what->drawn) fprintf(to->stream, "<a href=\"%s/%s.pdf\">PDF</a>, ", folder, what->stem);
-    fprintf(to->stream, "<a href=\"%s/%s.gp\">script</a>", folder, what->stem);
-    for (int i = 0; i < 3; i++)
-        if (*what->data[i]) fprintf(to->stream, ", <a href=\"%s/%s\">%s</a>", folder, what->data[i], what->data[i]);
+    if (what->drawn) fprintf(to->stream, "<a href=\"%s/%s.pdf\">PDF</a>, ", folder, what->name.name);
+    fprintf(to->stream, "<a href=\"%s/%s.gp\">script</a>", folder, what->name.name);
+    fprintf(to->stream, ", <a href=\"%s/%s.dat\">data</a>", folder, what->name.name);
     fputs("</span>", to->stream);
 }
 
-void page_figure(const page *to, const figure *what) {
+void page_figure(const page *to, const drawn_figure *what) {
     const char *folder = to->folders[what->result];
     fputs("<figure>\n", to->stream);
     if (what->drawn) {
-        fprintf(to->stream, "<a href=\"%s/%s.png\"><img loading=\"lazy\" src=\"%s/%s.png\" alt=\"", folder, what->stem,
-                folder, what->stem);
-        html_text(to->stream, what->title);
+        fprintf(to->stream, "<a href=\"%s/%s.png\"><img loading=\"lazy\" src=\"%s/%s.png\" alt=\"", folder,
+                what->name.name, folder, what->name.name);
+        html_text(to->stream, what->name.title);
         fputs("\"></a>\n", to->stream);
     } else {
         fputs("<div class=\"missing\">This figure was not drawn; its script and data are beside this page.</div>\n",
@@ -30,9 +29,9 @@ void page_figure(const page *to, const figure *what) {
     fputs("</figcaption>\n</figure>\n", to->stream);
 }
 
-const figure *page_main_figure(const page *to, size_t index) {
+const drawn_figure *page_main_figure(const page *to, size_t index) {
     for (size_t i = 0; i < to->figures->count; i++)
-        if (to->figures->items[i].result == index && to->figures->items[i].point == NO_POINT)
+        if (to->figures->items[i].result == index && to->figures->items[i].name.point < 0)
             return &to->figures->items[i];
     return NULL;
 }
@@ -47,9 +46,9 @@ const char *page_diagrams_title(const whirl_result *result) {
 void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
     for (size_t i = 0; i < to->figures->count; i++) {
-        const figure *what = &to->figures->items[i];
+        const drawn_figure *what = &to->figures->items[i];
         if (what->result != index || what == page_main_figure(to, index)) continue;
-        if (what->point == NO_POINT) {
+        if (what->name.point < 0) {
             if (!diagrams)
                 fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,
                         page_diagrams_title(to->results[index]));

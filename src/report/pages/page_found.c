@@ -74,6 +74,6 @@ void page_found(const page *to, size_t index) {
             write_doubts(to, index, &result->tables[t]);
             break;
         }
-    const figure *main = page_main_figure(to, index);
+    const drawn_figure *main = page_main_figure(to, index);
     if (main) page_figure(to, main);
 }

@@ -7,12 +7,15 @@
 #include <cmocka.h>
 
 #include <ftw.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "regimes.h"
 #include "sample.h"
+#include "whirl/figure.h"
 #include "whirl/report.h"
 
 /// A folder of its own for every test, the working folder while it runs.
@@ -88,6 +91,39 @@ static const whirl_claim sample_claims[] = {
     {.where = "Fig. 5", .says = "always chaotic", .from = 0.0, .to = 1.0, .has_regime = true, .regime = WHIRL_CHAOTIC},
 };
 
+static whirl_figure *figure_of(const whirl_result *result, const char *name) {
+    whirl_figure *figure;
+    const whirl_status status = whirl_figure_new(result, name, NULL, &figure);
+    assert_string_equal(status.message, "");
+    return figure;
+}
+
+static const whirl_panel *panel_of(const whirl_figure *figure, const char *name) {
+    for (size_t i = 0; i < figure->count; i++)
+        if (strcmp(figure->panels[i]->name, name) == 0) return figure->panels[i];
+    fail_msg("%s has no panel %s", figure->name, name);
+    return NULL;
+}
+
+/// Whether a panel has a point in a series of that shape and colour.
+static void assert_point(const whirl_panel *panel, whirl_shape shape, const char *colour, double x, double y) {
+    for (size_t i = 0; i < panel->count; i++) {
+        const whirl_series *one = panel->series[i];
+        for (size_t k = 0; k < one->count && one->shape == shape && strcmp(one->colour, colour) == 0; k++)
+            if (fabs(one->x[k] - x) < 1e-9 && fabs(one->y[k] - y) < 1e-9) return;
+    }
+    fail_msg("%s has no %s point at %g, %g", panel->name, colour, x, y);
+}
+
+static void assert_box(const whirl_panel *panel, const char *colour, double low, double high, double top) {
+    for (size_t i = 0; i < panel->count; i++) {
+        const whirl_series *one = panel->series[i];
+        for (size_t k = 0; k < one->count && one->shape == WHIRL_BOXES && strcmp(one->colour, colour) == 0; k++)
+            if (fabs(one->x[k] - low) < 1e-9 && fabs(one->x_to[k] - high) < 1e-9 && one->y_to[k] == top) return;
+    }
+    fail_msg("%s has no %s box from %g to %g", panel->name, colour, low, high);
+}
+
 static void everything_is_written(void **state) {
     (void)state;
     if (!gnuplot_there()) skip();
@@ -127,8 +163,8 @@ static void gaps_are_shown_where_they_are(void **state) {
     whirl_result *result = sample_result();
     const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/made/bifurcation-disc.gp", "set label 3 'gap'");
-    assert_holds("out/made/bifurcation-disc.gp", "plot 1.2 with lines");
+    assert_holds("out/made/bifurcation-disc.gp", "set label 'gap'");
+    assert_holds("out/made/bifurcation-disc.dat", " 1.2\n");
     assert_lacks("out/made/bifurcation-journal.gp", "'gap'");
     assert_holds("out/report.html", "disc (stator at 1.2 c)");
     assert_holds("out/report.html", "radius / gap");
@@ -156,10 +192,12 @@ static void stators_near_the_orbit_are_drawn(void **state) {
     for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
         result->stations[0].gap = gaps[i].share * reach;
         assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-        if (gaps[i].shown)
-            assert_holds("out/made/r_k-0.6-disc.gp", "*cos(angle)");
-        else
-            assert_lacks("out/made/r_k-0.6-disc.gp", "*cos(angle)");
+        whirl_figure *figure = figure_of(result, "r_k-0.6-disc");
+        const whirl_panel *orbit = panel_of(figure, "orbit");
+        bool dashed = false;
+        for (size_t k = 0; k < orbit->count; k++) dashed = dashed || orbit->series[k]->dashed;
+        assert_true(dashed == gaps[i].shown);
+        whirl_figure_free(figure);
         char *page = contents("out/report.html");
         const char *caption = strstr(page, "r_k = 0.6, disc: P-1. (a) waveform");
         assert_non_null(caption);
@@ -202,11 +240,16 @@ static void confidence_is_shown(void **state) {
     *sample_field(detail, 1, "regime/advice", 0) = WHIRL_LONGER_TRANSIENT;
     *sample_field(detail, 1, "regime/advice_factor", 0) = 2;
     assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    // Value, class, confidence, exponent, its error, rub share, largest radii, edges.
-    assert_holds("out/made/sweep.dat",
-                 "\n0.9 0 1 -0.1 0.01 0 0.8 0.8 0.85 0.95\n0.8 0 2 -0.1 0.01 0 0.8 0.8 0.75 0.85\n");
-    assert_holds("out/made/sweep.dat", "\n0.1 5 0 0.4 0.01 0.04 0.8 0.8 0.05 0.15\n");
-    assert_holds("out/made/bifurcation-disc.gp", "'confidence'");
+    whirl_figure *figure = figure_of(result, "bifurcation-disc");
+    assert_box(panel_of(figure, "confidence"), "#A8A8A8", 0.85, 0.95, 2.0);
+    assert_box(panel_of(figure, "confidence"), "#DCDCDC", 0.75, 0.85, 3.0);
+    assert_box(panel_of(figure, "confidence"), "#D55E00", 0.05, 0.15, 1.0);
+    assert_point(panel_of(figure, "exponent"), WHIRL_DOTS, regime_class_colour(CLASS_P1), 0.9, -0.1);
+    assert_point(panel_of(figure, "exponent"), WHIRL_DOTS, regime_class_colour(CLASS_CHAOTIC), 0.1, 0.4);
+    assert_point(panel_of(figure, "exponent"), WHIRL_BARS, "#9A9A9A", 0.1, 0.39);
+    assert_point(panel_of(figure, "radius"), WHIRL_LINE, "#0072B2", 0.8, 0.8);
+    assert_point(panel_of(figure, "contact"), WHIRL_LINE, "#0072B2", 0.1, 4.0);
+    whirl_figure_free(figure);
     assert_holds("out/report.html", "high; at the second tolerance P-3");
     assert_holds("out/report.html", ". To settle it, let it run 2 times as long.");
     whirl_result_free(result);
@@ -242,12 +285,15 @@ static void curves_break_where_points_are_missing(void **state) {
     (void)state;
     whirl_result *result = sample_result();
     whirl_table *sweep = &result->tables[0];
-    const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
     sweep->done = sample_take(sweep->count, 1);
     memset(sweep->done, 1, sweep->count);
     sweep->done[2] = sweep->done[3] = 0;
-    assert_int_equal(report_one(result, "made", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_holds("out/made/sweep.dat", "\n0.9 0 0 -0.1 0.01 0 0.8 0.8 0.85 0.95\n\n0.6 0 0 ");
+    whirl_figure *figure = figure_of(result, "bifurcation-disc");
+    const whirl_panel *radius = panel_of(figure, "radius");
+    const whirl_series *line = radius->series[radius->count - 1];
+    assert_int_equal(line->shape, WHIRL_LINE);
+    assert_true(line->x[1] == 0.9 && isnan(line->x[2]) && fabs(line->x[3] - 0.6) < 1e-12);
+    whirl_figure_free(figure);
     whirl_result_free(result);
 }
 
@@ -302,7 +348,7 @@ static void missing_gnuplot_leaves_scripts_and_page(void **state) {
     assert_int_equal(status.code, WHIRL_MISSING_PROGRAM);
     assert_non_null(strstr(status.message, "no-such-gnuplot"));
     assert_true(size_of("out/made/bifurcation-disc.gp") > 0);
-    assert_true(size_of("out/made/r_k-0.25-journal-section.dat") > 0);
+    assert_true(size_of("out/made/r_k-0.25-journal.dat") > 0);
     assert_holds("out/report.html", "was not drawn");
     assert_int_equal(report_one(result, "made", &by_path).code, WHIRL_MISSING_PROGRAM);
     whirl_result_free(result);
@@ -336,7 +382,7 @@ static void what_is_absent_is_left_out(void **state) {
     if (gnuplot_there()) assert_string_equal(status.message, "");
     assert_int_equal(size_of("out/made/r_k-0.6-disc.gp"), -1); // nothing to draw of a motion that left its bounds
     assert_true(size_of("out/made/r_k-0.25-disc.gp") > 0);
-    assert_int_equal(size_of("out/made/r_k-0.25-disc-spectrum.dat"), -1);
+    assert_lacks("out/made/r_k-0.25-disc.gp", "panel spectrum");
     assert_holds("out/report.html", "diverged at revolution 17");
     result->table_count = 0; // frees of the tables are skipped: they are given back below
     assert_true(report_one(result, "empty", NULL).code == WHIRL_OK || !gnuplot_there());
@@ -352,8 +398,8 @@ static void results_of_one_name_keep_apart(void **state) {
     const char *const names[] = {"a b", "a-b"};
     const whirl_report_options options = {.gnuplot = "no-such-gnuplot"};
     assert_int_equal(whirl_report_write(both, names, 2, "out/deep", &options).code, WHIRL_MISSING_PROGRAM);
-    assert_true(size_of("out/deep/a-b/sweep.dat") > 0);
-    assert_true(size_of("out/deep/a-b-2/sweep.dat") > 0);
+    assert_true(size_of("out/deep/a-b/bifurcation-disc.dat") > 0);
+    assert_true(size_of("out/deep/a-b-2/bifurcation-disc.dat") > 0);
     assert_int_equal(whirl_report_write(both, names, 2, "/dev/null/x", &options).code, WHIRL_IO_ERROR);
     whirl_result_free(result);
 }

@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "figures.h"
+#include "figure_build.h"
 #include "gnuplot.h"
 #include "html.h"
 #include "quantities.h"
@@ -159,10 +159,10 @@ static void axes_never_shrink_to_noise(void **state) {
     assert_true(fabs(axis.high + axis.low - 1.0) < 1e-9);
     const span nothing = span_with_margin(span_empty(), 0.1, 0.0);
     assert_true(nothing.low == 0.0 && nothing.high == 1.0);
-    assert_true(fabs(tic_step(1.0, 5) - 0.2) < 1e-15);
-    assert_true(fabs(tic_step(0.9, 2) - 0.5) < 1e-15);
-    assert_true(fabs(tic_step(37.0, 5) - 10.0) < 1e-12);
-    assert_true(tic_step(0.0, 5) == 1.0);
+    assert_true(fabs(tick_step(1.0, 5) - 0.2) < 1e-15);
+    assert_true(fabs(tick_step(0.9, 2) - 0.5) < 1e-15);
+    assert_true(fabs(tick_step(37.0, 5) - 10.0) < 1e-12);
+    assert_true(tick_step(0.0, 5) == 1.0);
 }
 
 static void errors_are_shown_with_two_digits(void **state) {

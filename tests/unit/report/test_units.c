@@ -7,9 +7,10 @@
 
 #include <cmocka.h>
 
+#include "gnuplot_script.h"
 #include "machine_at.h"
 #include "sample.h"
-#include "typeset.h"
+#include "symbols.h"
 #include "units.h"
 
 static whirl_shown_units units_for(const whirl_result *result, const char *asked) {
@@ -175,23 +176,25 @@ static void speeds(void **state) {
 static void symbols_are_in_italics(void **state) {
     (void)state;
     static const struct {
-        const char *name, *markup;
-    } rows[] = {{"r_k", "{/:Italic r}_{k}"},
-                {"k2", "{/:Italic k}_{2}"},
-                {"omega", "{/:Italic \u03c9}"},
-                {"r_delta", "{/:Italic r}_{\u03b4}"},
-                {"omega_n", "{/:Italic \u03c9}_{n}"},
-                {"load", "load"},
-                {"oil_film", "oil\\_film"},
-                {"x2a", "x2a"},
-                {"a^{b}", "a\\^\\{b\\}"}};
-    char markup[TYPESET_SIZE];
+        const char *name, *symbol, *markup;
+    } rows[] = {{"r_k", "$r_{k}$", "{/:Italic r}_{k}"},
+                {"k2", "$k_{2}$", "{/:Italic k}_{2}"},
+                {"omega", "$\u03c9$", "{/:Italic \u03c9}"},
+                {"r_delta", "$r_{\u03b4}$", "{/:Italic r}_{\u03b4}"},
+                {"omega_n", "$\u03c9_{n}$", "{/:Italic \u03c9}_{n}"},
+                {"load", "load", "load"},
+                {"oil_film", "oil_film", "oil\\_film"},
+                {"x2a", "x2a", "x2a"},
+                {"a^{b}", "a^{b}", "a\\^\\{b\\}"}};
+    char text[SYMBOL_SIZE];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        typeset_symbol(rows[i].name, markup, sizeof markup);
-        assert_string_equal(markup, rows[i].markup);
+        symbol_of(rows[i].name, text, sizeof text);
+        assert_string_equal(text, rows[i].symbol);
+        gnuplot_markup(rows[i].symbol, text, sizeof text);
+        assert_string_equal(text, rows[i].markup);
     }
-    typeset_text("@&~\\_", markup, 6);
-    assert_string_equal(markup, "\\@\\&"); // never cut within an escape
+    gnuplot_markup("@&~\\_", text, 21);
+    assert_string_equal(text, "\\@\\&\\~"); // never cut within an escape
 }
 
 int main(void) {

@@ -1,17 +1,8 @@
-#include "typeset.h"
+#include "symbols.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
-
-void typeset_text(const char *text, char *markup, size_t size) {
-    size_t used = 0;
-    for (; *text && used + 3 < size; text++) {
-        if (strchr("^_@&~{}\\", *text)) markup[used++] = '\\';
-        markup[used++] = *text;
-    }
-    markup[used] = '\0';
-}
 
 static const struct {
     const char *name, *letter;
@@ -33,44 +24,49 @@ static const char *greek_letter(const char *name, size_t length) {
 
 /// The length of the symbol that a name begins with, 0 where it is a word: a letter or a Greek name, then its end,
 /// digits or a subscript.
-static size_t symbol_length(const char *name) {
+static size_t letters_of(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);
     return symbol && strspn(name + letters, "0123456789") + letters >= strcspn(name, "_") ? letters : 0;
 }
 
-void typeset_symbol(const char *name, char *markup, size_t size) {
-    const size_t letters = symbol_length(name);
-    char below[WHIRL_NAME_SIZE * 2];
+void symbol_of(const char *name, char *text, size_t size) {
+    const size_t letters = letters_of(name);
     if (letters == 0) {
-        typeset_text(name, markup, size);
+        snprintf(text, size, "%s", name);
         return;
     }
     const char *rest = name + letters + (name[letters] == '_'), *letter = greek_letter(name, letters);
     const char *under = greek_letter(rest, strlen(rest));
-    typeset_text(rest, below, sizeof below);
     char symbol[8];
     snprintf(symbol, sizeof symbol, "%.*s", letter ? 7 : 1, letter ? letter : name);
     if (*rest)
-        snprintf(markup, size, "{/:Italic %s}_{%s}", symbol, under ? under : below);
+        snprintf(text, size, "$%s_{%s}$", symbol, under ? under : rest);
     else
-        snprintf(markup, size, "{/:Italic %s}", symbol);
+        snprintf(text, size, "$%s$", symbol);
 }
 
-whirl_shown_units typeset_units(const whirl_shown_units *units) {
+whirl_shown_units symbol_units(const whirl_shown_units *units) {
     whirl_shown_units marked = *units;
     // "(0.2 mm)" is a number, "c" a symbol.
     if (units->ratio && *units->length_name != '(')
-        typeset_symbol(units->length_name, marked.length_name, sizeof marked.length_name);
-    else
-        typeset_text(units->length_name, marked.length_name, sizeof marked.length_name);
+        symbol_of(units->length_name, marked.length_name, sizeof marked.length_name);
     return marked;
 }
 
-void typeset_parameter(const whirl_shown_units *units, const char *name, char *markup, size_t size) {
+void symbol_parameter(const whirl_shown_units *units, const char *name, char *text, size_t size) {
     const whirl_unit unit = whirl_shown_parameter(units, name);
-    char symbol[TYPESET_SIZE / 2], words[WHIRL_NAME_SIZE * 2];
-    typeset_symbol(name, symbol, sizeof symbol);
-    typeset_text(unit.name, words, sizeof words);
-    snprintf(markup, size, *words ? "%s (%s)" : "%s", symbol, words);
+    char symbol[SYMBOL_SIZE / 2];
+    symbol_of(name, symbol, sizeof symbol);
+    snprintf(text, size, *unit.name ? "%s (%s)" : "%s", symbol, unit.name);
+}
+
+void symbol_length(const whirl_shown_units *units, const char *quantity, char *text, size_t size) {
+    const whirl_shown_units marked = symbol_units(units);
+    units_length_label(&marked, quantity, text, size);
+}
+
+void symbol_amplitude(const whirl_shown_units *units, const char *quantity, char *text, size_t size) {
+    const whirl_shown_units marked = symbol_units(units);
+    units_amplitude_label(&marked, quantity, text, size);
 }

@@ -1,0 +1,164 @@
+/// whirl figure: one figure of a result as a file, or their names.
+#include "command.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "files.h"
+#include "guard.h"
+#include "output.h"
+#include "whirl/figure.h"
+
+enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT };
+
+typedef struct figure_arguments {
+    const char *result, *name, *output, *format, *gnuplot;
+    whirl_figure_options how;
+    bool force, list;
+} figure_arguments;
+
+static const struct argp_option options[] = {
+    {.name = "list", .key = KEY_LIST, .doc = "Print the names of the result's figures, and what each is"},
+    {.name = "output",
+     .key = 'o',
+     .arg = "FILE",
+     .doc = "File to write; NAME.FORMAT where it is not given, - for JSON"},
+    {.name = "format", .key = KEY_FORMAT, .arg = "FORMAT", .doc = "png, pdf, svg or json; as FILE ends, else png"},
+    {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of the figure, such as 'um, rpm, Hz, p-p'"},
+    {.name = "log", .key = KEY_LOG, .arg = "AXES", .doc = "x, y or xy: axes that shall be logarithmic"},
+    {.name = "panels", .key = KEY_PANELS, .arg = "NAMES", .doc = "These panels alone, such as x,exponent"},
+    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot, where it is not on the PATH"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"},
+    {0},
+};
+
+static bool is_one_of(const char *word, const char *const *words) {
+    for (; *words; words++)
+        if (strcmp(word, *words) == 0) return true;
+    return false;
+}
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    static const char *const formats[] = {"png", "pdf", "svg", "json", NULL}, *const axes[] = {"x", "y", "xy", NULL};
+    figure_arguments *arguments = state->input;
+    switch (key) {
+    case KEY_LIST:
+        arguments->list = true;
+        return 0;
+    case 'o':
+        arguments->output = argument;
+        return 0;
+    case KEY_FORMAT:
+        arguments->format = argument;
+        if (!is_one_of(argument, formats))
+            bad_argument(state, "--format is '%s', expected png, pdf, svg or json", argument);
+        return 0;
+    case KEY_UNITS:
+        arguments->how.units = argument;
+        return 0;
+    case KEY_LOG:
+        arguments->how.log = argument;
+        if (!is_one_of(argument, axes)) bad_argument(state, "--log is '%s', expected x, y or xy", argument);
+        return 0;
+    case KEY_PANELS:
+        arguments->how.panels = argument;
+        return 0;
+    case KEY_GNUPLOT:
+        arguments->gnuplot = argument;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->result && arguments->name)
+            bad_argument(state, "takes a result and the name of a figure, '%s' is one too many", argument);
+        *(arguments->result ? &arguments->name : &arguments->result) = argument;
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->result, "RESULT.h5");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static int print_names(const whirl_result *result, const figure_arguments *arguments) {
+    whirl_figure_name *names;
+    size_t count;
+    const whirl_status status = whirl_figure_names(result, arguments->how.units, &names, &count);
+    for (size_t i = 0; i < count; i++) printf("%-32s %s\n", names[i].name, names[i].title);
+    free(names);
+    return complain_of(&status);
+}
+
+/// A file that is there is kept unless --force is given, and the result always.
+static bool may_write(const char *path, const figure_arguments *arguments) {
+    struct stat there, result;
+    if (stat(path, &there) != 0) return true;
+    if (stat(arguments->result, &result) == 0 && there.st_dev == result.st_dev && there.st_ino == result.st_ino) {
+        complain("'%s' is the result itself, expected another file", path);
+        return false;
+    }
+    if (!arguments->force) complain("'%s' is there already and is kept: add --force to replace it", path);
+    return arguments->force;
+}
+
+/// Where the figure goes: as asked for, with the format's ending where it has none.
+static void name_output(const figure_arguments *arguments, const whirl_figure *figure, char *path, size_t size) {
+    const char *output = arguments->output ? arguments->output : figure->name;
+    const char *last = strrchr(output, '/') ? strrchr(output, '/') : output;
+    const bool named = arguments->output && strrchr(last, '.') && !arguments->format;
+    snprintf(path, size, named ? "%s" : "%s.%s", output, arguments->format ? arguments->format : "png");
+    const size_t length = strlen(output), ending = arguments->format ? strlen(arguments->format) : 0;
+    const bool ends = ending > 0 && length > ending && output[length - ending - 1] == '.' &&
+                      strcmp(output + length - ending, arguments->format) == 0;
+    if (ends) snprintf(path, size, "%s", output);
+}
+
+static int write(const whirl_result *result, const figure_arguments *arguments) {
+    whirl_figure *figure;
+    char path[4096];
+    whirl_status status = whirl_figure_new(result, arguments->name, &arguments->how, &figure);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    int outcome = EXIT_DONE;
+    name_output(arguments, figure, path, sizeof path);
+    if (arguments->output && strcmp(arguments->output, "-") == 0) {
+        status = whirl_figure_write_json(figure, stdout);
+        outcome = complain_of(&status);
+    } else if (!may_write(path, arguments)) {
+        outcome = EXIT_FAILED;
+    } else {
+        guard_output(path);
+        status = whirl_figure_write(figure, path, arguments->gnuplot);
+        outcome = complain_of(&status);
+        if (outcome == EXIT_DONE) printf("%s: %s\n", path, figure->title);
+    }
+    whirl_figure_free(figure);
+    return outcome;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "RESULT.h5 [NAME]\nRESULT.h5 --list",
+        .doc =
+            "Writes one figure of a result, as reports have them: a picture, or its panels, axes and series as JSON. "
+            "Without a name the first one.",
+    };
+    figure_arguments arguments = {0};
+    whirl_result *result;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
+    keep_private(arguments.result);
+    int outcome = load_result(arguments.result, &result);
+    if (outcome != EXIT_DONE) return outcome;
+    outcome = arguments.list ? print_names(result, &arguments) : write(result, &arguments);
+    whirl_result_free(result);
+    const int written = finish_output();
+    return outcome == EXIT_DONE ? written : outcome;
+}
+
+const command figure_command = {"figure", "write one figure of a result", run};

@@ -1,0 +1,201 @@
+// Campbell's diagram: frequencies and damping of modes over a parameter, with critical speeds and thresholds.
+#include <math.h>
+#include <stdio.h>
+
+#include "figure_kinds.h"
+#include "speed_unit.h"
+#include "symbols.h"
+
+enum { MOST_CRITICAL = 256 };
+
+/// Directions of whirl: forward, backward, to and fro.
+static const struct {
+    const char *name, *colour;
+    whirl_mark mark;
+} directions[] = {{"forward", "#0072B2", WHIRL_UP}, {"backward", "#D55E00", WHIRL_DOWN}, {"", "#606060", WHIRL_SQUARE}};
+
+typedef struct view {
+    const drawing *of;
+    const whirl_table *table;
+    speed_unit unit; ///< of frequencies
+    double top;      ///< up to there, as shown
+    double size;     ///< of one unit of the parameter
+} view;
+
+static const double *frequencies_of(const view *v, size_t point) {
+    return whirl_table_done(v->table, point) ? whirl_table_field(v->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)
+                                             : NULL;
+}
+
+static size_t modes_of(const view *v) {
+    return whirl_layout_field(&v->table->layout, WHIRL_FIELD_MODES_FREQUENCY)->rows;
+}
+
+// ---------------------------------------------------------------- what is shown
+
+/// Up to where frequencies are shown: where the parameter is a speed, what it meets and what lies below twice its
+/// largest value.
+static double top_of(const view *v) {
+    double fastest = 0.0, highest = 0.0, lowest = (double)INFINITY, near = 0.0;
+    for (size_t point = 0; v->unit.of_speed && point < v->table->count; point++)
+        if (whirl_table_done(v->table, point))
+            fastest = fmax(fastest, fabs(whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0)));
+    for (size_t point = 0; point < v->table->count; point++) {
+        const double *frequency = frequencies_of(v, point);
+        for (size_t i = 0; frequency && i < modes_of(v); i++) {
+            highest = fmax(highest, frequency[i]);
+            lowest = fmin(lowest, frequency[i]);
+            if (frequency[i] <= 2.0 * fastest) near = fmax(near, frequency[i]);
+        }
+    }
+    const bool cut = fastest > 0.0 && 2.0 * fastest < highest;
+    const double top = cut ? fmax(fmin(2.0 * fastest, 1.1 * fmax(fastest, near)), 1.2 * lowest) : 1.05 * highest;
+    return top > 0.0 ? top / v->unit.size : 1.0;
+}
+
+/// What is shown of damping: of modes whose frequencies are. More than 0.25 leaves no peak of a response to unbalance
+/// (amplification below 2.5, API 617): more is shown where no mode has less.
+static span damping_of(const view *v) {
+    span shown = {0.0, 0.0};
+    double least = (double)INFINITY;
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t point = 0; point < v->table->count; point++) {
+            const double *frequency = frequencies_of(v, point);
+            const double *ratio = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+            for (size_t i = 0; frequency && i < modes_of(v); i++) {
+                if (!(frequency[i] <= v->top * v->unit.size)) continue;
+                if (pass == 0) least = fmin(least, ratio[i]);
+                if (pass == 1 && ratio[i] <= fmax(0.25, 1.5 * least)) span_widen(&shown, ratio[i]);
+            }
+        }
+    // What rounding leaves of no damping is no picture.
+    return span_with_margin(shown, 0.08, shown.high - shown.low > 1e-10 ? 0.0 : 0.02);
+}
+
+// ---------------------------------------------------------------- modes
+
+/// Dots of modes in the colours of their whirl, and marks on some of them.
+static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
+    const size_t few = v->table->count / 25 + 1;
+    for (size_t d = 0; d < sizeof directions / sizeof *directions; d++) {
+        whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, directions[d].colour, 0.45);
+        whirl_series *marks = panel_named(figure, panel, WHIRL_DOTS, directions[d].name, directions[d].colour, 2.2);
+        if (marks) marks->mark = directions[d].mark;
+        for (size_t point = 0; point < v->table->count; point++) {
+            const double *frequency = frequencies_of(v, point);
+            const double *ratio = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+            const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
+            for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
+                const size_t own = direction[i] > 0.05 ? 0 : direction[i] < -0.05 ? 1 : 2;
+                const double height = frequency[i] / v->unit.size;
+                if (own != d || height > v->top) continue;
+                const double x = v->table->values[point] / v->size, y = damping ? ratio[i] : height;
+                series_add(figure, dots, x, y);
+                if (point % few == 0) series_add(figure, marks, x, y);
+            }
+        }
+    }
+}
+
+static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "1X", "#9A9A9A", 0.4);
+    if (line) line->dashed = true;
+    for (size_t point = 0; point < v->table->count; point++)
+        if (whirl_table_done(v->table, point))
+            series_add(figure, line, v->table->values[point] / v->size,
+                       whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0) / v->unit.size);
+}
+
+// ---------------------------------------------------------------- critical speeds and thresholds
+
+/// Of all points, in their order; how many, at most as many as there is room for.
+static size_t gather_critical(const whirl_table *table, size_t room, const double **rows) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    size_t count = 0;
+    for (size_t point = 0; field && point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
+            if (isfinite(row[0]) && count < room) rows[count++] = row;
+    }
+    return count;
+}
+
+/// Where the value stands beside the mark: on the right, or on the left where the next one or the edge is near.
+static whirl_side side_of(const whirl_table *table, const double *const *rows, size_t count, size_t i) {
+    const double first = table->values[0], last = table->values[table->count - 1];
+    const double near = 0.1 * fabs(last - first);
+    const bool crowded = i + 1 < count && fabs(rows[i + 1][1] - rows[i][1]) < near;
+    return crowded || fmax(first, last) - rows[i][1] < near ? WHIRL_LEFT : WHIRL_RIGHT;
+}
+
+static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
+    const double *rows[MOST_CRITICAL];
+    const size_t count = gather_critical(v->table, MOST_CRITICAL, rows);
+    whirl_series *rings = damping ? NULL : panel_named(figure, panel, WHIRL_DOTS, "critical speed", "#000000", 3.6);
+    whirl_series *crosses = panel_named(figure, panel, WHIRL_DOTS, "threshold", "#CC0000", 3.6);
+    whirl_series *right = damping ? NULL : panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
+    whirl_series *left = damping ? NULL : panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
+    if (rings) rings->mark = WHIRL_RING;
+    if (crosses) crosses->mark = WHIRL_CROSS;
+    if (right) right->side = WHIRL_RIGHT;
+    if (left) left->side = WHIRL_LEFT;
+    for (size_t i = 0; i < count; i++) {
+        const double x = rows[i][1] / v->size, frequency = rows[i][3] / v->unit.size;
+        char text[32];
+        snprintf(text, sizeof text, "%.5g", x);
+        if (rows[i][0] > 1.0 && (!damping || frequency <= v->top))
+            series_add(figure, crosses, x, damping ? rows[i][4] : frequency);
+        if (damping || frequency > v->top) continue;
+        if (rows[i][0] == 1.0) series_add(figure, rings, x, frequency);
+        series_add_text(figure, side_of(v->table, rows, count, i) == WHIRL_LEFT ? left : right, x, frequency, text);
+    }
+}
+
+// ---------------------------------------------------------------- the figure
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    const figure_place place = {.kind = &campbell_figure, .table = table, .point = NO_POINT};
+    (void)of;
+    if (table_has(table, WHIRL_FIELD_MODES_FREQUENCY) && table->count > 1)
+        list_figure(to, &place, "campbell", "Campbell diagram over %s", table->parameter);
+}
+
+static span range_of(const view *v) {
+    span range = span_empty();
+    for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);
+    return span_with_margin(range, 0.0, 1e-300);
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    view v = {.of = of, .table = place->table, .unit = speed_unit_of(of, place->table, WHIRL_FIELD_MODES_SPEED)};
+    v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
+    v.top = top_of(&v);
+    whirl_panel *frequency = figure_panel(figure, "frequency", 1.0, 5.3);
+    whirl_panel *damping = figure_panel(figure, "damping", 1.0, 3.4);
+    if (!frequency || !damping) return;
+    symbol_parameter(of->units, v.table->parameter, damping->x.label, sizeof damping->x.label);
+    frequency->x = damping->x;
+    frequency->x.shown = false;
+    axis_show(&frequency->x, range_of(&v));
+    axis_show(&damping->x, range_of(&v));
+    axis_show(&frequency->y, (span){0.0, v.top});
+    axis_show(&damping->y, damping_of(&v));
+    snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
+    snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");
+    add_synchronous(figure, frequency, &v);
+    add_modes(figure, frequency, &v, false);
+    add_critical(figure, frequency, &v, false);
+    whirl_series *zero = panel_level(figure, damping, 0.0, "#9A9A9A", 0.4);
+    if (zero) zero->dashed = true;
+    add_modes(figure, damping, &v, true);
+    add_critical(figure, damping, &v, true);
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
+        "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
+        "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
+        "negative where a mode grows.",
+        v.table->parameter);
+}
+
+const figure_kind campbell_figure = {list, describe};

@@ -1,0 +1,78 @@
+// The critical speed map: critical speeds without damping over a parameter, such as the stiffness of the bearings.
+#include <math.h>
+#include <stdio.h>
+
+#include "figure_kinds.h"
+#include "symbols.h"
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    (void)of;
+    const figure_place place = {.kind = &critical_speeds_figure, .table = table, .point = NO_POINT};
+    if (table_has(table, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED) && table->count > 1)
+        list_figure(to, &place, "critical-speeds", "Critical speeds over %s", table->parameter);
+}
+
+/// The critical speed number `which` of a direction (1, -1 or 0: to and fro) of a point; NaN where there is none.
+static double speed_of(const whirl_table *table, size_t point, int direction, size_t which) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
+    const double *speeds = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
+    const double *directions = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
+    for (size_t i = 0; whirl_table_done(table, point) && i < field->rows && isfinite(speeds[i]); i++) {
+        const int own = directions[i] > 0.05 ? 1 : directions[i] < -0.05 ? -1 : 0;
+        if (own == direction && which-- == 0) return speeds[i];
+    }
+    return NAN;
+}
+
+/// A line a critical speed of a direction, by their order; of the first one the name.
+static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
+                          int direction, double unit) {
+    static const char *const names[] = {"backward", "to and fro", "forward"};
+    static const char *const colours[] = {"#D55E00", "#606060", "#0072B2"};
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    bool any = true;
+    for (size_t which = 0; any; which++) {
+        whirl_series *line = NULL;
+        any = false;
+        for (size_t point = 0; point < table->count; point++) {
+            const double speed = speed_of(table, point, direction, which);
+            if (isnan(speed)) {
+                series_break(figure, line);
+                continue;
+            }
+            if (!line)
+                line = panel_named(figure, panel, WHIRL_LINE, which == 0 ? names[direction + 1] : "",
+                                   colours[direction + 1], 0.8);
+            if (line) line->dashed = direction < 0;
+            series_add(figure, line, table->values[point] / size, speed / unit);
+            any = true;
+        }
+    }
+}
+
+/// Whether the values have equal ratios: the axis is logarithmic then, and that of the speeds.
+static bool has_ratios(const whirl_table *table) {
+    const double *v = table->values;
+    const size_t last = table->count - 1;
+    return table->count > 2 && v[0] > 0.0 && v[last] > 0.0 &&
+           fabs(log(v[1] / v[0]) * (double)last - log(v[last] / v[0])) < 1e-6 * fabs(log(v[last] / v[0])) &&
+           fabs((v[1] - v[0]) * (double)last - (v[last] - v[0])) > 1e-6 * fabs(v[last] - v[0]);
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const whirl_table *table = place->table;
+    const whirl_unit speed = of->units->speed.size > 0.0 ? of->units->speed : (whirl_unit){"rpm", 0.104719755119659774};
+    whirl_panel *panel = figure_panel(figure, "speeds", 1.0, 8.5);
+    if (!panel) return;
+    symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
+    snprintf(panel->y.label, sizeof panel->y.label, "critical speed (%s)", speed.name);
+    panel->x.logarithmic = panel->y.logarithmic = has_ratios(table);
+    for (int direction = 1; direction >= -1; direction--)
+        add_direction(figure, panel, of, table, direction, speed.size);
+    snprintf(figure->caption, sizeof figure->caption,
+             "Critical speeds of the machine without damping over %s: speeds at which a mode goes round once a "
+             "revolution, with the rotation (blue) or against it (orange, dashed).",
+             table->parameter);
+}
+
+const figure_kind critical_speeds_figure = {list, describe};

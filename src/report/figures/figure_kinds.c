@@ -1,0 +1,161 @@
+// The registry of figures, and what all of them go through.
+#include "figure_kinds.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine_at.h"
+#include "report_file.h"
+
+static const figure_kind *const kinds[] = {
+    &bifurcation_figure, &map_figure,    &branch_figure,    &curves_figure,          &torus_figure,
+    &campbell_figure,    &shapes_figure, &unbalance_figure, &critical_speeds_figure, &point_figure,
+};
+
+const char *line_colour(size_t number) {
+    static const char *const colours[] = {"#0072B2", "#D55E00", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
+    return colours[number % (sizeof colours / sizeof *colours)];
+}
+
+bool table_has(const whirl_table *table, const char *field) {
+    return whirl_layout_field(&table->layout, field) != NULL;
+}
+
+// ---------------------------------------------------------------- the list
+
+static bool is_taken(const figure_list *list, const char *name) {
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].name.name, name) == 0) return true;
+    return false;
+}
+
+void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...) {
+    if (list->count == list->room) {
+        const size_t room = list->room ? 2 * list->room : 32;
+        figure_place *items = realloc(list->items, room * sizeof *items);
+        list->failed = list->failed || !items;
+        if (!items) return;
+        list->items = items;
+        list->room = room;
+    }
+    whirl_figure_name own = {.point = place->point, .station = place->station};
+    char safe[sizeof own.name - 24];
+    safe_name(name, safe, sizeof safe);
+    snprintf(own.name, sizeof own.name, "%s", safe);
+    for (unsigned again = 2; is_taken(list, own.name); again++)
+        snprintf(own.name, sizeof own.name, "%s-%u", safe, again);
+    va_list arguments;
+    va_start(arguments, title);
+    vsnprintf(own.title, sizeof own.title, title, arguments);
+    va_end(arguments);
+    list->items[list->count] = *place;
+    list->items[list->count++].name = own;
+}
+
+whirl_status figures_list(const drawing *of, figure_list *list) {
+    *list = (figure_list){.count = 0};
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+        for (size_t t = 0; t < of->result->table_count; t++) {
+            const whirl_table *table = &of->result->tables[t];
+            if (table->count > 0) kinds[k]->list(list, of, table);
+        }
+    if (!list->failed) return whirl_ok();
+    free(list->items);
+    *list = (figure_list){.count = 0};
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for the list of figures");
+}
+
+whirl_status figure_make(const drawing *of, const figure_place *place, const whirl_figure_options *options,
+                         whirl_figure **out) {
+    whirl_figure *figure = calloc(1, sizeof *figure);
+    *out = NULL;
+    if (!figure) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name);
+    figure->width = 12.0;
+    figure->font = 7.0;
+    memcpy(figure->name, place->name.name, sizeof figure->name);
+    memcpy(figure->title, place->name.title, sizeof figure->title);
+    place->kind->describe(of, place, figure);
+    whirl_status status = figure->failed
+                              ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", place->name.name)
+                          : options && options->panels ? figure_choose(figure, options->panels)
+                                                       : whirl_ok();
+    if (status.code == WHIRL_OK) {
+        figure_finish(figure, options ? options->log : NULL);
+        *out = figure;
+    } else {
+        whirl_figure_free(figure);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- for others
+
+/// A result as figures show it: every attractor once.
+typedef struct shown_result {
+    whirl_result *view;
+    whirl_shown_units units;
+    whirl_case *machine;
+    drawing of;
+    figure_list list;
+} shown_result;
+
+static void shown_free(shown_result *shown) {
+    free(shown->list.items);
+    whirl_case_free(shown->machine);
+    whirl_result_view_free(shown->view);
+}
+
+static whirl_status shown_new(const whirl_result *result, const char *units, shown_result *shown) {
+    *shown = (shown_result){.view = NULL};
+    whirl_status status = whirl_result_by_attractor(result, &shown->view);
+    if (status.code == WHIRL_OK) status = whirl_result_shown_units(shown->view, units, &shown->units);
+    if (status.code != WHIRL_OK) return status;
+    shown->machine = machine_of(shown->view);
+    shown->of = (drawing){shown->view, &shown->units, shown->machine};
+    return figures_list(&shown->of, &shown->list);
+}
+
+whirl_status whirl_figure_names(const whirl_result *result, const char *units, whirl_figure_name **names,
+                                size_t *count) {
+    shown_result shown;
+    *names = NULL;
+    *count = 0;
+    whirl_status status = shown_new(result, units, &shown);
+    whirl_figure_name *all = status.code == WHIRL_OK ? calloc(shown.list.count + 1, sizeof *all) : NULL;
+    if (status.code == WHIRL_OK && !all) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the names of figures");
+    for (size_t i = 0; all && i < shown.list.count; i++) all[i] = shown.list.items[i].name;
+    if (all) *count = shown.list.count;
+    *names = all;
+    shown_free(&shown);
+    return status;
+}
+
+/// What to say where there is no figure of a name.
+static whirl_status no_figure(const figure_list *list, const char *name) {
+    if (list->count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the result has no figures: its points are not done");
+    const char **names = calloc(list->count, sizeof *names);
+    for (size_t i = 0; names && i < list->count; i++) names[i] = list->items[i].name.name;
+    const char *near = names ? whirl_nearest_name(name, names, list->count) : NULL;
+    const whirl_status status =
+        near ? whirl_fail(WHIRL_BAD_INPUT, "there is no figure '%.80s', did you mean %.80s?", name, near)
+             : whirl_fail(WHIRL_BAD_INPUT, "there is no figure '%.80s', expected one of %zu, such as %.80s", name,
+                          list->count, list->items[0].name.name);
+    free((void *)names);
+    return status;
+}
+
+whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
+                              whirl_figure **figure) {
+    shown_result shown;
+    *figure = NULL;
+    whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
+    size_t at = 0;
+    if (status.code == WHIRL_OK) {
+        while (name && at < shown.list.count && strcmp(shown.list.items[at].name.name, name) != 0) at++;
+        status = at < shown.list.count ? figure_make(&shown.of, &shown.list.items[at], options, figure)
+                                       : no_figure(&shown.list, name ? name : "");
+    }
+    shown_free(&shown);
+    return status;
+}

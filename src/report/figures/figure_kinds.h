@@ -1,0 +1,65 @@
+/// The figures that results have: one file a kind in this folder, one line in the registry.
+#ifndef REPORT_FIGURE_KINDS_H
+#define REPORT_FIGURE_KINDS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "figure_build.h"
+#include "units.h"
+#include "whirl/case.h"
+
+/// What figures are made from.
+typedef struct drawing {
+    const whirl_result *result;
+    const whirl_shown_units *units; ///< of its numbers
+    const whirl_case *machine;      ///< that it is of (machine_at.h), or NULL
+} drawing;
+
+typedef struct figure_kind figure_kind;
+
+enum { NO_POINT = -1 };
+
+/// A figure that there is.
+typedef struct figure_place {
+    const figure_kind *kind;
+    const whirl_table *table; ///< whose
+    long point;               ///< or NO_POINT
+    size_t station, which;    ///< of several alike
+    whirl_figure_name name;
+} figure_place;
+
+typedef struct figure_list {
+    size_t count, room;
+    figure_place *items;
+    bool failed; ///< memory was lacking
+} figure_list;
+
+struct figure_kind {
+    /// Adds the figures of a table, if it has any of this kind.
+    void (*list)(figure_list *list, const drawing *of, const whirl_table *table);
+    /// Makes one of them; name and title are there.
+    void (*describe)(const drawing *of, const figure_place *place, whirl_figure *figure);
+};
+
+/// Adds one; `name` is made a file name that no other has.
+void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/// All of a result, to be freed by free. WHIRL_NO_MEMORY.
+whirl_status figures_list(const drawing *of, figure_list *list);
+
+/// Makes one of them. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for panels that it has not.
+whirl_status figure_make(const drawing *of, const figure_place *place, const whirl_figure_options *options,
+                         whirl_figure **figure);
+
+/// "#0072B2", "#D55E00", ...: the colours of lines, by their number.
+const char *line_colour(size_t number);
+
+/// Whether a table has a field.
+bool table_has(const whirl_table *table, const char *field);
+
+extern const figure_kind bifurcation_figure, map_figure, branch_figure, curves_figure, torus_figure, campbell_figure,
+    shapes_figure, unbalance_figure, critical_speeds_figure, point_figure;
+
+#endif

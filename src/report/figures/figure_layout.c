@@ -1,0 +1,208 @@
+// Where the panels of a figure stand, and what their axes show.
+#include <math.h>
+#include <string.h>
+
+#include "figure_build.h"
+
+// cm around a panel: beside numbers, a label, on the right, below with numbers and label, below without, titles.
+static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
+
+double figure_text_width(const whirl_figure *figure, size_t letters) {
+    return 0.0195 * figure->font * (double)letters;
+}
+
+static size_t letters_of(const char *text) {
+    size_t letters = 0;
+    for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
+    return letters;
+}
+
+double figure_number_width(const whirl_figure *figure) {
+    size_t most = 1;
+    for (size_t p = 0; p < figure->count; p++) {
+        const whirl_axis *axis = &figure->panels[p]->y;
+        for (size_t i = 0; axis->shown && i < axis->tick_count; i++)
+            if (letters_of(axis->tick_texts[i]) > most) most = letters_of(axis->tick_texts[i]);
+    }
+    return 0.9 * figure_text_width(figure, most);
+}
+
+// ---------------------------------------------------------------- axes
+
+/// Of all numbers along an axis.
+static span range_of(const whirl_panel *panel, bool upright) {
+    span range = span_empty();
+    for (size_t i = 0; i < panel->count; i++) {
+        const whirl_series *series = panel->series[i];
+        const double *from = upright ? series->y : series->x, *to = upright ? series->y_to : series->x_to;
+        for (size_t k = 0; k < series->count; k++) {
+            span_widen(&range, from[k]);
+            if (to) span_widen(&range, to[k]);
+        }
+    }
+    return range;
+}
+
+/// The smallest number above 0 along an axis, up to `most`.
+static double least_of(const whirl_panel *panel, bool upright, double most) {
+    double least = most;
+    for (size_t i = 0; i < panel->count; i++) {
+        const double *at = upright ? panel->series[i]->y : panel->series[i]->x;
+        for (size_t k = 0; k < panel->series[i]->count; k++)
+            if (at[k] > 0.0) least = fmin(least, at[k]);
+    }
+    return least;
+}
+
+/// A logarithmic axis has as much around what it shows, in its own measure.
+static span around(span range, double margin) {
+    const double ratio = pow(range.high / range.low, margin);
+    return (span){range.low / ratio, range.high * ratio};
+}
+
+static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, bool log) {
+    const span all = range_of(panel, upright);
+    const bool open = isnan(axis->low) || isnan(axis->high);
+    const bool may = axis->logarithmic || (axis->tick_count == 0 && !panel->equal);
+    if (log && may && all.high > 0.0) {
+        axis->logarithmic = true;
+        if (open || !(axis->low > 0.0)) {
+            const double top = axis->high > 0.0 ? axis->high : all.high;
+            const span kept = {fmax(least_of(panel, upright, top), 1e-6 * top), top};
+            axis_show(axis, kept.low < kept.high ? kept : (span){0.5 * top, 2.0 * top});
+        }
+        return;
+    }
+    if (open && axis->logarithmic && all.low > 0.0 && all.high > all.low)
+        axis_show(axis, around(all, upright ? 0.06 : 0.0));
+    else if (open)
+        axis_show(axis, span_with_margin(all, 0.05, fmax(1e-9 * fmax(fabs(all.low), fabs(all.high)), 1e-300)));
+    if (!(axis->low > 0.0)) axis->logarithmic = false;
+    if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, 1.0));
+}
+
+// ---------------------------------------------------------------- the legend
+
+static bool is_new(const whirl_figure *figure, size_t p, size_t s) {
+    const char *name = figure->panels[p]->series[s]->name;
+    for (size_t i = 0; i <= p; i++)
+        for (size_t k = 0; k < (i == p ? s : figure->panels[i]->count); k++)
+            if (!figure->panels[i]->keyed && strcmp(figure->panels[i]->series[k]->name, name) == 0) return false;
+    return true;
+}
+
+size_t figure_legend_rows(const whirl_figure *figure) {
+    double longest = 0.0, count = 0.0;
+    for (size_t p = 0; p < figure->count; p++)
+        for (size_t s = 0; s < figure->panels[p]->count && !figure->panels[p]->keyed; s++) {
+            if (!*figure->panels[p]->series[s]->name || !is_new(figure, p, s)) continue;
+            longest =
+                fmax(longest, 0.55 + 0.8 * figure_text_width(figure, letters_of(figure->panels[p]->series[s]->name)));
+            count++;
+        }
+    const double across = fmax(floor((figure->width - 0.4) / fmax(longest, 0.1)), 1.0);
+    return (size_t)ceil(count / across);
+}
+
+// ---------------------------------------------------------------- places
+
+/// Panels from `first` on that stand in one row.
+static size_t row_end(const whirl_figure *figure, size_t first) {
+    double width = 0.0;
+    size_t end = first;
+    while (end < figure->count && (end == first || width + figure->panels[end]->width <= 1.0 + 1e-9))
+        width += figure->panels[end++]->width;
+    return end;
+}
+
+/// cm that a row has above and below its panels.
+static double above_row(const whirl_figure *figure, size_t first, size_t end) {
+    double above = 0.0;
+    for (size_t i = first; i < end; i++)
+        if (*figure->panels[i]->title || figure->panels[i]->letter) above = TITLE;
+    return above;
+}
+
+static double below_row(const whirl_figure *figure, size_t first, size_t end) {
+    double below = APART;
+    for (size_t i = first; i < end; i++)
+        if (figure->panels[i]->x.shown) below = fmax(below, BELOW + (*figure->panels[i]->x.label ? 0.0 : -0.35));
+    return below;
+}
+
+static double row_height(const whirl_figure *figure, size_t first, size_t end) {
+    double height = 0.0;
+    for (size_t i = first; i < end; i++) height = fmax(height, figure->panels[i]->height);
+    return height;
+}
+
+/// cm on the left of a panel.
+static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
+    const double label = *panel->y.label ? LABEL : 0.0;
+    return panel->y.shown ? BARE + figure_number_width(figure) + label : BARE;
+}
+
+/// What is left beside numbers and labels is shared out.
+static void place_row(whirl_figure *figure, size_t first, size_t end, double top) {
+    const double wide = figure->width - (*figure->scale.label ? 2.0 : 0.0);
+    double shares = 0.0, inner = 0.0, left = 0.0;
+    for (size_t i = first; i < end; i++) shares += figure->panels[i]->width;
+    inner = shares * wide;
+    for (size_t i = first; i < end; i++) inner -= left_of(figure, figure->panels[i]) + RIGHT;
+    for (size_t i = first; i < end; i++) {
+        whirl_panel *panel = figure->panels[i];
+        panel->left = (left + left_of(figure, panel)) / figure->width;
+        panel->right = panel->left + inner * panel->width / shares / figure->width;
+        panel->top = 1.0 - top / figure->height;
+        panel->bottom = 1.0 - (top + panel->height) / figure->height;
+        left = panel->right * figure->width + RIGHT;
+    }
+}
+
+/// Ticks follow from the place that there is: those of x, too, once panels have one.
+static void fill_ticks(whirl_figure *figure, bool upright) {
+    for (size_t i = 0; i < figure->count; i++) {
+        whirl_panel *panel = figure->panels[i];
+        const double across = (panel->right - panel->left) * figure->width;
+        if (upright)
+            axis_fill_ticks(figure, &panel->y, (int)fmax(3.0, panel->height / 0.75));
+        else
+            axis_fill_ticks(figure, &panel->x, (int)fmax(3.0, across / 1.15));
+    }
+}
+
+/// Widens one axis of a panel so that both have one scale.
+static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
+    const double across = (panel->right - panel->left) * figure->width, up = panel->height;
+    const double x = (panel->x.high - panel->x.low) / across, y = (panel->y.high - panel->y.low) / up;
+    whirl_axis *narrow = x < y ? &panel->x : &panel->y;
+    const double middle = 0.5 * (narrow->low + narrow->high), half = 0.5 * fmax(x, y) * (x < y ? across : up);
+    axis_show(narrow, (span){middle - half, middle + half});
+}
+
+void figure_finish(whirl_figure *figure, const char *log) {
+    for (size_t i = 0; i < figure->count; i++) {
+        whirl_panel *panel = figure->panels[i];
+        fit_axis(panel, &panel->x, false, log && strchr(log, 'x'));
+        fit_axis(panel, &panel->y, true, log && strchr(log, 'y'));
+    }
+    fill_ticks(figure, true);
+    const size_t rows = figure_legend_rows(figure);
+    double height = 0.15 + 0.046 * figure->font * (double)rows;
+    const double first_top = height;
+    for (size_t first = 0, end; first < figure->count; first = end) {
+        end = row_end(figure, first);
+        height += above_row(figure, first, end) + row_height(figure, first, end) + below_row(figure, first, end);
+    }
+    figure->height = height;
+    double top = first_top;
+    for (size_t first = 0, end; first < figure->count; first = end) {
+        end = row_end(figure, first);
+        top += above_row(figure, first, end);
+        place_row(figure, first, end, top);
+        for (size_t i = first; i < end; i++)
+            if (figure->panels[i]->equal) match_scales(figure, figure->panels[i]);
+        top += row_height(figure, first, end) + below_row(figure, first, end);
+    }
+    fill_ticks(figure, false);
+}

@@ -1,0 +1,492 @@
+// Panels of one point and station, as the 2015 paper's figures 4 to 11 show them: waveform, orbit, spectrum and
+// Poincaré map, and the full spectrum below.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figure_kinds.h"
+#include "machine_at.h"
+#include "quantities.h"
+#include "symbols.h"
+
+/// An orbit is near a circle that it misses or passes by this share of its size.
+static const double NEAR = 0.35;
+
+enum {
+    MOST_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
+    MOST_LABELS = 8,  ///< spectral lines that get their order written beside them
+    SHOWN_TURNS = 10  ///< revolutions of the waveform panel
+};
+
+static const char dark[] = "#303030";
+
+/// A point at a station with what there is of it.
+typedef struct subject {
+    const whirl_result *result;
+    const whirl_table *table;
+    size_t point, station;
+    numbers waveform, section, spectrum, lines;
+    machine_walls walls; ///< around the station
+    size_t turn;         ///< samples of the waveform a revolution
+    span x, y;           ///< of the orbit, or of the section where there is no waveform; as shown
+    double size;         ///< of the motion: the larger side of its box; as shown
+    const whirl_shown_units *units;
+    /// What numbers of the result are multiplied by to be shown: displacements, amplitudes, orders (NaN: they stay
+    /// orders).
+    double length, amplitude, order;
+} subject;
+
+static double order_size(const subject *of) {
+    return isnan(of->order) ? 1.0 : of->order;
+}
+
+static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
+    const whirl_shown_units *units = to->units;
+    subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
+    of.length = whirl_shown_length(units, table, point);
+    of.amplitude = of.length * units->amplitude;
+    of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
+    of.walls = machine_walls_at(to->machine, to->result, table, point, station);
+    of.waveform = point_waveform(table, point, station);
+    of.section = point_section(table, point, station);
+    of.spectrum = point_spectrum(table, point, station);
+    of.lines = point_lines(table, point, station);
+    of.turn = (size_t)whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
+    if (of.turn == 0) of.turn = 1;
+    of.x = of.y = span_empty();
+    for (size_t k = 0; k < of.waveform.rows; k++) {
+        span_widen(&of.x, of.length * of.waveform.at[2 * k]);
+        span_widen(&of.y, of.length * of.waveform.at[2 * k + 1]);
+    }
+    for (size_t k = 0; k < of.section.rows; k++) {
+        span_widen(&of.x, of.length * of.section.at[4 * k]);
+        span_widen(&of.y, of.length * of.section.at[4 * k + 1]);
+    }
+    of.size = fmax(fmax(of.x.high - of.x.low, of.y.high - of.y.low), 1e-9 * of.length);
+    return of;
+}
+
+/// A square of the plane: its middle and its side.
+typedef struct window {
+    double x, y, side;
+} window;
+
+static window window_around(span x, span y, double side) {
+    return (window){0.5 * (x.low + x.high), 0.5 * (y.low + y.high), side};
+}
+
+/// Whether a circle around (0, 0) passes through a window; one of radius 0 is none.
+static bool circle_shows(const window *in, double radius) {
+    const double half = 0.5 * in->side, x = fabs(in->x), y = fabs(in->y);
+    return radius > 0.0 && radius >= hypot(fmax(x - half, 0.0), fmax(y - half, 0.0)) &&
+           radius <= hypot(x + half, y + half);
+}
+
+/// The window holds the orbit and, where the orbit comes near a circle, the nearest part of that too.
+static window orbit_window(const subject *of) {
+    span x = of->x, y = of->y;
+    const double circles[] = {of->length * of->walls.clearance, of->length * of->walls.gap};
+    size_t far = 0;
+    double most = 0.0;
+    for (size_t k = 0; k < of->waveform.rows; k++) {
+        const double r = of->length * hypot(of->waveform.at[2 * k], of->waveform.at[2 * k + 1]);
+        if (r > most) far = k, most = r;
+    }
+    for (int i = 0; i < 2 && most > 0.0; i++) {
+        const double r = circles[i];
+        if (r <= 0.0 || fabs(r - most) > NEAR * of->size) continue;
+        span_widen(&x, of->length * of->waveform.at[2 * far] * r / most);
+        span_widen(&y, of->length * of->waveform.at[2 * far + 1] * r / most);
+        if (of->size < r) continue; // a small orbit: an arc is enough
+        for (int side = -1; side <= 1; side += 2) span_widen(&x, side * r), span_widen(&y, side * r);
+    }
+    return window_around(x, y, 1.16 * fmax(x.high - x.low, y.high - y.low));
+}
+
+/// Which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
+static unsigned shown_circles(const subject *of) {
+    const window in = orbit_window(of);
+    return (unsigned)circle_shows(&in, of->length * of->walls.clearance) |
+           (unsigned)circle_shows(&in, of->length * of->walls.gap) << 1;
+}
+
+// ---------------------------------------------------------------- panels
+
+/// Two letters that stand for x and y in a label.
+static void name_both(const subject *of, char *text, size_t size) {
+    char x[SYMBOL_SIZE], y[SYMBOL_SIZE];
+    symbol_length(of->units, "$x$", x, sizeof x);
+    symbol_length(of->units, "$y$", y, sizeof y);
+    if (of->units->ratio)
+        snprintf(text, size, "%.120s, %.120s", x, y);
+    else
+        snprintf(text, size, "$x$, %.200s", y);
+}
+
+static void add_waveform(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const size_t rows = of->waveform.rows;
+    const double turns = (double)rows / (double)of->turn, shown = fmin(turns, SHOWN_TURNS);
+    span both = of->x;
+    span_widen(&both, of->y.low);
+    span_widen(&both, of->y.high);
+    axis_show(&panel->x, (span){turns - shown, turns});
+    axis_show(&panel->y, span_with_margin(both, 0.12, 1e-9 * of->length));
+    snprintf(panel->x.label, sizeof panel->x.label, "revolution");
+    name_both(of, panel->y.label, sizeof panel->y.label);
+    panel->keyed = true;
+    for (size_t column = 0; column < 2; column++) {
+        whirl_series *line = panel_named(figure, panel, WHIRL_LINE, column ? "$y$" : "$x$", line_colour(column), 0.53);
+        for (size_t k = 0; k < rows; k++) {
+            const double at = (double)(k + 1) / (double)of->turn;
+            if (at >= turns - shown - 1.0 / (double)of->turn)
+                series_add(figure, line, at, of->length * of->waveform.at[2 * k + column]);
+        }
+    }
+    // The instants of the section.
+    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, dark, 0.9);
+    for (size_t k = 0; k < rows; k++) {
+        const double at = (double)(k + 1) / (double)of->turn;
+        if ((rows - 1 - k) % of->turn != 0 || at < turns - shown) continue;
+        series_add(figure, marks, at, of->length * of->waveform.at[2 * k]);
+        series_add(figure, marks, at, of->length * of->waveform.at[2 * k + 1]);
+    }
+}
+
+static void show_window(whirl_panel *panel, const subject *of, const window *in) {
+    axis_show(&panel->x, (span){in->x - 0.5 * in->side, in->x + 0.5 * in->side});
+    axis_show(&panel->y, (span){in->y - 0.5 * in->side, in->y + 0.5 * in->side});
+    symbol_length(of->units, "$x$", panel->x.label, sizeof panel->x.label);
+    symbol_length(of->units, "$y$", panel->y.label, sizeof panel->y.label);
+    panel->equal = true;
+}
+
+/// The part of a circle around (0, 0) that falls into a window, and some more.
+static void add_circle(whirl_figure *figure, whirl_series *line, const window *in, double radius) {
+    // From outside of it the window is seen from the centre under an angle below that of its circumscribed circle.
+    enum { STEPS = 500 };
+    const double distance = hypot(in->x, in->y), reach = 0.85 * in->side, pi = acos(-1.0);
+    const double half = distance > reach ? asin(reach / distance) : pi, middle = atan2(in->y, in->x);
+    for (int k = -STEPS; k <= STEPS; k++) {
+        const double angle = middle + half * k / STEPS;
+        series_add(figure, line, radius * cos(angle), radius * sin(angle));
+    }
+}
+
+static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const window in = orbit_window(of);
+    const unsigned circles = shown_circles(of);
+    show_window(panel, of, &in);
+    if (circles & 1u)
+        add_circle(figure, panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.9), &in,
+                   of->length * of->walls.clearance);
+    whirl_series *gap = circles & 2u ? panel_series(figure, panel, WHIRL_LINE, "#707070", 0.53) : NULL;
+    if (gap) gap->dashed = true;
+    if (gap) add_circle(figure, gap, &in, of->length * of->walls.gap);
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38);
+    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(1), 1.1);
+    for (size_t k = 0; k < of->waveform.rows; k++) {
+        const double *at = &of->waveform.at[2 * k];
+        series_add(figure, line, of->length * at[0], of->length * at[1]);
+        if ((of->waveform.rows - 1 - k) % of->turn == 0)
+            series_add(figure, marks, of->length * at[0], of->length * at[1]);
+    }
+}
+
+/// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no
+/// structure.
+static void add_section(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    span x = span_empty(), y = span_empty();
+    for (size_t k = 0; k < of->section.rows; k++) {
+        span_widen(&x, of->length * of->section.at[4 * k]);
+        span_widen(&y, of->length * of->section.at[4 * k + 1]);
+    }
+    const double extent = fmax(x.high - x.low, y.high - y.low);
+    const window in = window_around(x, y, fmax(1.24 * extent, 0.2 * of->size));
+    show_window(panel, of, &in);
+    const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size &&
+                       whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC;
+    whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), cloud ? 0.36 : 1.1);
+    for (size_t k = 0; k < of->section.rows; k++)
+        series_add(figure, dots, of->length * of->section.at[4 * k], of->length * of->section.at[4 * k + 1]);
+}
+
+// ---------------------------------------------------------------- spectra
+
+static double amplitude(const double *line, int full) {
+    return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
+}
+
+/// The axis of amplitudes: logarithmic where lines would be lost at the foot of a linear one.
+typedef struct scale {
+    bool logarithmic;
+    double low, high; ///< as shown
+} scale;
+
+/// Lines of a spectrum below this share of the largest are not seen on a linear axis.
+static const double SEEN = 0.01;
+
+/// Over the tallest line stands room for its label.
+static scale scale_of(const subject *of, int full, double room) {
+    double tallest = 0.0, least = INFINITY;
+    for (size_t k = 0; k < of->spectrum.rows; k++) tallest = fmax(tallest, amplitude(&of->spectrum.at[5 * k], full));
+    for (size_t k = 0; k < of->lines.rows; k++) {
+        const double height = amplitude(&of->lines.at[5 * k], full);
+        if (height > 0.0) least = fmin(least, height);
+    }
+    const double high = of->amplitude * (tallest > 0.0 ? tallest : 1.0);
+    if (!(least < SEEN * tallest)) return (scale){false, 0.0, room * high};
+    const double low = fmin(0.3 * of->amplitude * least, 1e-3 * high);
+    return (scale){true, low, high * pow(high / low, room - 1.0)};
+}
+
+/// Where on the axis an amplitude stands, from 0 to 1.
+static double scale_place(const scale *axis, double height) {
+    if (!axis->logarithmic) return height / axis->high;
+    return fmax(log(fmax(height, axis->low) / axis->low) / log(axis->high / axis->low), 0.0);
+}
+
+/// The amplitude that stands there.
+static double scale_height(const scale *axis, double place) {
+    return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place) : place * axis->high;
+}
+
+/// A peak that may get its order written above it, and its height on the axis; in a full spectrum backward ones stand
+/// on the left.
+typedef struct peak {
+    double place, height;
+} peak;
+
+static int by_height(const void *left, const void *right) {
+    const double a = ((const peak *)left)->height, b = ((const peak *)right)->height;
+    return (a < b) - (a > b);
+}
+
+/// Height of the drawn curve, as shown, near an order: that of a line between two bins is a little larger.
+static double drawn_height(const subject *of, double order, int column) {
+    double most = 0.0;
+    const double *at = of->spectrum.at;
+    const double step = of->spectrum.rows > 1 ? at[5] - at[0] : 1.0;
+    const double middle = step > 0.0 ? fmin((order - at[0]) / step, (double)of->spectrum.rows) : 0.0;
+    const size_t first = middle > 2.0 ? (size_t)middle - 2 : 0;
+    for (size_t k = first; k < of->spectrum.rows && k < first + 5; k++) most = fmax(most, at[5 * k + (size_t)column]);
+    return of->amplitude * most;
+}
+
+static size_t find_peaks(const subject *of, const scale *axis, int full, peak *peaks) {
+    size_t count = 0;
+    for (size_t k = 0; k < of->lines.rows && k < WHIRL_MAX_LINES; k++) {
+        const double order = of->lines.at[5 * k], at = order_size(of) * order;
+        if (!full) peaks[count++] = (peak){at, fmax(drawn_height(of, order, 1), drawn_height(of, order, 2))};
+        if (full) peaks[count++] = (peak){at, drawn_height(of, order, 3)};
+        if (full) peaks[count++] = (peak){-at, drawn_height(of, order, 4)};
+    }
+    for (size_t k = 0; k < count; k++) peaks[k].height = scale_place(axis, peaks[k].height);
+    if (count > 1) qsort(peaks, count, sizeof *peaks, by_height);
+    return count;
+}
+
+/// The place of a label: the orders that it covers; none where low is not below high.
+typedef struct label {
+    double low, high, height;
+} label;
+
+static bool label_fits(const label *candidate, const label *placed, int count, double tall) {
+    for (int i = 0; i < count; i++)
+        if (candidate->low < placed[i].high && candidate->high > placed[i].low &&
+            fabs(candidate->height - placed[i].height) < tall)
+            return false;
+    return true;
+}
+
+/// Peaks of one broad hump share the label of the largest.
+static bool peak_stands_alone(const peak *candidate, const peak *labelled, int count, double distance) {
+    for (int i = 0; i < count; i++)
+        if (fabs(labelled[i].place - candidate->place) < distance) return false;
+    return true;
+}
+
+/// Where another peak of about this height stands beside it: -1 left, 1 right, 0 nowhere. Of two the nearer counts.
+static int neighbour_side(const peak *peaks, size_t count, const peak *of, double wide, double tall) {
+    const peak *nearest = NULL;
+    for (const peak *other = peaks; other < peaks + count; other++) {
+        if (other == of || fabs(other->height - of->height) > tall || fabs(other->place - of->place) > wide) continue;
+        if (!nearest || fabs(other->place - of->place) < fabs(nearest->place - of->place)) nearest = other;
+    }
+    return !nearest ? 0 : nearest->place < of->place ? -1 : 1;
+}
+
+/// Above the peak or, where it has a neighbour, on the side away from that; else on whatever side no label is there;
+/// empty where nothing fits.
+static label place_label(const peak *of, int neighbour, const label *placed, int count, double wide, double tall) {
+    const label tries[] = {{of->place - 0.5 * wide, of->place + 0.5 * wide, of->height},
+                           {of->place - 0.1 * wide, of->place + 0.9 * wide, of->height},
+                           {of->place - 0.9 * wide, of->place + 0.1 * wide, of->height}};
+    const int first = neighbour == 0 ? 0 : neighbour < 0 ? 1 : 2;
+    for (int i = 0; i < 3; i++)
+        if (label_fits(&tries[(first + i) % 3], placed, count, tall)) return tries[(first + i) % 3];
+    return (label){0};
+}
+
+/// Adds the orders of the largest lines above them.
+static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subject *of, const scale *axis,
+                            double highest, int full) {
+    peak peaks[2 * WHIRL_MAX_LINES], labelled[MOST_LABELS];
+    label placed[MOST_LABELS];
+    const size_t found = find_peaks(of, axis, full, peaks);
+    whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
+    int count = 0;
+    for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
+        if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
+        if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
+        char text[32];
+        const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
+        // Half a letter between neighbours.
+        const double wide = 0.017 * highest * (letters + 0.5), tall = 0.06;
+        const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
+        const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
+        if (!(here.low < here.high)) continue;
+        labelled[count] = peaks[k];
+        placed[count++] = here;
+        series_add_text(figure, texts, 0.5 * (here.low + here.high), scale_height(axis, here.height), text);
+    }
+}
+
+/// The frequency up to which the spectrum is drawn, as shown.
+static double highest_order(const subject *of) {
+    const double last = of->spectrum.at[5 * (of->spectrum.rows - 1)];
+    return order_size(of) * (last > 0.0 ? last : 1.0);
+}
+
+/// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
+static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, int full) {
+    const double highest = highest_order(of);
+    const scale axis = scale_of(of, full, full ? 1.24 : 1.22);
+    const char *keyphasor = whirl_result_keyphasor(of->result), *backward = full ? " (negative: backward whirl)" : "";
+    axis_show(&panel->x, (span){full ? -highest : 0.0, highest});
+    axis_show(&panel->y, (span){axis.low, axis.high});
+    panel->y.logarithmic = axis.logarithmic;
+    symbol_amplitude(of->units, "amplitude", panel->y.label, sizeof panel->y.label);
+    if (isnan(of->order))
+        snprintf(panel->x.label, sizeof panel->x.label, "order of the %.63s%s",
+                 *keyphasor ? keyphasor : "running speed", backward);
+    else
+        snprintf(panel->x.label, sizeof panel->x.label, "frequency (%s)%s", of->units->frequency_name, backward);
+    add_line_labels(figure, panel, of, &axis, highest, full);
+    return axis;
+}
+
+/// A column of the spectrum; bins that are too many are grouped, and the largest of a group is kept.
+static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject *of, const scale *axis, int column,
+                         double direction) {
+    const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
+    for (size_t first = 0; first < of->spectrum.rows; first += group) {
+        double most = 0.0, place = of->spectrum.at[5 * first];
+        for (size_t k = first; k < first + group && k < of->spectrum.rows; k++) {
+            const double *at = &of->spectrum.at[5 * k];
+            if (at[column] > most) place = at[0];
+            most = fmax(most, at[column]);
+        }
+        series_add(figure, line, direction * order_size(of) * place, fmax(of->amplitude * most, axis->low));
+    }
+}
+
+static void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const scale axis = begin_spectrum(figure, panel, of, 0);
+    panel->keyed = true;
+    panel_named(figure, panel, WHIRL_LINE, "$x$", line_colour(0), 0.53);
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "$y$", line_colour(1), 0.38), of, &axis, 2, 1.0);
+    add_spectrum(figure, panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38), of, &axis, 1, 1.0);
+}
+
+static void add_full_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const scale axis = begin_spectrum(figure, panel, of, 1);
+    panel->keyed = true;
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "backward", line_colour(1), 0.38), of, &axis, 4, -1.0);
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "forward", line_colour(0), 0.38), of, &axis, 3, 1.0);
+}
+
+// ---------------------------------------------------------------- the figure
+
+enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, PANEL_COUNT };
+
+/// Which panels there are data for, in the order in which they are lettered.
+static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
+    there[WAVEFORM_PANEL] = there[ORBIT_PANEL] = of->waveform.at != NULL;
+    there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
+    there[SECTION_PANEL] = of->section.at != NULL;
+}
+
+static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
+    add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum};
+
+/// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
+static void name_panels(const subject *of, char *text, size_t size) {
+    const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
+    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
+                        : circles == 1u ? "orbit (grey: bearing)"
+                        : circles == 2u ? "orbit (dashed: stator)"
+                                        : "orbit";
+    const char *const names[] = {"waveform", orbit, "spectrum", "Poincar\u00e9 map (once a revolution)",
+                                 "full spectrum of x + iy"};
+    bool there[PANEL_COUNT];
+    size_t used = 0;
+    char letter = 'a';
+    panels_there(of, there);
+    text[0] = '\0';
+    for (int i = 0; i < PANEL_COUNT && used < size; i++)
+        if (there[i]) {
+            used += (size_t)snprintf(text + used, size - used, "%s (%c) %s", letter > 'a' ? "," : "", letter, names[i]);
+            letter++;
+        }
+}
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    if (table != detail_table(of->result)) return;
+    const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
+    for (size_t i = 0; i < table->count; i++)
+        for (size_t s = 0; s < of->result->station_count && whirl_table_done(table, i); s++) {
+            char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], name[200];
+            const char *station = of->result->stations[s].name;
+            const figure_place place = {.kind = &point_figure, .table = table, .point = (long)i, .station = s};
+            if (!point_waveform(table, i, s).at && !point_section(table, i, s).at && !point_spectrum(table, i, s).at)
+                continue;
+            const whirl_verdict verdict = whirl_table_verdict(table, i);
+            units_point_label(of->units, table, i, point, sizeof point);
+            whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+            if (*table->parameter)
+                snprintf(name, sizeof name, "%.63s-%.6g%.20s-%.63s", table->parameter, table->values[i] / unit.size,
+                         unit.name, station);
+            else
+                snprintf(name, sizeof name, "%.63s-%.63s", table->name, station);
+            list_figure(to, &place, name, "%.80s, %.60s: %.54s", point, station, verdict_text);
+        }
+}
+
+static void describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
+    static const char *const panel_names[] = {"waveform", "orbit", "spectrum", "section", "full-spectrum"};
+    const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
+    const whirl_verdict verdict = whirl_table_verdict(of.table, of.point);
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], panels[280];
+    bool there[PANEL_COUNT];
+    char letter = 'a';
+    panels_there(&of, there);
+    figure->width = 17.5;
+    figure->font = 8.0;
+    for (int i = 0; i < PANEL_COUNT; i++) {
+        if (!there[i]) continue;
+        const bool wide = i == FULL_PANEL;
+        whirl_panel *panel = figure_panel(figure, panel_names[i], wide ? 1.0 : 0.5, wide ? 4.2 : 6.5);
+        if (!panel) return;
+        panel->letter = letter++;
+        adders[i](figure, panel, &of);
+    }
+    units_point_label(of.units, of.table, of.point, point, sizeof point);
+    whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+    name_panels(&of, panels, sizeof panels);
+    snprintf(figure->caption, sizeof figure->caption, "%.120s, %.60s: %.100s.%s.%s", point,
+             of.result->stations[of.station].name, verdict_text, panels,
+             of.waveform.at ? "" : " No waveform was kept.");
+}
+
+const figure_kind point_figure = {list, describe};

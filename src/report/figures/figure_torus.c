@@ -1,0 +1,278 @@
+// Tori: the bands that they fill in the figures of branches, and figures of their numbers over the parameter.
+#include "tori.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "quantities.h"
+#include "symbols.h"
+
+const char tori_caption[] =
+    " Green: the bands that quasi-periodic motions fill, with solid edges where they are stable, dashed where not.";
+
+static bool is_torus(const whirl_table *table, size_t point) {
+    return isfinite(point_number(table, point, WHIRL_FIELD_TORUS_ROTATION));
+}
+
+static bool is_stable(const whirl_table *table, size_t point) {
+    return point_number(table, point, WHIRL_FIELD_TORUS_UNSTABLE) == 0.0;
+}
+
+const whirl_table *tori_table(const whirl_result *result) {
+    const whirl_table *table = whirl_result_table(result, "tori");
+    for (size_t point = 0; table && point < table->count; point++)
+        if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER) && is_torus(table, point)) return table;
+    return NULL;
+}
+
+// ---------------------------------------------------------------- bands
+
+/// A band of a station at one value: where one of the closed curves of its section lies, x and y.
+typedef struct band {
+    double value, low[2], high[2];
+    bool stable;
+} band;
+
+/// The orbit at which a branch of tori begins, of no width.
+static bool beginning(const drawing *to, const whirl_table *table, size_t first, size_t station, size_t line,
+                      band *out) {
+    const whirl_table *branches = whirl_result_table(to->result, "branch");
+    const double row = point_number(table, first, WHIRL_FIELD_TORUS_POINT);
+    if (!branches || !(row >= 1.0 && row <= (double)branches->count)) return false;
+    const whirl_field *field = whirl_layout_field(&branches->layout, WHIRL_FIELD_TRACE_SECTION);
+    if (!field || line >= field->rows) return false;
+    const double *section = whirl_table_field(branches, (size_t)row - 1, field->name, station);
+    *out = (band){.value = point_number(table, first, WHIRL_FIELD_TORUS_BEGINS), .stable = is_stable(table, first)};
+    for (size_t c = 0; section && c < 2; c++) out->low[c] = out->high[c] = section[4 * line + c];
+    return section != NULL;
+}
+
+/// Where it shrinks to an orbit, the middle of its last band.
+static bool closing(const whirl_table *table, size_t last, size_t station, size_t line, band *out) {
+    const double *low = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_LOW, station);
+    const double *high = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
+    if (point_number(table, last, WHIRL_FIELD_TORUS_END) != WHIRL_TORUS_SHRANK) return false;
+    *out = (band){.value = point_number(table, last, WHIRL_FIELD_TORUS_LIMIT), .stable = is_stable(table, last)};
+    for (size_t c = 0; c < 2; c++) out->low[c] = out->high[c] = 0.5 * (low[2 * line + c] + high[2 * line + c]);
+    return true;
+}
+
+/// The bands of a branch by index: the beginning, its rows, the end; false where there is none of that index.
+static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own, size_t index, size_t station,
+                    size_t line, band *out) {
+    if (index == 0) return beginning(to, table, own.first, station, line, out);
+    const size_t point = own.first + index - 1;
+    if (point > own.last) return closing(table, own.last, station, line, out);
+    const double *low = whirl_table_field(table, point, WHIRL_FIELD_TORUS_SECTION_LOW, station);
+    const double *high = whirl_table_field(table, point, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
+    *out = (band){.value = table->values[point], .stable = is_stable(table, point)};
+    memcpy(out->low, low + 2 * line, sizeof out->low);
+    memcpy(out->high, high + 2 * line, sizeof out->high);
+    return is_torus(table, point);
+}
+
+/// What is drawn of bands: the fill, and their edges where they are stable or not.
+typedef struct band_series {
+    whirl_series *fill, *edges[2][2]; ///< [stable][side]
+} band_series;
+
+static void break_all(whirl_figure *figure, const band_series *to) {
+    series_break(figure, to->fill);
+    for (int stable = 0; stable < 2; stable++)
+        for (int side = 0; side < 2; side++) series_break(figure, to->edges[stable][side]);
+}
+
+static void add_edges(whirl_figure *figure, const band_series *to, const band *b, bool stable, size_t column,
+                      double length, double size) {
+    series_add(figure, to->edges[stable][0], b->value / size, length * b->low[column]);
+    series_add(figure, to->edges[stable][1], b->value / size, length * b->high[column]);
+}
+
+/// The bands of one branch and one line of its section; pieces that are stable, or not, meet where that changes.
+static void add_line(whirl_figure *figure, const band_series *to, const drawing *of, whirl_tori own, size_t station,
+                     size_t line, size_t column, double size) {
+    const whirl_table *table = tori_table(of->result);
+    const double length = whirl_shown_length(of->units, table, own.first);
+    band now, before = {.value = NAN};
+    for (size_t index = 0; index < own.last - own.first + 3; index++) {
+        if (!band_at(of, table, own, index, station, line, &now)) continue;
+        series_add_to(figure, to->fill, now.value / size, length * now.low[column], length * now.high[column]);
+        if (isfinite(before.value) && before.stable != now.stable) {
+            add_edges(figure, to, &before, now.stable, column, length, size);
+            for (int side = 0; side < 2; side++) series_break(figure, to->edges[before.stable][side]);
+        }
+        add_edges(figure, to, &now, now.stable, column, length, size);
+        before = now;
+    }
+    break_all(figure, to);
+}
+
+void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of, size_t station, size_t column,
+                    double size) {
+    static const char green[] = "#009E73";
+    const whirl_table *table = tori_table(of->result);
+    if (!table) return;
+    band_series to = {.fill = panel_named(figure, panel, WHIRL_AREA, "torus", green, 1.0)};
+    if (to.fill) to.fill->opacity = 0.3;
+    for (int stable = 0; stable < 2; stable++)
+        for (int side = 0; side < 2; side++) {
+            to.edges[stable][side] = panel_series(figure, panel, WHIRL_LINE, green, 0.45);
+            if (to.edges[stable][side]) to.edges[stable][side]->dashed = !stable;
+        }
+    for (size_t first = 0; first < table->count; first++) {
+        const whirl_tori own = whirl_table_tori(table, first);
+        const double lines = point_number(table, first, WHIRL_FIELD_TORUS_REVOLUTIONS);
+        for (size_t line = 0; (double)line < lines; line++) add_line(figure, &to, of, own, station, line, column, size);
+        first = own.last;
+    }
+}
+
+// ---------------------------------------------------------------- numbers over the parameter
+
+/// A branch of tori, and what its panels share.
+typedef struct torus_view {
+    const drawing *of;
+    const whirl_table *table;
+    whirl_tori own;
+    double size; ///< of one unit of the parameter
+    span range;
+} torus_view;
+
+static double rotation_of(const torus_view *v, size_t point, size_t station) {
+    (void)station;
+    return point_number(v->table, point, WHIRL_FIELD_TORUS_ROTATION);
+}
+
+static double exponent_of(const torus_view *v, size_t point, size_t station) {
+    (void)station;
+    return point_number(v->table, point, WHIRL_FIELD_TORUS_EXPONENT);
+}
+
+/// The larger amplitude of both coordinates of a station's second line.
+static double amplitude_of(const torus_view *v, size_t point, size_t station) {
+    const double *amplitude = whirl_table_field(v->table, point, WHIRL_FIELD_TORUS_AMPLITUDE, station);
+    return whirl_shown_length(v->of->units, v->table, point) * v->of->units->amplitude *
+           fmax(amplitude[0], amplitude[1]);
+}
+
+/// Solid with discs where tori are stable, dashed with rings where not.
+static void add_numbers(whirl_figure *figure, whirl_panel *panel, const torus_view *v, size_t station, const char *name,
+                        double (*number)(const torus_view *v, size_t point, size_t station)) {
+    const char *colour = line_colour(station);
+    for (int stable = 1; stable >= 0; stable--) {
+        whirl_series *line = panel_named(figure, panel, WHIRL_LINE, stable ? name : "", colour, stable ? 0.8 : 0.6);
+        whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, colour, 1.1);
+        if (line) line->dashed = !stable;
+        if (dots) dots->mark = stable ? WHIRL_DISC : WHIRL_RING;
+        for (size_t point = v->own.first; point <= v->own.last; point++) {
+            if (is_stable(v->table, point) != stable) continue;
+            const double at = v->table->values[point] / v->size, value = number(v, point, station);
+            if (point > v->own.first && is_stable(v->table, point - 1) != stable)
+                series_add(figure, line, v->table->values[point - 1] / v->size, number(v, point - 1, station));
+            series_add(figure, line, at, value);
+            series_add(figure, dots, at, value);
+            if (point < v->own.last && is_stable(v->table, point + 1) != stable) series_break(figure, line);
+        }
+    }
+}
+
+static size_t common_divisor(size_t p, size_t q) {
+    return p == 0 ? q : common_divisor(q % p, p);
+}
+
+/// Simple fractions of the range as lines: those of the smallest q, some.
+static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range) {
+    enum { LARGEST = 12, SOME = 5 };
+    const double turns = 1e3; // rotation numbers are below 1; a file may say otherwise
+    size_t drawn = 0;
+    if (!(range.low > -turns && range.high < turns)) return;
+    for (size_t q = 1; q <= LARGEST && drawn < SOME; q++)
+        for (double p = ceil(range.low * (double)q); p / (double)q <= range.high; p++) {
+            if (common_divisor((size_t)fabs(p), q) != 1) continue;
+            const double at = p / (double)q;
+            char text[32];
+            snprintf(text, sizeof text, "%.0f/%zu", p, q);
+            whirl_series *line = panel_level(figure, panel, at, "#9A9A9A", 0.4);
+            if (line) line->dashed = true;
+            whirl_series *label = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
+            if (label && (range.high - at) < 0.1 * (range.high - range.low)) label->side = WHIRL_BELOW;
+            series_add_text(figure, label, panel->x.low + 0.97 * (panel->x.high - panel->x.low), at, text);
+            drawn++;
+        }
+}
+
+/// Of the rotation numbers, and of the resonance at which tori end.
+static span rotations_of(const torus_view *v) {
+    const double *resonance = whirl_table_field(v->table, v->own.last, WHIRL_FIELD_TORUS_RESONANCE, 0);
+    span range = span_empty();
+    for (size_t point = v->own.first; point <= v->own.last; point++) span_widen(&range, rotation_of(v, point, 0));
+    if (point_number(v->table, v->own.last, WHIRL_FIELD_TORUS_END) == WHIRL_TORUS_ROUGH)
+        span_widen(&range, resonance[0] / resonance[1]);
+    return span_with_margin(range, 0.12, 1e-6);
+}
+
+static whirl_panel *add_panel(whirl_figure *figure, const torus_view *v, const char *name, const char *label) {
+    whirl_panel *panel = figure_panel(figure, name, 1.0, 4.0);
+    if (!panel) return NULL;
+    axis_show(&panel->x, v->range);
+    panel->x.shown = false;
+    symbol_parameter(v->of->units, v->table->parameter, panel->x.label, sizeof panel->x.label);
+    snprintf(panel->y.label, sizeof panel->y.label, "%s", label);
+    return panel;
+}
+
+/// From where the tori begin to where they end, or seem to.
+static span axis_of(const torus_view *v) {
+    span range = span_empty();
+    span_widen(&range, point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_BEGINS) / v->size);
+    span_widen(&range, point_number(v->table, v->own.last, WHIRL_FIELD_TORUS_LIMIT) / v->size);
+    for (size_t point = v->own.first; point <= v->own.last; point++)
+        span_widen(&range, v->table->values[point] / v->size);
+    return span_with_margin(range, 0.03, 0.0);
+}
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    (void)of;
+    for (size_t point = 0; table_has(table, WHIRL_FIELD_TORUS_NUMBER) && point < table->count; point++) {
+        const whirl_tori own = whirl_table_tori(table, point);
+        const figure_place place = {.kind = &torus_figure, .table = table, .point = NO_POINT, .which = own.first};
+        const double number = point_number(table, own.first, WHIRL_FIELD_TORUS_NUMBER);
+        char name[WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "torus-%.0f", number);
+        if (own.found > 1) list_figure(to, &place, name, "Torus %.0f over %s", number, table->parameter);
+        point = own.last;
+    }
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    torus_view v = {.of = of, .table = place->table, .own = whirl_table_tori(place->table, place->which)};
+    char label[SYMBOL_SIZE];
+    v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
+    v.range = axis_of(&v);
+    whirl_panel *rotation = add_panel(figure, &v, "rotation", "rotation number");
+    const span rotations = rotations_of(&v);
+    if (rotation) axis_show(&rotation->y, rotations);
+    if (rotation) add_resonances(figure, rotation, rotations);
+    add_numbers(figure, rotation, &v, 0, "", rotation_of);
+    symbol_amplitude(of->units, "amplitude", label, sizeof label);
+    whirl_panel *amplitude = add_panel(figure, &v, "amplitude", label);
+    if (amplitude) amplitude->keyed = true;
+    for (size_t s = 0; s < of->result->station_count; s++)
+        add_numbers(figure, amplitude, &v, s, of->result->stations[s].name, amplitude_of);
+    whirl_panel *exponent = add_panel(figure, &v, "exponent", "normal exponent / rev.");
+    if (exponent) {
+        exponent->x.shown = true;
+        whirl_series *zero = panel_level(figure, exponent, 0.0, "#9A9A9A", 0.4);
+        if (zero) zero->dashed = true;
+    }
+    add_numbers(figure, exponent, &v, 0, "", exponent_of);
+    snprintf(figure->caption, sizeof figure->caption,
+             "Quasi-periodic motions over %s, solid where they are stable, dashed where not. Above: the rotation "
+             "number, turns round the closed curve of the section from one to the next, with simple fractions, near "
+             "which motions may lock. Middle: the amplitude of the strongest line of the second frequency, the larger "
+             "one of both coordinates. Below: the largest Lyapunov exponent across the torus.",
+             v.table->parameter);
+}
+
+const figure_kind torus_figure = {list, describe};

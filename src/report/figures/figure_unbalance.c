@@ -1,0 +1,152 @@
+// The response of a station to unbalance: Bode's and the polar diagram, the centreline of the shaft.
+#include <math.h>
+#include <stdio.h>
+
+#include "figure_kinds.h"
+#include "symbols.h"
+
+static const double two_pi = 6.283185307179586476925;
+
+typedef struct view {
+    const drawing *of;
+    const whirl_table *table;
+    size_t station;
+    double size; ///< of one unit of the parameter
+} view;
+
+static const double *field_of(const view *v, size_t point, const char *field) {
+    return whirl_table_done(v->table, point) ? whirl_table_field(v->table, point, field, v->station) : NULL;
+}
+
+static double length_at(const view *v, size_t point) {
+    return whirl_shown_length(v->of->units, v->table, point);
+}
+
+static double amplitude_at(const view *v, size_t point) {
+    return length_at(v, point) * v->of->units->amplitude;
+}
+
+static double value_at(const view *v, size_t point) {
+    return v->table->values[point] / v->size;
+}
+
+static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    snprintf(panel->y.label, sizeof panel->y.label, "lag (deg)");
+    axis_show(&panel->y, (span){0.0, 360.0});
+    for (int lag = 0; lag <= 360; lag += 90) {
+        char text[8];
+        snprintf(text, sizeof text, "%d", lag);
+        axis_tick(figure, &panel->y, lag, text);
+    }
+    for (size_t probe = 0; probe < 2; probe++) {
+        whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 0.9);
+        for (size_t point = 0; point < v->table->count; point++) {
+            const double *lags = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
+            if (lags) series_add(figure, dots, value_at(v, point), lags[probe]);
+        }
+    }
+}
+
+static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    static const char *const names[] = {"first probe", "second probe", "major axis"};
+    double most = 0.0;
+    symbol_amplitude(v->of->units, "amplitude", panel->y.label, sizeof panel->y.label);
+    panel->keyed = true;
+    for (size_t which = 0; which < 3; which++) {
+        whirl_series *line =
+            panel_named(figure, panel, WHIRL_LINE, names[which], which == 2 ? "#9A9A9A" : line_colour(which), 0.55);
+        if (line) line->dashed = which == 2;
+        for (size_t point = 0; point < v->table->count; point++) {
+            const double *at =
+                field_of(v, point, which == 2 ? WHIRL_FIELD_UNBALANCE_AXES : WHIRL_FIELD_UNBALANCE_PROBE);
+            if (!at) continue;
+            const double amplitude = amplitude_at(v, point) * at[which % 2];
+            series_add(figure, line, value_at(v, point), amplitude);
+            most = fmax(most, amplitude);
+        }
+    }
+    axis_show(&panel->y, (span){0.0, most > 0.0 ? 1.22 * most : 1.0});
+}
+
+/// One scale for both axes, with room for the origin.
+static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    span x = {0.0, 0.0}, y = {0.0, 0.0};
+    symbol_amplitude(v->of->units, "amplitude", panel->x.label, sizeof panel->x.label);
+    for (size_t probe = 0; probe < 2; probe++) {
+        whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(probe), 0.53);
+        for (size_t point = 0; point < v->table->count; point++) {
+            const double *at = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE);
+            const double *lag = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
+            if (!at || !lag) continue;
+            const double size = amplitude_at(v, point) * at[probe], angle = lag[probe] * two_pi / 360.0;
+            series_add(figure, line, size * cos(angle), -size * sin(angle));
+            span_widen(&x, size * cos(angle));
+            span_widen(&y, -size * sin(angle));
+        }
+    }
+    const double width = fmax(1.16 * fmax(x.high - x.low, y.high - y.low), 1e-300);
+    axis_show(&panel->x, span_with_margin(x, 0.08, width));
+    axis_show(&panel->y, span_with_margin(y, 0.08, width));
+}
+
+/// What moves less than a thousandth of its place stands still.
+static void add_centreline(whirl_figure *figure, whirl_panel *panel, const view *v) {
+    span x = span_empty(), y = span_empty();
+    double size = 0.0;
+    symbol_length(v->of->units, "$x$", panel->x.label, sizeof panel->x.label);
+    symbol_length(v->of->units, "$y$", panel->y.label, sizeof panel->y.label);
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.53);
+    whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), 0.9);
+    for (size_t point = 0; point < v->table->count; point++) {
+        const double *rest = field_of(v, point, WHIRL_FIELD_UNBALANCE_REST), length = length_at(v, point);
+        if (!rest) continue;
+        series_add(figure, line, length * rest[0], length * rest[1]);
+        series_add(figure, dots, length * rest[0], length * rest[1]);
+        span_widen(&x, length * rest[0]);
+        span_widen(&y, length * rest[1]);
+        size = fmax(size, length * hypot(rest[0], rest[1]));
+    }
+    const double width = fmax(1.2 * fmax(x.high - x.low, y.high - y.low), size > 0.0 ? 1e-3 * size : 1.0);
+    axis_show(&panel->x, span_with_margin(x, 0.1, width));
+    axis_show(&panel->y, span_with_margin(y, 0.1, width));
+}
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    if (!table_has(table, WHIRL_FIELD_UNBALANCE_AMPLITUDE) || table->count < 2) return;
+    for (size_t s = 0; s < of->result->station_count; s++) {
+        const char *station = of->result->stations[s].name;
+        const figure_place place = {.kind = &unbalance_figure, .table = table, .point = NO_POINT, .station = s};
+        char name[2 * WHIRL_NAME_SIZE];
+        snprintf(name, sizeof name, "unbalance-%s", station);
+        list_figure(to, &place, name, "Response of %s to unbalance over %s", station, table->parameter);
+    }
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const whirl_table *table = place->table;
+    const view v = {of, table, place->station, whirl_shown_parameter(of->units, table->parameter).size};
+    span range = span_empty();
+    figure->width = 17.5;
+    for (size_t i = 0; i < table->count; i++) span_widen(&range, table->values[i] / v.size);
+    whirl_panel *lag = figure_panel(figure, "lag", 0.6, 3.6), *polar = figure_panel(figure, "polar", 0.4, 3.6);
+    whirl_panel *amplitude = figure_panel(figure, "amplitude", 0.6, 4.6);
+    whirl_panel *centreline = figure_panel(figure, "centreline", 0.4, 4.6);
+    if (!lag || !polar || !amplitude || !centreline) return;
+    symbol_parameter(of->units, table->parameter, lag->x.label, sizeof lag->x.label);
+    symbol_parameter(of->units, table->parameter, amplitude->x.label, sizeof amplitude->x.label);
+    axis_show(&lag->x, span_with_margin(range, 0.0, 1e-300));
+    axis_show(&amplitude->x, span_with_margin(range, 0.0, 1e-300));
+    polar->equal = centreline->equal = true;
+    add_lags(figure, lag, &v);
+    add_polar(figure, polar, &v);
+    add_amplitudes(figure, amplitude, &v);
+    add_centreline(figure, centreline, &v);
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Synchronous response of %s over %s. Left: by how much the peak comes after the mark, and amplitude, of two "
+        "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag "
+        "grows); centreline of the shaft.",
+        of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi);
+}
+
+const figure_kind unbalance_figure = {list, describe};

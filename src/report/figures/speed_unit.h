@@ -1,0 +1,16 @@
+/// The unit of frequencies beside a parameter.
+#ifndef REPORT_SPEED_UNIT_H
+#define REPORT_SPEED_UNIT_H
+
+#include "figure_kinds.h"
+
+typedef struct speed_unit {
+    double size; ///< rad/s
+    char name[WHIRL_NAME_SIZE];
+    bool of_speed; ///< the parameter is the speed of the shaft
+} speed_unit;
+
+/// The parameter's unit where that is the speed of the shaft (the field `speeds` of every point), else Hz.
+speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char *speeds);
+
+#endif

@@ -1,0 +1,74 @@
+// A figure as a file: JSON, or what gnuplot makes of its script.
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "gnuplot.h"
+#include "gnuplot_script.h"
+#include "report_file.h"
+#include "whirl/figure.h"
+
+static whirl_status write_json(const whirl_figure *figure, const char *folder, const char *name) {
+    report_file file;
+    whirl_status status = report_file_open(&file, folder, name);
+    if (status.code != WHIRL_OK) return status;
+    status = whirl_figure_write_json(figure, file.stream);
+    if (status.code == WHIRL_OK) return report_file_close(&file);
+    report_file_drop(&file);
+    return status;
+}
+
+/// Script and data in a folder of their own, and the picture beside them.
+static whirl_status draw(const whirl_figure *figure, const char *folder, const char *format, const char *program) {
+    report_file file;
+    whirl_status status = report_file_open(&file, folder, "figure.dat");
+    if (status.code != WHIRL_OK) return status;
+    gnuplot_write_data(file.stream, figure);
+    status = report_file_close(&file);
+    if (status.code == WHIRL_OK) status = report_file_open(&file, folder, "figure.gp");
+    if (status.code != WHIRL_OK) return status;
+    gnuplot_write_script(file.stream, figure, "figure", "figure.dat", format);
+    status = report_file_close(&file);
+    gnuplot_job job = {.folder = folder, .script = "figure.gp"};
+    if (status.code == WHIRL_OK) status = gnuplot_run(program, &job, 1);
+    return status;
+}
+
+static void clear_folder(const char *folder) {
+    static const char *const names[] = {"figure.dat", "figure.gp",  "figure.gp.log",
+                                        "figure.png", "figure.pdf", "figure.svg"};
+    char path[FILE_PATH_SIZE];
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        snprintf(path, sizeof path, "%.4000s/%s", folder, names[i]);
+        unlink(path);
+    }
+    rmdir(folder);
+}
+
+static whirl_status write_drawn(const whirl_figure *figure, const char *path, const char *folder, const char *format,
+                                const char *program) {
+    char own[FILE_PATH_SIZE], picture[FILE_PATH_SIZE];
+    snprintf(own, sizeof own, "%.4000s/.whirl-figure-XXXXXX", folder);
+    if (!mkdtemp(own))
+        return whirl_fail(WHIRL_IO_ERROR, "no folder can be made in %.200s: %.100s", folder, strerror(errno));
+    whirl_status status = draw(figure, own, format, program);
+    snprintf(picture, sizeof picture, "%.4000s/figure.%s", own, format);
+    if (status.code == WHIRL_OK && rename(picture, path) != 0)
+        status = whirl_fail(WHIRL_IO_ERROR, "%.200s cannot be written: %.100s", path, strerror(errno));
+    clear_folder(own);
+    return status;
+}
+
+whirl_status whirl_figure_write(const whirl_figure *figure, const char *path, const char *program) {
+    static const char *const formats[] = {"png", "pdf", "svg"};
+    const char *name = strrchr(path, '/') ? strrchr(path, '/') + 1 : path, *ending = strrchr(name, '.');
+    char folder[FILE_PATH_SIZE];
+    if (strlen(path) > 4000) return whirl_fail(WHIRL_IO_ERROR, "the path %.200s... is too long", path);
+    snprintf(folder, sizeof folder, "%.*s", name == path ? 1 : (int)(name - path), name == path ? "." : path);
+    if (ending && strcasecmp(ending, ".json") == 0) return write_json(figure, folder, name);
+    for (size_t i = 0; ending && i < sizeof formats / sizeof *formats; i++)
+        if (strcasecmp(ending + 1, formats[i]) == 0) return write_drawn(figure, path, folder, formats[i], program);
+    return whirl_fail(WHIRL_BAD_INPUT, "%.200s ends in no format of figures, expected .png, .pdf, .svg or .json", path);
+}
