@@ -1,0 +1,276 @@
+// Critical speeds without damping, all at once: against an independent program's digits at the same mesh, the exact
+// ones of Timoshenko's beam by transfer matrices (forward, Friswell et al. 2010, example 5.9.1 over bearing stiffness),
+// closed forms, and where modes found along the speed meet it.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/case.h"
+#include "whirl/linear.h"
+
+enum { TEXT_SIZE = 4096, MOST = 32 };
+
+static whirl_case *parse(const char *text) {
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    const whirl_status status = whirl_case_parse(text, strlen(text), "critical", &problems, &object);
+    for (size_t i = 0; i < problems.count; i++) {
+        char line[600];
+        whirl_problem_text(&problems, i, line, sizeof line);
+        print_error("%s\n", line);
+    }
+    require_ok(status);
+    whirl_problems_free(&problems);
+    return object;
+}
+
+/// Two discs on a shaft of 1.5 m of so many elements, in two bearings.
+static whirl_case *friswell(int elements, const char *reduction, const char *bearing, const char *study) {
+    char text[TEXT_SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\nparameters: {omega: 100 rad/s, k: 1e6 N/m}\nrotor:\n  speed: = omega\n  length_scale: 1 mm\n"
+             "  shafts: {main: {%s}}\n  stations:\n    left: {position: 0 m}\n"
+             "    one: {position: 0.5 m, mass: 32.589728 kg, diametral: 0.17808928 kg m2, polar: 0.32956362 kg m2}\n"
+             "    two: {position: 1 m, mass: 51.525261 kg, diametral: 0.42358058 kg m2, polar: 0.80508220 kg m2}\n"
+             "    right: {position: 1.5 m}\n  elements:\n    - segment: {length: 1.5 m, outer: 50 mm, elements: %d}\n"
+             "    - bearing: {at: left, %s}\n    - bearing: {at: right, %s}\nstudy:\n  %s\n",
+             reduction, elements, bearing, bearing, study);
+    return parse(text);
+}
+
+static whirl_result *run(const whirl_case *object) {
+    whirl_result *result;
+    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
+    return result;
+}
+
+/// The speeds of a direction of a point, at most MOST.
+static size_t speeds_of(const whirl_result *result, size_t point, int direction, double speeds[MOST]) {
+    const whirl_table *table = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
+    const double *found = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
+    const double *whirls = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
+    size_t count = 0;
+    for (size_t i = 0; i < field->rows && isfinite(found[i]) && count < MOST; i++)
+        if (direction == 0 || whirls[i] * direction > 0.0) speeds[count++] = found[i];
+    return count;
+}
+
+static const char map[] = "critical_speeds: {parameter: k, values: [1e5, 1e6, 1e8]}";
+static const double stiffness[] = {1e5, 1e6, 1e8};
+
+/// The lowest three forward speeds at every stiffness.
+static void compute_map(int elements, double found[3][3]) {
+    whirl_case *object = friswell(elements, "reduce: no", "kxx: = k", map);
+    whirl_result *result = run(object);
+    for (size_t point = 0; point < 3; point++) {
+        double speeds[MOST];
+        assert_true(speeds_of(result, point, 1, speeds) >= 3);
+        memcpy(found[point], speeds, sizeof found[point]);
+    }
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+static void compare_map(const char *what, const double expected[3][3], const double found[3][3], double tolerance) {
+    for (size_t point = 0; point < 3; point++)
+        for (size_t i = 0; i < 3; i++)
+            check_within("CS", words("%s: forward critical speed %zu at %g N/m, rad/s", what, i + 1, stiffness[point]),
+                         expected[point][i], found[point][i], tolerance * expected[point][i]);
+}
+
+static void over_bearing_stiffness(void **unused) {
+    static const double six[3][3] = {{40.319814, 110.456896, 640.147178},
+                                     {86.904250, 288.616813, 925.781851},
+                                     {111.624378, 446.412525, 3411.921756}};
+    static const double exact[3][3] = {{40.31980128, 110.45632076, 639.893771},
+                                       {86.90414706, 288.60950895, 925.007915},
+                                       {111.62418131, 446.40007853, 3373.480383}};
+    double coarse[3][3], fine[3][3];
+    (void)unused;
+    compute_map(6, coarse);
+    compare_map("5.9.1, 6 elements", six, (const double(*)[3])coarse, 2e-8);
+    // Errors of the mesh go with the square and the fourth power of its elements' length: these are taken off.
+    double coarser[3][3];
+    compute_map(12, coarser);
+    compute_map(24, coarse);
+    compute_map(48, fine);
+    for (size_t i = 0; i < 9; i++) {
+        const double a = coarser[i / 3][i % 3], b = coarse[i / 3][i % 3], c = fine[i / 3][i % 3];
+        fine[i / 3][i % 3] = (16.0 * (4.0 * c - b) - (4.0 * b - a)) / 45.0;
+    }
+    compare_map("5.9.1, exact (12, 24, 48 elements, extrapolated)", exact, (const double(*)[3])fine, 3e-7);
+}
+
+static void backward_too(void **unused) {
+    static const double six[] = {86.407811, 260.517497, 563.335592};
+    double speeds[MOST];
+    (void)unused;
+    whirl_case *object = friswell(6, "reduce: no", "kxx: = k", "critical_speeds: {}");
+    whirl_result *result = run(object);
+    assert_true(speeds_of(result, 0, -1, speeds) >= 3);
+    for (size_t i = 0; i < 3; i++)
+        check_within("CS", words("5.9.1, 6 elements: backward critical speed %zu, rad/s", i + 1), six[i], speeds[i],
+                     1e-8 * six[i]);
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+/// Where damped frequencies meet the speed, found by following modes: another way to the same numbers, here of bearings
+/// with two stiffnesses, in which whirls are ellipses.
+static void as_modes_meet_the_speed(void **unused) {
+    static const char bearing[] = "kxx: 1 MN/m, kyy: 0.2 MN/m";
+    double speeds[MOST];
+    size_t found = 0;
+    (void)unused;
+    whirl_case *direct = friswell(6, "reduce: no", bearing, "critical_speeds: {}");
+    whirl_case *search = friswell(6, "reduce: no", bearing, "modes: {parameter: omega, from: 10, to: 900, points: 30}");
+    whirl_result *result = run(direct), *modes = run(search);
+    const size_t count = speeds_of(result, 0, 0, speeds);
+    const whirl_table *table = &modes->tables[0];
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; i < field->rows; i++, row += field->columns) {
+            if (row[0] != WHIRL_CRITICAL_SPEED) continue;
+            assert_true(found < count);
+            check_within("CS", words("5.9.3: critical speed %zu beside the search along the speed, rad/s", found + 1),
+                         row[2], speeds[found], 1e-8 * row[2]);
+            found++;
+        }
+    }
+    check_holds("CS", "5.9.3 has six critical speeds up to 900 rad/s", found == 6 && speeds[6] > 900.0);
+    whirl_result_free(result);
+    whirl_result_free(modes);
+    whirl_case_free(direct);
+    whirl_case_free(search);
+}
+
+/// Masses on springs have equal speeds forward and backward, sqrt(k/m); two alike have each twice.
+static void masses_on_springs(void **unused) {
+    double speeds[MOST];
+    (void)unused;
+    whirl_case *object = parse(
+        "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n  stations: {a: {mass: 2 kg}, b: {mass: 2 kg}, "
+        "c: {mass: 5 kg}}\n  elements:\n    - bearing: {at: a, kxx: 1e6 N/m}\n    - bearing: {at: b, kxx: 1e6 N/m}\n"
+        "    - bearing: {at: c, kxx: 1e6 N/m}\nstudy:\n  critical_speeds: {}\n");
+    whirl_result *result = run(object);
+    const double expected[] = {sqrt(2e5), sqrt(5e5), sqrt(5e5)};
+    for (int direction = 1; direction >= -1; direction -= 2) {
+        assert_int_equal(speeds_of(result, 0, direction, speeds), 3);
+        for (size_t i = 0; i < 3; i++)
+            check_within(
+                "CS",
+                words("masses on springs: %s critical speed %zu, rad/s", direction > 0 ? "forward" : "backward", i + 1),
+                expected[i], speeds[i], 1e-12 * expected[i]);
+    }
+    const double *whirls = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
+    static const double directions[] = {1, -1, 1, 1, -1, -1};
+    for (size_t i = 0; i < 6; i++)
+        check_within("CS", words("masses on springs: direction of whirl %zu", i + 1), directions[i], whirls[i], 1e-9);
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+/// A disc on a massless cantilever: translation and tilt are coupled by the flexibility of the beam; of synchronous
+/// forward whirl 1 = w^2 (m a11 + (Id - Ip) a22) - w^4 m (Id - Ip) (a11 a22 - a12^2), one positive root where Ip > Id;
+/// backward with Id + Ip, two (Genta 2005, 4.4).
+static void a_disc_on_a_cantilever(void **unused) {
+    const double length = 0.4, modulus = 2.1e11, d = 0.03, pi = 3.14159265358979323846;
+    const double bending = modulus * pi * pow(d, 4) / 64.0, mass = 12.0, diametral = 0.05, polar = 0.1;
+    const double a11 = pow(length, 3) / (3 * bending), a12 = length * length / (2 * bending), a22 = length / bending;
+    double speeds[MOST];
+    (void)unused;
+    whirl_case *object =
+        parse("whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n"
+              "  stations: {disc: {mass: 12 kg, diametral: 0.05 kg m2, polar: 0.1 kg m2}}\n  elements:\n"
+              "    - beam: {between: [ground, disc], length: 0.4 m, diameter: 30 mm, modulus: 210 GPa}\n"
+              "study:\n  critical_speeds: {}\n");
+    whirl_result *result = run(object);
+    for (int direction = 1; direction >= -1; direction -= 2) {
+        const double inertia = diametral - direction * polar, b = mass * a11 + inertia * a22;
+        const double c = mass * inertia * (a11 * a22 - a12 * a12), root = sqrt(b * b - 4.0 * c);
+        double expected[2];
+        size_t count = 0;
+        const double both[] = {(b - root) / (2.0 * c), (b + root) / (2.0 * c)};
+        for (size_t i = 0; i < 2; i++)
+            if (both[i] > 0.0) expected[count++] = sqrt(both[i]);
+        if (count == 2 && expected[0] > expected[1]) {
+            const double first = expected[0];
+            expected[0] = expected[1];
+            expected[1] = first;
+        }
+        assert_int_equal(count, direction > 0 ? 1 : 2);
+        assert_int_equal(speeds_of(result, 0, direction, speeds), count);
+        for (size_t i = 0; i < count; i++)
+            check_within("CS",
+                         words("disc on a cantilever: %s critical speed %zu, rad/s",
+                               direction > 0 ? "forward" : "backward", i + 1),
+                         expected[i], speeds[i], 1e-9 * expected[i]);
+    }
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+/// Without bearings a shaft has four rigid-body modes, which are left out and told.
+static void free_shafts(void **unused) {
+    double speeds[MOST], held[MOST];
+    (void)unused;
+    whirl_case *object = friswell(6, "reduce: no", "kxx: = k", "critical_speeds: {parameter: k, values: [0, 1e-3]}");
+    whirl_result *result = run(object);
+    const double *rigid = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, 0);
+    check_within("CS", "5.9.1 without bearings: rigid-body modes", 4.0, *rigid, 0.0);
+    assert_true(speeds_of(result, 0, 1, speeds) > 0 && speeds_of(result, 1, 1, held) > 0);
+    for (size_t i = 0; held[i] < 1.0; i++) // those of the soft bearings
+        memmove(held + i, held + i + 1, (MOST - i - 1) * sizeof *held), i--;
+    check_within("CS", "5.9.1 without bearings beside very soft ones: lowest forward critical speed, rad/s", held[0],
+                 speeds[0], 1e-6 * held[0]);
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
+/// What such speeds are not of is refused, with the reason.
+static void refusals(void **unused) {
+    static const struct {
+        const char *elements, *reason;
+    } rows[] = {{"    - bearing: {at: a, kxx: 1e6 N/m, kxy: 1e5 N/m, kyx: -1e5 N/m}\n", "cross-coupled"},
+                {"    - film: {at: a, viscosity: 0.02 Pa s, radius: 25 mm, length: 20 mm, clearance: 50 um}\n"
+                 "    - gravity\n",
+                 "changes with the speed"}};
+    (void)unused;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char text[TEXT_SIZE];
+        whirl_result *result = NULL;
+        snprintf(text, sizeof text,
+                 "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 50 um\n  stations: {a: {mass: 2 kg}}\n"
+                 "  elements:\n%sstudy:\n  critical_speeds: {}\n",
+                 rows[i].elements);
+        whirl_case *object = parse(text);
+        const whirl_status status = whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result);
+        check_holds("CS", words("critical speeds are refused: %s", rows[i].reason),
+                    status.code == WHIRL_BAD_INPUT && strstr(status.message, rows[i].reason));
+        whirl_result_free(result);
+        whirl_case_free(object);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(over_bearing_stiffness),
+        cmocka_unit_test(backward_too),
+        cmocka_unit_test(as_modes_meet_the_speed),
+        cmocka_unit_test(masses_on_springs),
+        cmocka_unit_test(a_disc_on_a_cantilever),
+        cmocka_unit_test(free_shafts),
+        cmocka_unit_test(refusals),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
