@@ -10,8 +10,9 @@ static const char *plural(double count) {
 static void print_room(const whirl_batch *batch) {
     const double points = (double)batch->count;
     printf("%s%s: at most %d points, from ", *batch->second ? " and " : "", batch->second, batch->record.trace.points);
-    if (whirl_analysis_has(batch->analyses, "torus"))
-        puts("the Neimark-Sacker points of the branches on");
+    const char *begins = whirl_analysis_kind(batch->analyses)->begins;
+    if (begins)
+        printf("%s on\n", begins);
     else
         printf("%.0f value%s on\n", points, plural(points));
 }

@@ -27,7 +27,7 @@ declare -A below=(
     [user]="system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h"
     [import]="system.h rotor.h case.h import.h"
-    [report]="system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h claims.h job.h report.h shown.h"
+    [report]="system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h claims.h job.h report.h figure.h shown.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")
@@ -48,6 +48,20 @@ for folder in src/*/; do
         [ -e "$folder$(basename "$(dirname "$file")")/$header" ] && [[ $header != ../../* ]] && continue
         [ "$layer $header" = "integrate ../../rotor/instances.h" ] || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "\.\./[^"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
+done
+
+# ---- kinds of points and figures are registries: nobody asks which one it is
+
+while read -r line; do
+    [ -n "$line" ] && fail "asks which kind of points it has to do with: $line"
+done < <(grep -rnE 'whirl_analysis_kind\([^;]*->name|is_(resting|traced)\(' src cli --include=*.c --include=*.h |
+    grep -v '^src/study/kinds/kinds.c')
+figures=$(sed -n '/^extern const figure_kind/,/;/p' src/report/figures/figure_kinds.h | grep -oE '[a-z_]+_figure\b' | sed 's/_figure$//')
+[ -n "$figures" ] || fail "src/report/figures/figure_kinds.h lists no figure: mend this test"
+for name in $figures; do
+    while read -r line; do
+        [ -n "$line" ] && fail "a renderer knows the figure $name: $line"
+    done < <(grep -rnE "\"${name//_/-}[-\"]|${name}_figure" src/report/render)
 done
 
 # ---- integrators know no structure by its name
@@ -95,7 +109,7 @@ system_only_in() { # HEADER FILE...: no other file of src includes it, and these
     done
 }
 files="store/bytes.c store/atomic_file.c store/journal_file.c report/report_file.c" # reading, writing, keeping
-process=report/figures/gnuplot.c
+process=report/render/gnuplot.c
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several

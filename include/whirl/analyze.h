@@ -500,6 +500,7 @@ typedef struct whirl_kind {
     const char *name;   ///< "motion", "rest", "branch", "torus"
     const char *asked;  ///< how a case asks for its analyses, a sentence
     const char *method; ///< how its points are found, NULL: they are integrated, by the method of their options
+    const char *begins; ///< what its points are followed from, NULL: values of the parameter
     const char *beside; ///< what is said behind the name of that method, "" nothing
     /// Its points are motions: from a start on, over a transient and a record, with a verdict, and so with several
     /// starts, confirmations and refinement.
@@ -508,7 +509,8 @@ typedef struct whirl_kind {
     /// Its points are found as a run goes on: how many they are, at most record.trace.points, and at which values is
     /// known when they are there. Their options are those of whirl_trace_members, too.
     bool found;
-    bool still; ///< also of machines that stand still, of which no revolutions are counted
+    double cost; ///< of a point, about, in revolutions; 0: those of its motion
+    bool still;  ///< also of machines that stand still, of which no revolutions are counted
 } whirl_kind;
 
 /// The studies of machines at rest: name, what it is of, source, and `STILL` where it is also of machines that stand

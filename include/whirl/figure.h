@@ -90,10 +90,10 @@ typedef struct whirl_panel {
 /// The colours of numbers.
 typedef struct whirl_colour_scale {
     char label[4 * WHIRL_NAME_SIZE]; ///< "" where the figure has none
-    double low, high;
-    bool logarithmic;
-    size_t count;               ///< of colours
-    const char *const *colours; ///< [count] "#440154", from low to high; static
+    double low, high;                ///< numbers of the first and the last colour
+    bool logarithmic;                ///< colours stand for ratios
+    size_t count;                    ///< of colours
+    const char *const *colours;      ///< [count] "#440154", from low to high; static
 } whirl_colour_scale;
 
 /// A figure.
@@ -115,12 +115,16 @@ typedef struct whirl_figure_options {
     const char *log; ///< "x", "y" or "xy": axes that are logarithmic where all is above 0; NULL: as the figure has them
 } whirl_figure_options;
 
-/// Names and titles of the figures of a result, [*count], to be freed by free. WHIRL_NO_MEMORY.
+/// What a figure of a result is called.
 typedef struct whirl_figure_name {
-    char name[200], title[280];
-    long point;     ///< of the table of points in detail; -1 of diagrams over a parameter
-    size_t station; ///< of the result
+    char name[200];  ///< whirl_figure.name
+    char title[280]; ///< whirl_figure.title
+    long point;      ///< of the table of points in detail; -1 of diagrams over a parameter
+    size_t station;  ///< of the result
 } whirl_figure_name;
+
+/// Names and titles of the figures of a result, [*count], to be freed by free. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for
+/// words that are no units.
 whirl_status whirl_figure_names(const whirl_result *result, const char *units, whirl_figure_name **names,
                                 size_t *count);
 

@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -73,6 +74,21 @@ whirl_status folder_make_own(const char *path) {
     if (status.code != WHIRL_OK) return status;
     if (lstat(path, &found) == 0 && S_ISDIR(found.st_mode)) return status;
     return whirl_fail(WHIRL_IO_ERROR, "%.300s is a link, expected a folder of the report's own", path);
+}
+
+whirl_status folder_make_temporary(const char *in, char *path) {
+    snprintf(path, FILE_PATH_SIZE, "%.4000s/.whirl-figure-XXXXXX", in);
+    if (mkdtemp(path)) return whirl_ok();
+    return whirl_fail(WHIRL_IO_ERROR, "no folder can be made in %.200s: %.100s", in, strerror(errno));
+}
+
+void folder_remove(const char *path, const char *const *names) {
+    char file[FILE_PATH_SIZE + 64];
+    for (; *names; names++) {
+        snprintf(file, sizeof file, "%.4000s/%.40s", path, *names);
+        unlink(file);
+    }
+    rmdir(path);
 }
 
 void safe_name(const char *text, char *name, size_t size) {

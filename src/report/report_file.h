@@ -30,6 +30,12 @@ whirl_status folder_make(const char *path);
 /// The same for a folder that only the report writes to: a link in its place is refused, for it may lead anywhere.
 whirl_status folder_make_own(const char *path);
 
+/// Makes a folder of its own in another one; path [FILE_PATH_SIZE]. WHIRL_IO_ERROR with a sentence.
+whirl_status folder_make_temporary(const char *in, char *path);
+
+/// Removes such a folder and the files in it that have these names, ended by NULL.
+void folder_remove(const char *path, const char *const *names);
+
 /// The text as a file name: letters, digits, '.', '_', '+' and '-' stay, all else becomes '-'; never empty,
 /// never beginning with '.' or '-'.
 void safe_name(const char *text, char *name, size_t size);

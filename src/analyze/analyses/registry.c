@@ -3,6 +3,9 @@
 
 #include "analysis.h"
 
+/// What an orbit or a torus costs that is found by Newton's method from one beside it.
+#define FOUND_COST 10.0
+
 static const whirl_kind motion = {.name = "motion",
                                   .asked = "Written in the list `analyze: [...]`.",
                                   .method = NULL,
@@ -20,14 +23,17 @@ static const whirl_kind branch = {.name = "branch",
                                   .method = NULL,
                                   .beside = ", followed by continuation",
                                   .settles = true,
-                                  .found = true};
+                                  .found = true,
+                                  .cost = FOUND_COST};
 
 static const whirl_kind torus = {.name = "torus",
                                  .asked = "Of studies with `branch: {tori: yes, ...}`.",
                                  .method = NULL,
+                                 .begins = "the Neimark-Sacker points of the branches",
                                  .beside = ", followed by continuation",
                                  .settles = true,
-                                 .found = true};
+                                 .found = true,
+                                 .cost = FOUND_COST};
 
 // Which choices have it, and what it is of.
 #define ON_DEMAND false, false, &motion

@@ -1,57 +1,17 @@
 // The registry of figures, and what all of them go through.
 #include "figure_kinds.h"
 
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "machine_at.h"
-#include "report_file.h"
 
 static const figure_kind *const kinds[] = {
     &bifurcation_figure, &map_figure,    &branch_figure,    &curves_figure,          &torus_figure,
     &campbell_figure,    &shapes_figure, &unbalance_figure, &critical_speeds_figure, &point_figure,
 };
 
-const char *line_colour(size_t number) {
-    static const char *const colours[] = {"#0072B2", "#D55E00", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-    return colours[number % (sizeof colours / sizeof *colours)];
-}
-
-bool table_has(const whirl_table *table, const char *field) {
-    return whirl_layout_field(&table->layout, field) != NULL;
-}
-
 // ---------------------------------------------------------------- the list
-
-static bool is_taken(const figure_list *list, const char *name) {
-    for (size_t i = 0; i < list->count; i++)
-        if (strcmp(list->items[i].name.name, name) == 0) return true;
-    return false;
-}
-
-void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...) {
-    if (list->count == list->room) {
-        const size_t room = list->room ? 2 * list->room : 32;
-        figure_place *items = realloc(list->items, room * sizeof *items);
-        list->failed = list->failed || !items;
-        if (!items) return;
-        list->items = items;
-        list->room = room;
-    }
-    whirl_figure_name own = {.point = place->point, .station = place->station};
-    char safe[sizeof own.name - 24];
-    safe_name(name, safe, sizeof safe);
-    snprintf(own.name, sizeof own.name, "%s", safe);
-    for (unsigned again = 2; is_taken(list, own.name); again++)
-        snprintf(own.name, sizeof own.name, "%s-%u", safe, again);
-    va_list arguments;
-    va_start(arguments, title);
-    vsnprintf(own.title, sizeof own.title, title, arguments);
-    va_end(arguments);
-    list->items[list->count] = *place;
-    list->items[list->count++].name = own;
-}
 
 whirl_status figures_list(const drawing *of, figure_list *list) {
     *list = (figure_list){.count = 0};

@@ -2,8 +2,6 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-#include <unistd.h>
 
 #include "gnuplot.h"
 #include "gnuplot_script.h"
@@ -36,28 +34,35 @@ static whirl_status draw(const whirl_figure *figure, const char *folder, const c
     return status;
 }
 
-static void clear_folder(const char *folder) {
-    static const char *const names[] = {"figure.dat", "figure.gp",  "figure.gp.log",
-                                        "figure.png", "figure.pdf", "figure.svg"};
-    char path[FILE_PATH_SIZE];
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        snprintf(path, sizeof path, "%.4000s/%s", folder, names[i]);
-        unlink(path);
+/// What gnuplot said first.
+static whirl_status tell_why(const whirl_figure *figure, const char *folder) {
+    char path[FILE_PATH_SIZE], line[200] = "";
+    snprintf(path, sizeof path, "%.4000s/figure.gp.log", folder);
+    FILE *log = fopen(path, "r");
+    while (log && strspn(line, " \n\r\t^") == strlen(line) && fgets(line, sizeof line, log)) {
     }
-    rmdir(folder);
+    if (log) fclose(log);
+    line[strcspn(line, "\n")] = '\0';
+    return whirl_fail(WHIRL_IO_ERROR, "gnuplot could not draw %.100s: %.200s", figure->name, line);
 }
 
 static whirl_status write_drawn(const whirl_figure *figure, const char *path, const char *folder, const char *format,
                                 const char *program) {
+    static const char *const made[] = {"figure.dat", "figure.gp", "figure.gp.log", "figure.png", "figure.pdf",
+                                       "figure.svg", NULL};
     char own[FILE_PATH_SIZE], picture[FILE_PATH_SIZE];
-    snprintf(own, sizeof own, "%.4000s/.whirl-figure-XXXXXX", folder);
-    if (!mkdtemp(own))
-        return whirl_fail(WHIRL_IO_ERROR, "no folder can be made in %.200s: %.100s", folder, strerror(errno));
-    whirl_status status = draw(figure, own, format, program);
+    whirl_status status = folder_make_temporary(folder, own);
+    if (status.code != WHIRL_OK) return status;
+    status = draw(figure, own, format, program);
+    if (status.code == WHIRL_IO_ERROR) status = tell_why(figure, own);
+    if (status.code == WHIRL_MISSING_PROGRAM)
+        status =
+            whirl_fail(status.code, "%.200s is not there, by which figures are drawn (apt-get install gnuplot-nox)",
+                       program ? program : "gnuplot");
     snprintf(picture, sizeof picture, "%.4000s/figure.%s", own, format);
     if (status.code == WHIRL_OK && rename(picture, path) != 0)
         status = whirl_fail(WHIRL_IO_ERROR, "%.200s cannot be written: %.100s", path, strerror(errno));
-    clear_folder(own);
+    folder_remove(own, made);
     return status;
 }
 
@@ -67,8 +72,8 @@ whirl_status whirl_figure_write(const whirl_figure *figure, const char *path, co
     char folder[FILE_PATH_SIZE];
     if (strlen(path) > 4000) return whirl_fail(WHIRL_IO_ERROR, "the path %.200s... is too long", path);
     snprintf(folder, sizeof folder, "%.*s", name == path ? 1 : (int)(name - path), name == path ? "." : path);
-    if (ending && strcasecmp(ending, ".json") == 0) return write_json(figure, folder, name);
+    if (ending && strcmp(ending, ".json") == 0) return write_json(figure, folder, name);
     for (size_t i = 0; ending && i < sizeof formats / sizeof *formats; i++)
-        if (strcasecmp(ending + 1, formats[i]) == 0) return write_drawn(figure, path, folder, formats[i], program);
+        if (strcmp(ending + 1, formats[i]) == 0) return write_drawn(figure, path, folder, formats[i], program);
     return whirl_fail(WHIRL_BAD_INPUT, "%.200s ends in no format of figures, expected .png, .pdf, .svg or .json", path);
 }

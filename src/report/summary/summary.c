@@ -7,27 +7,6 @@
 #include "shown_kinds.h"
 #include "whirl/report.h"
 
-const char *summary_plural(double count) {
-    return count == 1 ? "" : "s";
-}
-
-void summary_name(const whirl_verdict *verdict, char *name, size_t size) {
-    if (verdict->regime == WHIRL_PERIODIC)
-        whirl_verdict_name(verdict, name, size);
-    else
-        snprintf(name, size, "%s", whirl_regime_name(verdict->regime));
-}
-
-whirl_unit summary_length_unit(const whirl_shown_units *units) {
-    return units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
-}
-
-whirl_shown_units summary_units(const whirl_result *result) {
-    whirl_shown_units units;
-    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
-    return units;
-}
-
 /// Motions of a table with several starts that began where those of neighbours ended.
 static size_t count_from_neighbours(const whirl_table *table) {
     size_t count = 0;
@@ -57,25 +36,6 @@ static void print_heading(FILE *out, const whirl_table *table) {
     if (table->source && table->source->neighbours > 0)
         fprintf(out, " and %zu from neighbours", count_from_neighbours(table));
     fputc('\n', out);
-}
-
-void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *out) {
-    fprintf(out, "  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
-            rate / 6.283185307179586);
-}
-
-void whirl_result_write_end(const whirl_result *result, const char *parameter, double first, FILE *out) {
-    const char *const said = whirl_result_fact(result, "sweep ends at"), *const missed = strstr(said, "short of ");
-    if (!missed) return;
-    const whirl_unit unit = whirl_result_unit(result, parameter);
-    const char *const gap = *unit.name ? " " : "";
-    const double last = strtod(said, NULL), end = strtod(missed + strlen("short of "), NULL);
-    if (last == first)
-        fprintf(out, "  the step is larger than the range: %.6g%s%s is the only value\n", last / unit.size, gap,
-                unit.name);
-    else
-        fprintf(out, "  the steps end at %.6g%s%s, short of %.6g%s%s\n", last / unit.size, gap, unit.name,
-                end / unit.size, gap, unit.name);
 }
 
 static whirl_status print_table(FILE *out, const whirl_result *result, const whirl_table *table) {

@@ -8,7 +8,6 @@
 typedef struct study_kind {
     const char *name; ///< of its whirl_kind
     size_t piece;     ///< points that stay together where they are shared or dealt out and are not carried; 0: all
-    double cost;      ///< of a point, about, in revolutions; 0: those of its motion
     /// Computes the points of a pass, on all threads; errors and stops are the tracker's; WHIRL_NO_MEMORY. NULL: they
     /// are drawn from chains, side by side with those of other passes.
     whirl_status (*work)(study_run *run, const pass *p);

@@ -91,7 +91,7 @@ whirl_status rows_open(rows *r, study_run *run, const pass *p) {
                 .batch = &run->study->batches[p->batch],
                 .table = &run->result->tables[p->batch],
                 .next = 1};
-    r->analysis = whirl_analysis_has(r->batch->analyses, "torus") ? "torus" : "trace";
+    r->analysis = whirl_layout_field(&r->table->layout, WHIRL_FIELD_TORUS_NUMBER) ? "torus" : "trace";
     r->room = r->table->count;
     for (size_t row = 0; row < r->room && recall_row(r, row); row++)
         if (!isnan(common_field(r, row, "end"))) r->recalled = row + 1;

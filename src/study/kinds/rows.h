@@ -4,9 +4,6 @@
 
 #include "passes.h"
 
-/// What a row costs, about, in revolutions.
-#define ROW_COST 10.0
-
 typedef struct rows {
     study_run *run;
     const pass *pass;

@@ -255,4 +255,4 @@ static whirl_status work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind torus_kind = {.name = "torus", .piece = 0, .cost = ROW_COST, .work = work};
+const study_kind torus_kind = {.name = "torus", .piece = 0, .work = work};

@@ -330,4 +330,4 @@ static whirl_status work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind branch_kind = {.name = "branch", .piece = 0, .cost = ROW_COST, .work = work};
+const study_kind branch_kind = {.name = "branch", .piece = 0, .work = work};

@@ -1,5 +1,5 @@
 // What a pass is and costs.
-#include "kinds.h"
+#include "passes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,8 +14,8 @@ double pass_weight(const study_run *run, const pass *p) {
 }
 
 double pass_revolutions(const study_run *run, const pass *p) {
-    const study_kind *kind = study_kind_of(&run->study->batches[p->batch]);
-    if (kind->cost > 0.0) return kind->cost;
+    const double cost = whirl_analysis_kind(run->study->batches[p->batch].analyses)->cost;
+    if (cost > 0.0) return cost;
     return pass_weight(run, p) * ((double)p->record.transient + p->record.record);
 }
 
