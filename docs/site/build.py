@@ -29,7 +29,7 @@ TESTED = re.compile(r"^(```\w+\n)(?:#|//|%) tested\b.*\n", re.MULTILINE)
 # Pages of the navigation; some with a name that tells them from others there, in the place of their title.
 PARTS = {
     "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
-                    "docs/octave", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
+                    "docs/octave", "docs/figures", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
     "Reference": ["docs/reference/keys", "whirl(1) <docs/whirl>", "C API <api/index>", "Python API <api/python>",
                   "docs/glossary", "docs/result-file", "docs/journal", "cases/index", "examples/index",
                   "ABI of libwhirl <docs/abi>"],

@@ -521,7 +521,7 @@ typedef struct whirl_kind {
         study(unbalance, "synchronous response to unbalance about where the machine rests",                            \
               "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                           \
             study(critical_speeds, "critical speeds without damping, all at once, forward and backward",               \
-                  "Friswell, Penny, Garvey, Lees 2010, 6.3", TURNING)
+                  "Friswell, Penny, Garvey, Lees 2010", TURNING)
 
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {

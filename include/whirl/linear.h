@@ -76,7 +76,7 @@ typedef struct whirl_critical_speeds {
 } whirl_critical_speeds;
 
 /// Finds all critical speeds at once, without a search: of M q'' - i w G q' + K q = 0 with motions that turn with the
-/// shaft they are the roots of K q = w^2 (M - i G) q (Friswell, Penny, Garvey, Lees 2010, 6.3), where damping is left
+/// shaft they are the roots of K q = w^2 (M - i G) q (Friswell, Penny, Garvey, Lees 2010), where damping is left
 /// out and G is what rates gain by the speed, so that `faster` is the same machine at another speed. Modes whose w^2 is
 /// not above 0 never meet the speed (discs that are thin). WHIRL_BAD_INPUT where the machine rests nowhere, its
 /// stiffness changes with the speed or is not symmetric, its coefficients turn with the shaft, it has states other than

@@ -182,7 +182,7 @@ static void masses_on_springs(void **unused) {
 
 /// A disc on a massless cantilever: translation and tilt are coupled by the flexibility of the beam; of synchronous
 /// forward whirl 1 = w^2 (m a11 + (Id - Ip) a22) - w^4 m (Id - Ip) (a11 a22 - a12^2), one positive root where Ip > Id;
-/// backward with Id + Ip, two (Genta 2005, 4.4).
+/// backward with Id + Ip, two.
 static void a_disc_on_a_cantilever(void **unused) {
     const double length = 0.4, modulus = 2.1e11, d = 0.03, pi = 3.14159265358979323846;
     const double bending = modulus * pi * pow(d, 4) / 64.0, mass = 12.0, diametral = 0.05, polar = 0.1;
