@@ -198,6 +198,17 @@ whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *num
 /// NULL past the last.
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
 
+/// A figure of a result by its name (NULL: the first), as the JSON document of docs/figures.md; units as reports take
+/// them, panels ("x,exponent") and logarithmic axes ("x", "y", "xy") that are chosen, or NULL each. *json is freed by
+/// whirl_text_free. WHIRL_BAD_INPUT with a sentence for a figure, panel or unit that there is none of.
+whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
+                                 const char *log, char **json);
+
+/// The figures of a result, a line each: name, tabulator, title. *lines is freed by whirl_text_free.
+whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
+
+void whirl_text_free(char *text); ///< Frees such a text; NULL is none.
+
 #ifdef __cplusplus
 }
 #endif

@@ -119,6 +119,10 @@ whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *nu
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
 whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors);
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
+whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
+                                 const char *log, char **json);
+whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
+void whirl_text_free(char *text);
 
 whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis);
 whirl_status whirl_signals_pulses(const double *time, const double *voltage, size_t count, double threshold,

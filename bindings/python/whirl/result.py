@@ -19,6 +19,9 @@ from .table import Table
 
 if TYPE_CHECKING:
     from .case import Case
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
     from .plot import Plots
 
 __all__ = ["Parameter", "Station", "Result", "open", "read"]
@@ -227,6 +230,62 @@ class Result:
         from .plot import Plots
 
         return Plots(self)
+
+    def figures(self) -> dict[str, str]:
+        """Names and titles of the figures that :meth:`figure` draws, those of reports."""
+        from .figure import names_of
+
+        return names_of(self._figured(), self.facts.get("units"))
+
+    def figure_data(
+        self,
+        name: str | None = None,
+        panels: str | list[str] | None = None,
+        log: str | None = None,
+        units: str | None = None,
+    ) -> dict[str, Any]:
+        """A figure as data, the document of docs/figures.md: panels with axes and series, in the units shown.
+
+        Parameters
+        ----------
+        name : str, optional
+            One of :meth:`figures`; the first one.
+        panels : str or list of str, optional
+            These panels alone: "x,exponent".
+        log : str, optional
+            "x", "y" or "xy": axes that shall be logarithmic.
+        units : str, optional
+            "um, rpm, Hz, p-p"; those of the result.
+        """
+        from .figure import describe
+
+        return describe(self._figured(), name, units or self.facts.get("units"), panels, log)
+
+    def figure(
+        self,
+        name: str | None = None,
+        panels: str | list[str] | None = None,
+        log: str | None = None,
+        units: str | None = None,
+        ax: Axes | None = None,
+    ) -> Figure:
+        """Draws a figure of reports in Matplotlib, or one of its panels into axes that are given.
+
+        ``result.figure("bifurcation-disc", panels="x,exponent").savefig("figure-3.pdf")``; parameters as of
+        :meth:`figure_data`. The figure is returned.
+        """
+        from .figure import draw
+
+        return draw(self.figure_data(name, panels, log, units), ax)
+
+    def _figured(self):
+        """The result as the library has it: of one that lies in a file, all of it is read."""
+        from ._memory import MemorySource
+
+        source = self._source
+        if not hasattr(source, "handle"):
+            source = self._whole = getattr(self, "_whole", None) or MemorySource.read(source.path)
+        return source.handle
 
     def save(self, path: str | os.PathLike) -> None:
         """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""

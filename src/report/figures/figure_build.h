@@ -67,6 +67,9 @@ void axis_fill_ticks(whirl_figure *figure, whirl_axis *axis, int most);
 /// cm that the numbers at the vertical axes take, in all panels alike: labels stand in one line.
 double figure_number_width(const whirl_figure *figure);
 
+/// Beside panels lower than this (cm) labels of vertical axes do not stand.
+#define FIGURE_LOW_PANEL 0.7
+
 /// cm of text of so many letters.
 double figure_text_width(const whirl_figure *figure, size_t letters);
 

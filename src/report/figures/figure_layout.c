@@ -159,6 +159,13 @@ static void place_row(whirl_figure *figure, size_t first, size_t end, double top
     }
 }
 
+/// Labels of vertical axes that are longer than their panels are high have two lines.
+static void break_label(const whirl_figure *figure, whirl_panel *panel) {
+    const size_t letters = letters_of(panel->y.label);
+    char *gap = strchr(panel->y.label + strlen(panel->y.label) / 3, ' ');
+    if (panel->height >= FIGURE_LOW_PANEL && gap && figure_text_width(figure, letters) > panel->height) *gap = '\n';
+}
+
 /// Ticks follow from the place that there is: those of x, too, once panels have one.
 static void fill_ticks(whirl_figure *figure, bool upright) {
     for (size_t i = 0; i < figure->count; i++) {
@@ -185,6 +192,7 @@ void figure_finish(whirl_figure *figure, const char *log) {
         whirl_panel *panel = figure->panels[i];
         fit_axis(panel, &panel->x, false, log && strchr(log, 'x'));
         fit_axis(panel, &panel->y, true, log && strchr(log, 'y'));
+        break_label(figure, panel);
     }
     fill_ticks(figure, true);
     const size_t rows = figure_legend_rows(figure);

@@ -1,5 +1,6 @@
 // A figure as JSON (docs/figures.md).
 #include <jansson.h>
+#include <string.h>
 
 #include "document.h"
 #include "whirl/figure.h"
@@ -7,6 +8,19 @@
 static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "texts"};
 static const char *const marks[] = {"disc", "ring", "square", "frame", "up", "down", "diamond", "cross"};
 static const char *const sides[] = {"above", "below", "left", "right", "slanted"};
+
+/// A label may have two lines.
+static void put_label(bool *well, json_t *object, const char *label) {
+    char first[sizeof((whirl_axis *)NULL)->label];
+    snprintf(first, sizeof first, "%s", label);
+    char *gap = strchr(first, '\n');
+    if (gap) *gap = '\0';
+    json_t *above = document_text(first), *below = document_text(gap ? gap + 1 : "");
+    document_put(well, object, "label",
+                 json_sprintf(gap ? "%s\n%s" : "%s%s", json_string_value(above), json_string_value(below)));
+    json_decref(above);
+    json_decref(below);
+}
 
 static void put_text(bool *well, json_t *object, const char *key, const char *text) {
     document_put(well, object, key, document_text(text));
@@ -28,7 +42,7 @@ static void put_texts(bool *well, json_t *object, const char *key, char *const *
 
 static json_t *axis_object(bool *well, const whirl_axis *axis) {
     json_t *object = json_object();
-    put_text(well, object, "label", axis->label);
+    put_label(well, object, axis->label);
     document_put(well, object, "low", document_number(axis->low));
     document_put(well, object, "high", document_number(axis->high));
     document_put(well, object, "log", json_boolean(axis->logarithmic));

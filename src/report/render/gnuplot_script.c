@@ -144,17 +144,14 @@ static void write_axis(FILE *script, const whirl_axis *axis, char which) {
     }
 }
 
-/// Labels of vertical axes stand in one line, whatever the width of their numbers. A line of a label has some letters.
+/// Labels of vertical axes stand in one line, whatever the width of their numbers.
 static void write_upright_label(FILE *script, const whirl_figure *figure, const whirl_panel *panel) {
-    char label[MARKUP_SIZE], *gap;
+    char label[MARKUP_SIZE];
     if (!panel->y.shown || !*panel->y.label) return;
     gnuplot_markup(panel->y.label, label, sizeof label);
-    const bool flat = panel->height < 0.7; // too low for a label that stands
-    const double fits = panel->height / figure_text_width(figure, 1);
-    if (!flat && (double)strlen(panel->y.label) > fits && (gap = strchr(label + strlen(label) / 3, ' ')) != NULL)
-        *gap = '\n';
-    const double beside = figure_number_width(figure) + (flat ? 0.95 : 0.58),
-                 left = panel->left - beside / figure->width;
+    const bool flat = panel->height < FIGURE_LOW_PANEL;
+    const double beside = figure_number_width(figure) + (flat ? 0.95 : 0.58);
+    const double left = panel->left - beside / figure->width;
     fputs("set label 2 ", script);
     // A double-quoted text has the line break.
     char *rest = strchr(label, '\n');

@@ -1,0 +1,166 @@
+"""Figures are one description in all renderers: what gnuplot's scripts and Matplotlib draw is what the data say."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from conftest import GOOD, MAP, ROOT, command
+
+import whirl
+import whirl.figure
+
+plt = pytest.importorskip("matplotlib.pyplot")
+to_hex = pytest.importorskip("matplotlib.colors").to_hex
+
+UNBALANCE = "unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 5}"
+CRITICAL = "critical_speeds: {parameter: k, from: 20 kN/m, to: 8000 kN/m, points: 4, scale: log}"
+
+
+@pytest.fixture(autouse=True)
+def closed_figures():
+    yield
+    plt.close("all")
+
+
+def at_rest(study):
+    text = (ROOT / "tests/cli/modes.yaml").read_text().split("study:")[0]
+    text = text.replace("omega: 1000 rpm", "omega: 1000 rpm\n  k: 80 kN/m").replace("80 kN/m}", "= k}")
+    return f"{text}study:\n  {study}\n"
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory, good_file, map_files):
+    """Files of results whose figures are of all kinds but those of several starts."""
+    folder = tmp_path_factory.mktemp("figures")
+    found = [good_file, map_files[1]]
+    for name in ("branch", "tori", "modes"):
+        command("run", ROOT / f"tests/cli/{name}.yaml", "-o", folder / f"{name}.h5", "-q")
+        found.append(folder / f"{name}.h5")
+    text = re.sub(r"  sweep: .*", "  response: {}", GOOD.read_text()).replace("analyze: [", "analyze: [waveform, ")
+    (folder / "point.yaml").write_text(re.sub(r"\n  integrate", "\n  keep: {waveform: 8}\n  integrate", text))
+    command("run", folder / "point.yaml", "-o", folder / "point.h5", "-q")
+    found.append(folder / "point.h5")
+    for name, study in (("unbalance", UNBALANCE), ("critical", CRITICAL)):
+        (folder / f"{name}.yaml").write_text(at_rest(study))
+        command("run", folder / f"{name}.yaml", "-o", folder / f"{name}.h5", "-q")
+        found.append(folder / f"{name}.h5")
+    return found
+
+
+def points_of(series):
+    """How many points of a series are drawn."""
+    return sum(value is not None for value in series.get("x", []))
+
+
+def drawn_points(artist):
+    """How many an artist of Matplotlib has."""
+    if hasattr(artist, "get_xydata"):
+        return int(np.isfinite(artist.get_xydata()).all(axis=1).sum())
+    if hasattr(artist, "get_segments"):
+        return len(artist.get_segments())
+    return 1 if hasattr(artist, "get_text") else len(artist.get_paths())
+
+
+def test_matplotlib_draws_what_the_data_say(results):
+    kinds = set()
+    for path in results:
+        result = whirl.open(path)
+        for name in result.figures():
+            data = result.figure_data(name)
+            figure = result.figure(name)
+            kinds.add(re.sub(r"-[^-]*$", "", name))
+            assert np.allclose(figure.get_size_inches() * 2.54, (data["width_cm"], data["height_cm"]))
+            assert len(figure.axes) == len(data["panels"]) + ("scale" in data)
+            for ax, panel in zip(figure.axes, data["panels"]):
+                check_axes(ax, panel)
+                check_series(panel, data)
+            names = [
+                series["name"] for series in whirl.figure.entries([p for p in data["panels"] if not p["legend_inside"]])
+            ]
+            legend = figure.legends[0].get_texts() if figure.legends else []
+            assert [text.get_text() for text in legend] == names
+            plt.close(figure)
+    assert len(kinds) >= 9
+
+
+def check_axes(ax, panel):
+    for which in "xy":
+        axis, own = panel[which], getattr(ax, f"{which}axis")
+        assert np.allclose(getattr(ax, f"get_{which}lim")(), (axis["low"], axis["high"])) or panel["equal"]
+        assert getattr(ax, f"get_{which}scale")() == ("log" if axis["log"] else "linear")
+        assert own.get_label_text() == (axis["label"] if axis["shown"] else "")
+        assert np.allclose(own.get_majorticklocs(), axis.get("ticks", []))
+        texts = [tick.get_text() for tick in own.get_majorticklabels()]
+        assert texts == (axis.get("tick_texts", []) if axis["shown"] else [""] * len(axis.get("ticks", [])))
+
+
+def check_series(panel, data):
+    """Series by series into axes of their own: numbers, colours and names."""
+    _, ax = plt.subplots()
+    for series in panel["series"]:
+        artists = whirl.figure._draw(ax, series, data.get("scale"), data["font_pt"])
+        if series["shape"] == "area":
+            assert points_of(series) == 0 or artists
+        else:
+            assert sum(map(drawn_points, artists)) == points_of(series), (data["name"], panel["name"], series["name"])
+        if artists and series["shape"] in ("dots", "line"):
+            assert to_hex(artists[0].get_color()) == series["colour"].lower()
+    plt.close(ax.figure)
+
+
+def blocks_of(path):
+    """The points of every block of a data file."""
+    blocks = re.split(r"\n\n\n", path.read_text(encoding="utf-8"))
+    return [sum(bool(line) and line[0] != "#" and "NaN" not in line for line in block.splitlines()) for block in blocks]
+
+
+def test_gnuplot_is_given_what_the_data_say(results, tmp_path):
+    for path in results:
+        result = whirl.open(path)
+        command("report", path, "-o", tmp_path, "--gnuplot", "true", "-q")
+        for name in result.figures():
+            data = result.figure_data(name)
+            script = (tmp_path / path.stem / f"{name}.gp").read_text(encoding="utf-8")
+            series = [s for panel in data["panels"] for s in panel["series"] if s.get("x") and s["shape"] != "texts"]
+            expected = [
+                sum(x is not None and y is not None for x, y in zip(s["x"], s["y"])) for s in series
+            ]  # fmt: skip
+            found = blocks_of(tmp_path / path.stem / f"{name}.dat")
+            assert [max(n, 0) for n in found] == expected, name
+            assert script.count("# ---- panel ") == len(data["panels"])
+            for colour in {s["colour"] for s in series if "values" not in s}:
+                assert f"rgb '{colour}'" in script
+            for panel in data["panels"]:
+                for text in panel["x"].get("tick_texts", []) if panel["x"]["shown"] else []:
+                    assert f"'{text}' " in script
+
+
+def test_the_command_and_python_have_one_description(results, tmp_path):
+    told = command("figure", results[0], "-o", "-").stdout
+    assert json.loads(told) == whirl.open(results[0]).figure_data() == whirl.read(results[0]).figure_data()
+
+
+def test_panels_units_and_axes_are_chosen(map_files, good):
+    result = whirl.read(map_files[1]).show_in("um")
+    data = result.figure_data("map-radius-disc", log="y")
+    assert data["scale"]["label"] == "largest radius (µm)" and data["panels"][0]["y"]["log"]
+    _, ax = plt.subplots()
+    figure = good.figure("bifurcation-disc", panels=["radius"], ax=ax)
+    assert figure is ax.figure and ax.get_ylabel().replace("\n", " ") == "largest radius (m)"
+    for wrong, words in (
+        ({"name": "bifurcation-disk"}, "did you mean bifurcation-disc"),
+        ({"panels": "z"}, "has no panel 'z'"),
+        ({"units": "rpn"}, "did you mean rpm"),
+        ({"ax": ax}, "has the panels|the panels x, y"),
+    ):
+        with pytest.raises(whirl.BadInput, match=words):
+            good.figure(**wrong)
+
+
+def test_maps_have_the_numbers_of_their_cells(map_files):
+    result = whirl.open(map_files[1])
+    boxes = result.figure_data("map-radius-disc", units="mm")["panels"][0]["series"][0]
+    table = result["map"]
+    expected = (table["orbit/max_radius"][..., 0] * table.length_scale * 1e3).ravel()
+    assert np.allclose(boxes["values"], expected, rtol=1e-12) and MAP

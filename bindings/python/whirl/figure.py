@@ -1,0 +1,232 @@
+"""Figures as the library describes them, in Matplotlib: panels, axes and series of docs/figures.md, none known by name."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import errors
+from ._library import check, ffi, lib, text, word_bytes
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_MARKS = {
+    "disc": ("o", True),
+    "ring": ("o", False),
+    "square": ("s", True),
+    "frame": ("s", False),
+    "up": ("^", True),
+    "down": ("v", True),
+    "diamond": ("D", True),
+    "cross": ("x", True),
+}
+_CM = 1.0 / 2.54
+_DASHES = (0, (4, 2.5))
+_LOW_PANEL = 0.7  # cm; beside lower ones labels of vertical axes do not stand
+
+
+def _word(value):
+    return ffi.NULL if value is None else word_bytes(value)
+
+
+def _taken(pointer):
+    """The text at a ``char **`` of the library, which is freed."""
+    try:
+        return text(pointer[0]) or ""
+    finally:
+        lib.whirl_text_free(pointer[0])
+
+
+def names_of(handle, units) -> dict[str, str]:
+    """Names and titles of the figures of a result."""
+    out = ffi.new("char **")
+    check(lib.whirl_result_figures(handle, _word(units), out))
+    return dict(line.split("\t", 1) for line in _taken(out).splitlines())
+
+
+def describe(handle, name, units, panels, log) -> dict[str, Any]:
+    """The document of a figure."""
+    out = ffi.new("char **")
+    chosen = ",".join(panels) if isinstance(panels, (list, tuple)) else panels
+    check(lib.whirl_result_figure(handle, _word(name), _word(units), _word(chosen), _word(log), out))
+    return json.loads(_taken(out))
+
+
+# ---------------------------------------------------------------- series
+
+
+def _numbers(series, key):
+    return np.array([np.nan if value is None else value for value in series.get(key, [])], dtype=float)
+
+
+def _dots(ax, series, x, y, own):
+    marker, filled = _MARKS[series["mark"]]
+    face = {} if filled else {"markerfacecolor": "none"}
+    width = 0.6 if series["size"] > 2.0 else 0.2
+    return ax.plot(
+        x, y, linestyle="none", marker=marker, markersize=series["size"], markeredgewidth=width, **face, **own
+    )
+
+
+def _boxes(ax, series, x, y, own, scale):
+    from matplotlib.collections import PolyCollection
+
+    to, up = _numbers(series, "x_to"), _numbers(series, "y_to")
+    corners = np.stack([np.stack([x, y], -1), np.stack([to, y], -1), np.stack([to, up], -1), np.stack([x, up], -1)], 1)
+    drawn = PolyCollection(corners, linewidths=0.2, zorder=1)
+    if "values" in series and scale:
+        colours, norm = _scale(scale)
+        drawn.set(array=_numbers(series, "values"), cmap=colours, norm=norm, edgecolor="face")
+    else:
+        drawn.set(facecolor=own["color"], edgecolor=own["color"], alpha=own["alpha"])
+    return [ax.add_collection(drawn)]
+
+
+def _texts(ax, series, x, y, font):
+    places = {
+        "above": {"xytext": (0, 2), "ha": "center", "va": "bottom"},
+        "below": {"xytext": (0, -2), "ha": "center", "va": "top"},
+        "left": {"xytext": (-3, 2), "ha": "right", "va": "bottom"},
+        "right": {"xytext": (3, -2), "ha": "left", "va": "top"},
+        "slanted": {"xytext": (1, 2), "ha": "left", "va": "bottom", "rotation": 60, "rotation_mode": "anchor"},
+    }
+    look = {"textcoords": "offset points", "fontsize": 0.9 * font, "color": series["colour"], **places[series["side"]]}
+    return [ax.annotate(words, at, **look) for words, at in zip(series["texts"], zip(x, y))]
+
+
+def _draw(ax, series, scale, font):
+    x, y = _numbers(series, "x"), _numbers(series, "y")
+    shape, own = series["shape"], {"color": series["colour"], "alpha": series["opacity"]}
+    if x.size == 0:
+        return []
+    if shape == "dots":
+        return _dots(ax, series, x, y, {**own, "rasterized": x.size > 20000})
+    if shape == "line":
+        return ax.plot(x, y, linewidth=series["size"], linestyle=_DASHES if series["dashed"] else "-", **own)
+    if shape == "area":
+        return [ax.fill_between(x, y, _numbers(series, "y_to"), linewidth=0.0, **own)]
+    if shape == "bars":
+        return [ax.vlines(x, y, _numbers(series, "y_to"), linewidth=series["size"], **own)]
+    if shape == "boxes":
+        return _boxes(ax, series, x, y, own, scale)
+    return _texts(ax, series, x, y, font)
+
+
+def _scale(scale):
+    from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize
+
+    colours = LinearSegmentedColormap.from_list("whirl", scale["colours"])
+    return colours, (LogNorm if scale["log"] else Normalize)(scale["low"], scale["high"])
+
+
+# ---------------------------------------------------------------- axes and legends
+
+
+def _entry(series):
+    """What stands for a series in a legend: dots as large as eyes need."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    colour, name = series["colour"], series["name"]
+    if series["shape"] in ("boxes", "area"):
+        return Patch(color=colour, alpha=series["opacity"], linewidth=0.0, label=name)
+    if series["shape"] == "dots":
+        marker, filled = _MARKS[series["mark"]]
+        face = {} if filled else {"markerfacecolor": "none"}
+        return Line2D([], [], linestyle="none", marker=marker, markersize=max(3.0, series["size"]), color=colour,
+                      label=name, **face)  # fmt: skip
+    line = _DASHES if series.get("dashed") else "-"
+    return Line2D([], [], color=colour, linewidth=max(0.8, series["size"]), linestyle=line, label=name)
+
+
+def entries(panels):
+    """The named series of panels, each name once."""
+    found: dict[str, dict] = {}
+    for panel in panels:
+        for series in panel["series"]:
+            if series["name"]:
+                found.setdefault(series["name"], series)
+    return list(found.values())
+
+
+def _set_axis(ax, axis, which, font):
+    own, near = getattr(ax, f"{which}axis"), 0.9 * font
+    if axis["log"]:
+        getattr(ax, f"set_{which}scale")("log")
+    getattr(ax, f"set_{which}lim")(axis["low"], axis["high"])
+    own.set_ticks(
+        axis.get("ticks", []), axis.get("tick_texts", []) if axis["shown"] else [""] * len(axis.get("ticks", []))
+    )
+    if axis["log"]:
+        own.set_minor_formatter(lambda *_: "")
+    own.set_tick_params(which="both", labelsize=near, length=2.5, width=0.5, direction="out")
+    if axis["shown"]:
+        own.set_label_text(axis["label"], fontsize=font)
+    for side in ax.spines.values():
+        side.set_linewidth(0.5)
+
+
+def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any]) -> Axes:
+    """A panel into axes; where it has a title, or a legend in it, these too."""
+    font = document["font_pt"]
+    for axis in "xy":
+        _set_axis(ax, panel[axis], axis, font)
+    for series in panel["series"]:
+        _draw(ax, series, document.get("scale"), font)
+    for axis in "xy":  # what was drawn widens nothing
+        getattr(ax, f"set_{axis}lim")(panel[axis]["low"], panel[axis]["high"])
+    low = (panel["box"][3] - panel["box"][2]) * document["height_cm"] < _LOW_PANEL
+    if low and panel["y"]["shown"]:
+        ax.set_ylabel(panel["y"]["label"], fontsize=font, rotation=0, ha="right", va="center")
+    if panel["equal"]:
+        ax.set_aspect("equal", adjustable="datalim")
+    if panel["title"]:
+        ax.set_title(panel["title"], fontsize=0.9 * font)
+    if panel["letter"]:
+        ax.set_title(f"({panel['letter']})", fontsize=font, loc="left")
+    if panel["legend_inside"]:
+        handles = [_entry(series) for series in entries([panel])]
+        ax.legend(handles=handles, loc="upper right", ncols=len(handles), fontsize=0.9 * font, frameon=False)
+    return ax
+
+
+def draw(document: dict[str, Any], ax: Axes | None = None) -> Figure:
+    """A figure, or its only panel into axes that are given."""
+    import matplotlib.pyplot as plt
+
+    if ax is not None:
+        if len(document["panels"]) != 1:
+            names = ", ".join(panel["name"] for panel in document["panels"])
+            raise errors.BadInput(f"the figure has the panels {names}, expected one of them for the axes: panels=...")
+        draw_panel(ax, document["panels"][0], document)
+        return ax.figure
+    figure = plt.figure(figsize=(document["width_cm"] * _CM, document["height_cm"] * _CM))
+    for panel in document["panels"]:
+        left, right, bottom, top = panel["box"]
+        draw_panel(figure.add_axes((left, bottom, right - left, top - bottom)), panel, document)
+    outside = [_entry(series) for series in entries([p for p in document["panels"] if not p["legend_inside"]])]
+    if outside:
+        columns = max(1, min(len(outside), int(document["width_cm"] / 2.1)))
+        figure.legend(
+            handles=outside, loc="upper center", ncols=columns, fontsize=0.9 * document["font_pt"], frameon=False
+        )
+    figure.align_ylabels([ax for ax, panel in zip(figure.axes, document["panels"]) if panel["box"][0] < 0.3])
+    if "scale" in document:
+        _add_scale(figure, document)
+    return figure
+
+
+def _add_scale(figure, document):
+    from matplotlib.cm import ScalarMappable
+
+    colours, norm = _scale(document["scale"])
+    boxes = [panel["box"] for panel in document["panels"]]
+    low, high = min(box[2] for box in boxes), max(box[3] for box in boxes)
+    place = figure.add_axes((1.0 - 1.85 / document["width_cm"], low, 0.35 / document["width_cm"], high - low))
+    bar = figure.colorbar(ScalarMappable(norm, colours), cax=place)
+    bar.set_label(document["scale"]["label"], fontsize=document["font_pt"])
+    place.tick_params(labelsize=0.9 * document["font_pt"])
