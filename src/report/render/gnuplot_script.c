@@ -101,8 +101,8 @@ void gnuplot_write_data(FILE *data, const whirl_figure *figure) {
             if (!has_block(series)) continue;
             if (!first) fputs("\n\n", data);
             first = false;
-            fprintf(data, "# panel %s%s%s%s: %s", panel->name, panel->x.logarithmic ? ", log10 of x" : "",
-                    panel->y.logarithmic ? ", log10 of y" : "", *series->name ? "" : "", columns_of(series));
+            fprintf(data, "# panel %s%s%s: %s", panel->name, panel->x.logarithmic ? ", log10 of x" : "",
+                    panel->y.logarithmic ? ", log10 of y" : "", columns_of(series));
             fputs(*series->name ? " of " : "", data);
             gnuplot_comment(data, series->name);
             fputc('\n', data);

@@ -1,0 +1,281 @@
+function drawn = draw_description(data)
+% DRAW_DESCRIPTION  A figure of docs/figures.md in the current figure window, by a rule for every shape of series.
+%   DATA is the decoded document. Colours that shine through are mixed with white: gnuplot's lines know no opacity.
+drawn = struct('figure', clf(), 'axes', [], 'legend', [], 'scale', [], 'data', data);
+set(drawn.figure, 'Color', 'w', 'PaperUnits', 'centimeters', 'PaperSize', [data.width_cm, data.height_cm], ...
+    'PaperPosition', [0, 0, data.width_cm, data.height_cm]);
+scale = [];
+if isfield(data, 'scale')
+    scale = data.scale;
+end
+panels = list_of(data.panels);
+outside = {};
+for i = 1:numel(panels)
+    drawn.axes = [drawn.axes; draw_panel(panels{i}, scale, data)];
+    if panels{i}.legend_inside
+        names_inside(drawn.axes(end), panels{i}, data);
+    else
+        outside = [outside; list_of(panels{i}.series)]; %#ok<AGROW>
+    end
+end
+outside = named(outside);
+if ~isempty(outside)
+    drawn.legend = draw_legend([0, 1 - 0.85 / data.height_cm, 1, 0.85 / data.height_cm], outside, ...
+        max(1, floor(data.width_cm / 2.6)), data.font_pt);
+end
+if ~isempty(scale)
+    drawn.scale = draw_scale(panels, scale, data);
+end
+end
+
+function items = list_of(decoded)
+% Objects of an array: jsondecode makes one struct of those with the same keys, and a list of others.
+if iscell(decoded)
+    items = decoded(:);
+else
+    items = num2cell(decoded(:));
+end
+end
+
+function list = named(list)
+% Series that stand in a legend, each name once.
+names = cellfun(@(series) series.name, list, 'UniformOutput', false);
+[~, first] = unique(names, 'first');
+first = sort(first);
+list = list(first(~cellfun(@isempty, names(first))));
+end
+
+function axes_handle = draw_panel(panel, scale, data)
+font = data.font_pt;
+left = panel.box(1);
+bottom = panel.box(3);
+axes_handle = axes('Position', [left, bottom, panel.box(2) - left, panel.box(4) - bottom], 'Box', 'on', ...
+    'Layer', 'top', 'FontSize', 0.9 * font, 'LineWidth', 0.5, 'TickDir', 'in');
+hold(axes_handle, 'on');
+set_axis(axes_handle, panel.x, 'X', font);
+set_axis(axes_handle, panel.y, 'Y', font);
+series = list_of(panel.series);
+for i = 1:numel(series)
+    if isfield(series{i}, 'x') && ~isempty(series{i}.x)
+        draw_series(axes_handle, series{i}, scale, 0.9 * font);
+    end
+end
+if panel.y.shown && (panel.box(4) - panel.box(3)) * data.height_cm < 0.7
+    % Beside so low a panel an upright label finds no room.
+    set(get(axes_handle, 'YLabel'), 'Rotation', 0, 'HorizontalAlignment', 'right', 'VerticalAlignment', 'middle');
+end
+if panel.equal
+    set(axes_handle, 'DataAspectRatio', [1, 1, 1]);
+end
+heading = panel.title;
+if ~isempty(panel.letter)
+    heading = strtrim(['(' panel.letter ')  ' heading]);
+end
+if ~isempty(heading)
+    title(axes_handle, marked_up(heading), 'FontWeight', 'normal', 'FontSize', 0.9 * font);
+end
+hold(axes_handle, 'off');
+end
+
+function set_axis(axes_handle, axis_data, which, font)
+scales = {'linear', 'log'};
+set(axes_handle, [which 'Scale'], scales{1 + axis_data.log}, [which 'Lim'], [axis_data.low, axis_data.high]);
+at = [];
+texts = {};
+if isfield(axis_data, 'ticks')
+    at = axis_data.ticks(:)';
+    texts = cellfun(@marked_up, cellstr(axis_data.tick_texts), 'UniformOutput', false);
+end
+if ~axis_data.shown
+    texts = repmat({''}, size(at));
+end
+set(axes_handle, [which 'Tick'], at, [which 'TickLabel'], texts);
+if axis_data.shown
+    labels = {@xlabel, @ylabel};
+    label = labels{1 + (which == 'Y')};
+    label(axes_handle, marked_up(axis_data.label), 'FontSize', font);
+end
+end
+
+function text = marked_up(label)
+% Symbols between dollars in italics, the rest as it is.
+parts = regexp(label, '\$', 'split');
+for i = 1:numel(parts)
+    if mod(i, 2) == 1
+        parts{i} = regexprep(parts{i}, '([\\_^{}])', '\\$1');
+    else
+        parts{i} = ['{\it ' regexprep(parts{i}, '_\{', '}_{')];
+        if isempty(strfind(parts{i}, '}_{')) %#ok<STREMP>
+            parts{i} = [parts{i} '}'];
+        end
+    end
+end
+text = [parts{:}];
+if any(text == 10)
+    text = strrep(text, char(10), '\n');
+end
+end
+
+function rgb = colour_of(series)
+rgb = 1 - series.opacity * (1 - colour(series.colour));
+end
+
+function draw_series(axes_handle, series, scale, font)
+x = series.x(:);
+y = series.y(:);
+switch series.shape
+    case 'dots'
+        draw_dots(axes_handle, series, x, y);
+    case 'line'
+        draw_line(axes_handle, series, x, y);
+    case 'area'
+        draw_area(axes_handle, series, x, y);
+    case 'bars'
+        gap = NaN(size(x));
+        draw_line(axes_handle, series, reshape([x, x, gap]', [], 1), reshape([y, series.y_to(:), gap]', [], 1));
+    case 'boxes'
+        draw_boxes(axes_handle, series, x, y, scale);
+    case 'texts'
+        draw_texts(axes_handle, series, x, y, font);
+end
+end
+
+function draw_dots(axes_handle, series, x, y)
+names = {'disc', 'ring', 'square', 'frame', 'up', 'down', 'diamond', 'cross'};
+markers = {'o', 'o', 's', 's', '^', 'v', 'd', 'x'};
+empty = any(strcmp(series.mark, {'ring', 'frame'}));
+draw_marks(axes_handle, x, y, markers{strcmp(series.mark, names)}, series.size, colour_of(series), ~empty);
+end
+
+function draw_line(axes_handle, series, x, y)
+style = '-';
+if isfield(series, 'dashed') && series.dashed
+    style = '--';
+end
+plot(axes_handle, x, y, style, 'Color', colour_of(series), 'LineWidth', series.size);
+end
+
+function draw_area(axes_handle, series, x, y)
+% Every run between gaps is a polygon: along y, and back along y_to.
+to = series.y_to(:);
+there = ~isnan(x) & ~isnan(y) & ~isnan(to);
+starts = find(diff([false; there]) == 1);
+ends = find(diff([there; false]) == -1);
+for i = 1:numel(starts)
+    run = starts(i):ends(i);
+    patch('Parent', axes_handle, 'XData', [x(run); flipud(x(run))], 'YData', [y(run); flipud(to(run))], ...
+        'FaceColor', colour_of(series), 'EdgeColor', 'none');
+end
+end
+
+function draw_boxes(axes_handle, series, x, y, scale)
+rgb = repmat(colour_of(series), numel(x), 1);
+if isfield(series, 'values') && ~isempty(scale)
+    rgb = colours_of(series.values(:), scale);
+end
+to = series.x_to(:);
+up = series.y_to(:);
+there = find(~isnan(x) & ~isnan(y) & ~any(isnan(rgb), 2));
+x = [x(there), to(there), to(there), x(there)]';
+y = [y(there), y(there), up(there), up(there)]';
+faces = reshape(1:numel(x), 4, [])';
+patch('Parent', axes_handle, 'Vertices', [x(:), y(:)], 'Faces', faces, 'FaceVertexCData', rgb(there, :), ...
+    'FaceColor', 'flat', 'EdgeColor', 'none');
+end
+
+function rgb = colours_of(values, scale)
+% Between the colours of a scale lie those of their mixture; beyond its ends are its ends.
+share = place_on(values, scale);
+colours = colour(scale.colours);
+rgb = interp1(linspace(0, 1, size(colours, 1)), colours, min(max(share, 0), 1));
+end
+
+function share = place_on(values, scale)
+if scale.log
+    values(values <= 0) = NaN;
+    share = log(values / scale.low) / log(scale.high / scale.low);
+else
+    share = (values - scale.low) / (scale.high - scale.low);
+end
+end
+
+function draw_texts(axes_handle, series, x, y, font)
+sides = {'above', 'below', 'left', 'right', 'slanted'};
+horizontal = {'center', 'center', 'right', 'left', 'left'};
+vertical = {'bottom', 'top', 'bottom', 'top', 'bottom'};
+side = strcmp(series.side, sides);
+texts = cellstr(series.texts);
+for i = 1:numel(texts)
+    text(x(i), y(i), marked_up(texts{i}), 'Parent', axes_handle, 'FontSize', font, 'Color', colour(series.colour), ...
+        'HorizontalAlignment', horizontal{side}, 'VerticalAlignment', vertical{side}, ...
+        'Rotation', 60 * strcmp(series.side, 'slanted'));
+end
+end
+
+function names_inside(panel_axes, panel, data)
+% A legend in the upper right corner of a panel.
+list = named(list_of(panel.series));
+if ~isempty(list)
+    place = get(panel_axes, 'Position');
+    high = 0.45 / data.height_cm;
+    wide = min(place(3), numel(list) * 2.2 / data.width_cm);
+    draw_legend([place(1) + place(3) - wide, place(2) + place(4) - high, wide, high], list, numel(list), data.font_pt);
+end
+end
+
+function axes_handle = draw_legend(place, list, columns, font)
+% Rows of marks and names in axes of their own: legends of the two languages lie elsewhere, and know no columns.
+columns = min(columns, numel(list));
+rows = ceil(numel(list) / columns);
+axes_handle = axes('Position', place, 'Visible', 'off', 'XLim', [0, columns], 'YLim', [0, rows]);
+hold(axes_handle, 'on');
+for i = 1:numel(list)
+    x = mod(i - 1, columns) + 0.12;
+    y = rows - floor((i - 1) / columns) - 0.5;
+    sample(axes_handle, list{i}, x, y);
+    text(x + 0.1, y, marked_up(list{i}.name), 'Parent', axes_handle, 'FontSize', 0.9 * font, ...
+        'HorizontalAlignment', 'left', 'VerticalAlignment', 'middle');
+end
+hold(axes_handle, 'off');
+set(axes_handle, 'XLim', [0, columns], 'YLim', [0, rows], 'Visible', 'off');
+end
+
+function sample(axes_handle, series, x, y)
+switch series.shape
+    case 'dots'
+        series.size = max(3, series.size);
+        draw_dots(axes_handle, series, x, y);
+    case {'area', 'boxes'}
+        series.x_to = x + 0.06;
+        series.y_to = y + 0.25;
+        draw_boxes(axes_handle, series, x - 0.06, y - 0.25, []);
+    otherwise
+        series.size = max(0.8, series.size);
+        draw_line(axes_handle, series, [x - 0.07; x + 0.07], [y; y]);
+end
+end
+
+function axes_handle = draw_scale(panels, scale, data)
+% The colours of numbers in a bar beside all panels.
+boxes = cell2mat(cellfun(@(panel) panel.box(:)', panels, 'UniformOutput', false));
+low = min(boxes(:, 3));
+high = max(boxes(:, 4));
+axes_handle = axes('Position', [1 - 1.85 / data.width_cm, low, 0.35 / data.width_cm, high - low], 'Box', 'on', ...
+    'Layer', 'top', 'FontSize', 0.9 * data.font_pt, 'XTick', [], 'XLim', [0, 1], 'YAxisLocation', 'right');
+hold(axes_handle, 'on');
+edges = linspace(scale.low, scale.high, 129)';
+scales = {'linear', 'log'};
+if scale.log
+    edges = logspace(log10(scale.low), log10(scale.high), 129)';
+end
+count = numel(edges) - 1;
+series = struct('colour', '#000000', 'opacity', 1, 'x_to', ones(count, 1), 'y_to', edges(2:end), ...
+    'values', sqrt(edges(1:end - 1) .* edges(2:end)));
+if ~scale.log
+    series.values = (edges(1:end - 1) + edges(2:end)) / 2;
+end
+draw_boxes(axes_handle, series, zeros(count, 1), edges(1:end - 1), scale);
+set(axes_handle, 'YScale', scales{1 + scale.log}, 'YLim', [scale.low, scale.high]);
+ylabel(axes_handle, marked_up(scale.label), 'FontSize', data.font_pt);
+hold(axes_handle, 'off');
+end

@@ -1,0 +1,60 @@
+function drawn = whirl_figure(file, varargin)
+% WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
+%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5) into the current figure window, which is cleared.
+%   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints what there is, and
+%   NAMES = WHIRL_FIGURE(FILE, 'list') gives the names.
+%   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'
+%   over logarithmic axes.
+%
+%   DRAWN = WHIRL_FIGURE(...) is a struct: figure and axes (handles, a line a panel), legend and scale (handles of what
+%   stands beside the panels, empty where nothing does), and data, the description of docs/figures.md.
+%
+%   Errors: whirl:badInput for a file that is no result, a name or an option that is wrong; whirl:noCommand.
+%
+%   See also WHIRL_READ, WHIRL_PLOT_BIFURCATION.
+if nargin < 1 || ~is_text(text_of(file))
+    error('whirl:badInput', 'whirl_figure takes the name of a result file, whirl_run keeps one by its option ''output''');
+end
+[places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', ''));
+arguments = ['figure ' quoted(file_of(text_of(file)))];
+if strcmp(places{1}, 'list')
+    listing = answer([arguments ' --list' given(options)]);
+    if nargout == 0
+        fprintf('%s', listing);
+    else
+        drawn = regexp(listing, '^\S+', 'match', 'lineanchors')';
+    end
+    return
+end
+if ~isempty(places{1})
+    arguments = [arguments ' ' quoted(file_of(places{1}))];
+end
+drawn = draw_description(jsondecode(answer([arguments ' -o -' given(options)])));
+end
+
+function words = given(options)
+% The options as the command takes them.
+words = '';
+names = fieldnames(options);
+for i = 1:numel(names)
+    value = text_of(options.(names{i}));
+    if ~isempty(value)
+        words = [words ' ' quoted(['--' names{i} '=' value])]; %#ok<AGROW>
+    end
+end
+end
+
+function text = answer(arguments)
+% What the command prints.
+kept = [tempname() '.txt'];
+try
+    call([arguments ' >' quoted(kept)], false);
+    text = fileread(kept);
+catch problem
+    if exist(kept, 'file')
+        delete(kept);
+    end
+    rethrow(problem);
+end
+delete(kept);
+end
