@@ -38,7 +38,8 @@ function check_axis(handle, which, axis_data)
     assert(get(handle, [which 'tick'])(:), axis_data.ticks(:));
     texts = cellstr(get(handle, [which 'ticklabel']));
     if axis_data.shown
-      assert(cellfun(@seen, texts(:), 'UniformOutput', false), cellfun(@plain, cellstr(axis_data.tick_texts)(:), 'UniformOutput', false));
+      assert(cellfun(@seen, texts(:), 'UniformOutput', false), ...
+             cellfun(@plain, cellstr(axis_data.tick_texts)(:), 'UniformOutput', false));
     else
       assert(all(cellfun(@isempty, texts)));
     end
@@ -124,7 +125,7 @@ function shapes = check_figure(drawn)
       check_axis(axes_handle, 'y', panels{i}.y);
     end
     children = flipud(allchild(axes_handle));
-    titles = [get(axes_handle, 'xlabel'), get(axes_handle, 'ylabel'), get(axes_handle, 'zlabel'), get(axes_handle, 'title')];
+    titles = cell2mat(get(axes_handle, {'xlabel', 'ylabel', 'zlabel', 'title'}));
     children = children(~ismember(children, titles));
     at = 0;
     for series = items(panels{i}.series)'
