@@ -13,7 +13,7 @@ function drawn = whirl_figure(file, varargin)
 %
 %   See also WHIRL_READ, WHIRL_PLOT_BIFURCATION.
 if nargin < 1 || ~is_text(text_of(file))
-    error('whirl:badInput', 'whirl_figure takes the name of a result file, whirl_run keeps one by its option ''output''');
+    error('whirl:badInput', 'whirl_figure takes the name of a result file (whirl_run: option ''output'')');
 end
 [places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', ''));
 arguments = ['figure ' quoted(file_of(text_of(file)))];

@@ -1,4 +1,4 @@
-"""Figures as the library describes them, in Matplotlib: panels, axes and series of docs/figures.md, none known by name."""
+"""Figures as the library describes them (docs/figures.md), in Matplotlib: panels, axes and series, none by name."""
 
 from __future__ import annotations
 
