@@ -76,7 +76,7 @@ sanitize-steps: sanitize-build thread-steps
 	    $(QUARTERS) --no-tests=error
 
 # Eigen's part of the library is taken as the release has compiled it.
-MATRIX := $(BUILD)/CMakeFiles/whirl_base.dir/src/base/matrix.cc.o
+MATRIX := $(BUILD)/CMakeFiles/whirl_base.dir/src/base/numerics/matrix.cc.o
 sanitized = -DWHIRL_MATRIX=$(CURDIR)/$(MATRIX)
 
 sanitize-matrix:

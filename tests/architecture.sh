@@ -39,7 +39,8 @@ for folder in src/*/; do
         esac
     done < <(grep -roE '#include "whirl/[a-z_]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
     while IFS=: read -r file header; do
-        [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || [ -e "src/base/$header" ] ||
+        [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || compgen -G "src/base/$header" >/dev/null ||
+            compgen -G "src/base/*/$header" >/dev/null ||
             compgen -G "$folder*/$header" | grep -qvE '/(kernels|elements)/' || # of another room
             [ -e "cmake/$header.in" ] ||
             grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
@@ -108,7 +109,7 @@ system_only_in() { # HEADER FILE...: no other file of src includes it, and these
         grep -q "#include <$header>" "src/$file" || fail "src/$file does not use <$header> any more: mend this test"
     done
 }
-files="store/bytes.c store/atomic_file.c store/journal_file.c report/report_file.c" # reading, writing, keeping
+files="store/bytes.c store/atomic_file.c store/journal/journal_file.c report/report_file.c" # reading, writing, keeping
 process=report/render/gnuplot.c
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
@@ -117,9 +118,9 @@ system_only_in fcntl.h $files $process base/room.c
 # shellcheck disable=SC2086
 system_only_in sys/stat.h $files $process
 # shellcheck disable=SC2086
-system_only_in unistd.h $files $process store/underway.c store/h5driver.c base/room.c
-system_only_in dirent.h store/underway.c
-system_only_in sys/file.h store/journal_file.c
+system_only_in unistd.h $files $process store/journal/underway.c store/hdf5/h5driver.c base/room.c
+system_only_in dirent.h store/journal/underway.c
+system_only_in sys/file.h store/journal/journal_file.c
 system_only_in sys/wait.h $process
 system_only_in sys/mman.h base/room.c
 system_only_in sys/utsname.h study/result/provenance.c

@@ -12,7 +12,7 @@ typedef struct case_content {
     memory_arena arena;
     const file_node *root; ///< the file as it was read
     char title[256];
-    char units[64]; ///< of figures (base/unit_words.h), "" where the case chooses none
+    char units[64]; ///< of figures (base/words/unit_words.h), "" where the case chooses none
     parameter_table parameters;
     machine_parts machine;
     study_plan plan;

@@ -19,7 +19,7 @@ cd "$build/musl"
 compile() { # SOURCE INSTRUCTIONS [LAYER]
     local layer=${1#"$root/src/"}
     layer=${3:-${layer%%/*}}
-    local rooms=("$root/src/$layer"/*/)
+    local rooms=("$root/src/base"/*/ "$root/src/$layer"/*/)
     musl-gcc -std=c17 -O1 -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -DWHIRL_PORTABLE -DVECTOR_ISA="$2" \
         -ffp-contract=off -fno-math-errno -fno-trapping-math -Wall -Wextra -Werror -I"$root/include" \
         -I"$build/include" -I"$root/src/base" -I"$root/src/$layer" "${rooms[@]/#/-I}" -c "$1" -o "$(tr / _ <<<"$1")_$2.o"

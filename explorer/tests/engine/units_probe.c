@@ -1,4 +1,4 @@
-// Reads quantities, one a line ("TEXT|EXPECTED UNIT"), by src/case/quantity.c and prints what came of each; built
+// Reads quantities, one a line ("TEXT|EXPECTED UNIT"), by src/case/values/quantity.c and prints what came of each; built
 // twice, with UDUNITS-2 and with explorer/core/units.c.
 #include <stdio.h>
 #include <string.h>
