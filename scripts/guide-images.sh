@@ -8,7 +8,7 @@ root=$PWD
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
-awk '/^# tested: rig.yaml/ { inside = 1; next } /^```/ { inside = 0 } inside' "$root/docs/user-guide.md" >rig.yaml
+awk '/^# tested: rig.yaml/ { inside = 1; next } /^```/ { inside = 0 } inside' "$root"/docs/guide/*.md >rig.yaml
 "$whirl" run rig.yaml --quiet
 "$whirl" report rig.h5 -o report --quiet 2>/dev/null || [ -f report/rig/bifurcation-disc.png ]
 mkdir -p "$root/docs/images/guide"

@@ -32,8 +32,8 @@ list_names() { sed -n 's/^  \([a-z][a-z0-9_-]*\) .*/\1/p' <<<"$overview" | awk '
 # Elements and keys
 
 Everything that a case file may hold, as `whirl describe NAME` prints it. `scripts/reference.sh` writes this page from
-the tables that the program reads cases with; a test compares the two. The [user guide](../user-guide.md) explains what
-the parts are for, [cases/reference.yaml](../../cases/reference.yaml) shows them in a case.
+the tables that the program reads cases with; a test compares the two. The [user guide](../guide/README.md) explains
+what the parts are for, [cases/reference.yaml](../../cases/reference.yaml) shows them in a case.
 
 A dash stands for no symbol, no unit (a name, a text, a list) or no default. A unit of 1 is a plain number.
 

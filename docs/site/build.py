@@ -28,7 +28,7 @@ MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_CHTML.js", "extensions", "jax/ele
 TESTED = re.compile(r"^(```\w+\n)(?:#|//|%) tested\b.*\n", re.MULTILINE)
 # Pages of the navigation; some with a name that tells them from others there, in the place of their title.
 PARTS = {
-    "Using whirl": ["docs/user-guide", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
+    "Using whirl": ["docs/guide/README", "docs/tutorials/README", "docs/gallery", "Python guide <docs/python>",
                     "docs/octave", "docs/figures", "Studies on a cluster <docs/cluster>", "Elements of your own <docs/elements>"],
     "Reference": ["docs/reference/keys", "whirl(1) <docs/whirl>", "C API <api/index>", "Python API <api/python>",
                   "docs/glossary", "docs/result-file", "docs/journal", "cases/index", "examples/index",
@@ -59,12 +59,23 @@ def lay_out_markdown(source):
         name = path.relative_to(ROOT)
         if str(name) != "README.md":
             write(source / name, adapted(path.read_text()))
+    lay_out_guide(source)
     write(source / "docs/reference/keys.md", keys.page(adapted((ROOT / "docs/reference/keys.md").read_text())))
     for name in ("docs/images", "examples/slurm"):
         shutil.copytree(ROOT / name, source / name, dirs_exist_ok=True)
     for name in ("LICENSE", "CITATION.cff"):
         shutil.copy(ROOT / name, source)
     write(source / "docs/whirl.md", pages.manual_page((ROOT / "docs/whirl.1").read_text()))
+
+
+def lay_out_guide(source):
+    """The chapters of the user guide, below their list."""
+    chapters = sorted(ROOT.glob("docs/guide/[0-9]*.md"))
+    for path in chapters:
+        write(source / "docs/guide" / path.name, adapted(path.read_text()))
+    entries = "\n".join(path.stem for path in chapters)
+    text = adapted((ROOT / "docs/guide/README.md").read_text())
+    write(source / "docs/guide/README.md", f"{text}\n```{{toctree}}\n:hidden:\n\n{entries}\n```\n")
 
 
 def lay_out_listings(source):

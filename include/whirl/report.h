@@ -20,7 +20,7 @@ typedef struct whirl_report_options {
     const char *gnuplot;        ///< program; NULL: "gnuplot" on the PATH
     /// Template of the explorer's page, which `make explorer` builds; NULL: no explorer.html is written.
     const char *explorer;
-    /// Units of figures and pages, "um, rpm, Hz, p-p" (see docs/user-guide.md), where they shall not be those of the
+    /// Units of figures and pages, "um, rpm, Hz, p-p" (docs/guide/04-studies.md), where they shall not be those of the
     /// case; NULL: none. WHIRL_BAD_INPUT for a word that is no unit.
     const char *units;
 } whirl_report_options;

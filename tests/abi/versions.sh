@@ -18,10 +18,10 @@ says explorer/package.json "$version" 's/^ *"version": "(.*)",$/\1/p'
 says <(head -12 explorer/package-lock.json) "$version" 's/^ *"version": "(.*)",$/\1/p'
 says docs/whirl.1 "$version" 's/^\.TH WHIRL 1 "" "whirl ([^"]*)".*/\1/p'
 says <(grep -m 1 '^## ' CHANGELOG.md) "$version" 's/^## ([0-9.]+).*/\1/p'
-for document in docs/user-guide.md docs/elements.md; do
+for document in docs/guide/*-library.md docs/elements.md; do
     says $document "$minor" 's/.*find_package\(whirl ([0-9.]+).*/\1/p'
 done
-says docs/user-guide.md "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
+says <(cat docs/guide/*.md) "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
 says debian/changelog "$version" '1s/.*\((.*)\).*/\1/p'
 says debian/libwhirl1.symbols "$minor" 's/.*WHIRL_([0-9.]*\.[0-9.]*) .*/\1/p'
 says <("$2" --version) "$version" 's/^whirl //p'

@@ -1,7 +1,7 @@
 #!/bin/bash
 # Runs what the documents show:  examples.sh ROOT BUILD DOCUMENT...
 #
-# Of the user guide (user-guide, or some of its chapters: user-guide:2-4) and of how to write an element (elements), in the
+# Of the user guide (guide:2-4, chapters of docs/guide) and of how to write an element (elements), in the
 # order in which they stand and in one fresh folder, with an installed whirl on the PATH:
 #   ```yaml, c, cmake  with "tested: FILE" in the first line are written to FILE; a case must pass `whirl check`,
 #                      unless ", not good" follows
@@ -41,12 +41,12 @@ fail() {
 # Blocks of a document as files: NUMBER.LANGUAGE in the order in which they stand; of chapters, or needed by them.
 extract() { # DOCUMENT FOLDER [FIRST-CHAPTER LAST-CHAPTER]
     awk -v folder="$2" -v first="${3:-0}" -v last="${4:-99}" '
-        /^## [0-9]+\. /   { chapter = $2 + 0 }
+        /^##? [0-9]+\. / && !inside { chapter = $2 + 0 }
         /^```/ && !inside { inside = 1; language = substr($0, 4); sub(/ .*/, "", language); begun = 0
                             file = sprintf("%s/%03d.%s", folder, ++count, language); next }
         /^```$/ && inside { inside = 0; close(file); next }
         inside && !begun  { begun = 1; wanted = chapter <= last && (chapter >= first || /tested.*, needed later/) }
-        inside && wanted  { print >file }' "$1"
+        inside && wanted  { print >file }' <(cat "$root/docs/$1.md" 2>/dev/null || cat "$root/docs/$1"/[0-9]*.md)
 }
 
 # Every line that the document shows begins a line that was printed.
@@ -79,7 +79,7 @@ write_block() { # FILE FIRST-LINE
 
 page() { # NAME [FIRST-CHAPTER LAST-CHAPTER]
     mkdir "$folder/$1" "$folder/$1-work"
-    extract "$root/docs/$1.md" "$folder/$1" "${@:2}"
+    extract "$1" "$folder/$1" "${@:2}"
     cd "$folder/$1-work" || exit 1
     local block first before=
     for block in "$folder/$1"/*; do
@@ -109,7 +109,7 @@ page() { # NAME [FIRST-CHAPTER LAST-CHAPTER]
 
 readme() {
     mkdir "$folder/readme" "$folder/checkout" "$folder/checkout/build"
-    extract "$root/README.md" "$folder/readme"
+    extract ../README "$folder/readme"
     cd "$folder/checkout" || exit 1
     ln -s "$prefix/bin/whirl" build/whirl
     # The commands are shown, not the motions: a tenth of the revolutions will do.

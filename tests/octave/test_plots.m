@@ -32,7 +32,7 @@ function list = points_of(handles)   % all points of lines, sorted
   end
   list = sortrows(list);
 end
-function colours = told()   % the colours of verdicts, as docs/user-guide.md has them
+function colours = told()   % the colours of verdicts, as docs/guide has them
   colours = containers.Map({'P-1', 'P-2', 'P-4', 'quasi-periodic', 'chaotic', 'undetermined', 'diverged'}, ...
     {'366EFB', '1FBADD', '1D7257', 'CC0892', '000000', '9A9F95', 'FB8D41'});
 end
