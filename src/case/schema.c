@@ -5,8 +5,8 @@
 #include "schema.h"
 
 #include <limits.h>
-#include <math.h>
 
+#include "keys.h"
 #include "whirl/case.h"
 #include "whirl/claims.h"
 #include "whirl/study.h"
@@ -14,27 +14,27 @@
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
 
 static const whirl_key case_keys[] = {
-    {"whirl", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_ANY, NULL, "version of the format, 1", ""},
-    {"title", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "what the case is about, in one line", ""},
-    {"parameters", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "names with values: a number, a number and a unit, or = and an expression over other parameters in SI", ""},
-    {"rotor", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the machine: see rotor", ""},
-    {"study", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "what is computed: see study", ""},
+    WHOLE_KEY("whirl", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
+    CHOICE_KEY("title", OPTIONAL, "", "what the case is about, in one line"),
+    CHOICE_KEY("parameters", OPTIONAL, "",
+               "names with values: a number, a number and a unit, or = and an expression over other parameters in SI"),
+    CHOICE_KEY("rotor", REQUIRED, "", "the machine: see rotor"),
+    CHOICE_KEY("study", REQUIRED, "", "what is computed: see study"),
 };
 
 // clang-format off
 #define ROTOR_KEYS(speeds)                                                                                             \
     {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
      "speed of rotation, above 0; for modes at least 0", ""},                                                          \
-    {"length_scale", "", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,                                        \
-     "length in which displacements are computed and reported, such as the clearance", ""},                            \
-    {"materials", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "names with the keys of a material of shafts",   \
-     ""},                                                                                                              \
-    {"shafts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",                                                     \
-     "names with the keys of a shaft of finite elements, which segments make up", ""},                                 \
-    {"stations", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "names with the keys of a station", ""},           \
-    {"elements", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "a list of elements, each a kind with its keys",  \
-     ""}
+    NUMBER_KEY("length_scale", "", "m", REQUIRED, WHIRL_POSITIVE,                                                      \
+     "length in which displacements are computed and reported, such as the clearance"),                                \
+    CITED_CHOICE_KEY("materials", OPTIONAL, "", "names with the keys of a material of shafts",                         \
+     ""),                                                                                                              \
+    CHOICE_KEY("shafts", OPTIONAL, "",                                                                                 \
+     "names with the keys of a shaft of finite elements, which segments make up"),                                     \
+    CHOICE_KEY("stations", REQUIRED, "", "names with the keys of a station"),                                          \
+    CITED_CHOICE_KEY("elements", OPTIONAL, "", "a list of elements, each a kind with its keys",                        \
+     "")
 // clang-format on
 
 static const whirl_key rotor_keys[] = {ROTOR_KEYS(WHIRL_POSITIVE)};
@@ -42,126 +42,109 @@ static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
 #define OR_NAME(name, ...) ", " #name
 #define KEY_AT_REST(name, meaning, ...)                                                                                \
-    {#name,                                                                                                            \
-     "",                                                                                                               \
-     "",                                                                                                               \
-     WHIRL_KEY_CHOICE,                                                                                                 \
-     false,                                                                                                            \
-     "",                                                                                                               \
-     WHIRL_ANY,                                                                                                        \
-     "",                                                                                                               \
-     meaning ", along one parameter or at one point: see " #name,                                                      \
-     ""},
+    CHOICE_KEY(#name, OPTIONAL, "", meaning ", along one parameter or at one point: see " #name),
 
 static const whirl_key study_keys[] = {
-    {"response", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "one point; a study has this or one of sweep, map, basin, branch" WHIRL_STUDIES_AT_REST(OR_NAME), ""},
-    {"sweep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points along one parameter", ""},
-    {"map", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "points of a plane of two parameters: see map", ""},
-    {"basin", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map",
-     ""},
-    {"branch", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "orbits along one parameter, stable or not, and where and why they change; alone or beside a sweep: see branch",
-     ""},
-    {"curves", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "curves over a second parameter, through the special points of the branches: see curves", ""},
-    WHIRL_STUDIES_AT_REST(KEY_AT_REST){"initial", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-                                       "names of stations with the state they start from; zero where absent", ""},
-    {"starts", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "several starts of every point of a response, sweep or map, to see which motions exist side by side: see starts",
-     ""},
-    {"integrate", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how and how long: see integrate", ""},
-    {"keep", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "how much of waveforms and spectra: see keep", ""},
-    {"analyze", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "a list of analyses; all but waveform, exponents, evidence and floquet where absent", ""},
-    {"detail", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra", ""},
-    {"units", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed (rad/s, "
-     "rpm), a "
-     "frequency (order, Hz, cpm) and a way to count amplitudes (0-p, p-p, rms); absent: as the case writes them",
-     ""},
+    CHOICE_KEY("response", OPTIONAL, "",
+               "one point; a study has this or one of sweep, map, basin, branch" WHIRL_STUDIES_AT_REST(OR_NAME)),
+    CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
+    CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
+    CHOICE_KEY(
+        "basin", OPTIONAL, "",
+        "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map"),
+    CHOICE_KEY("branch", OPTIONAL, "",
+               "orbits along one parameter, stable or not, and where and why they change; alone or beside a sweep: see "
+               "branch"),
+    CHOICE_KEY("curves", OPTIONAL, "",
+               "curves over a second parameter, through the special points of the branches: see curves"),
+    WHIRL_STUDIES_AT_REST(KEY_AT_REST)
+        CHOICE_KEY("initial", OPTIONAL, "", "names of stations with the state they start from; zero where absent"),
+    CHOICE_KEY("starts", OPTIONAL, "",
+               "several starts of every point of a response, sweep or map, to see which motions exist side by side: "
+               "see starts"),
+    CHOICE_KEY("integrate", OPTIONAL, "", "how and how long: see integrate"),
+    CHOICE_KEY("keep", OPTIONAL, "", "how much of waveforms and spectra: see keep"),
+    CHOICE_KEY("analyze", OPTIONAL, "",
+               "a list of analyses; all but waveform, exponents, evidence and floquet where absent"),
+    CHOICE_KEY(
+        "detail", OPTIONAL, "",
+        "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra"),
+    CHOICE_KEY("units", OPTIONAL, "",
+               "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed "
+               "(rad/s, rpm), a frequency (order, Hz, cpm) and a way to count amplitudes (0-p, p-p, rms); absent: as "
+               "the case writes them"),
 };
 
 // Of points along a parameter.
 // clang-format off
 #define AXIS_KEYS(needed)                                                                                              \
     {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", ""},       \
-    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its first value", ""},                             \
-    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its last value", ""},                                \
-    {"points", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS), NULL,                         \
-     "number of values, spaced as scale says, both ends included; this or step", ""},                                  \
-    {"step", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,                                                     \
-     "distance of the values, from the first up to the last that is not beyond `to`; this or points", ""},             \
-    {"scale", "", "", WHIRL_KEY_CHOICE, false, "linear", WHIRL_ANY, "linear|log",                                      \
-     "of points: linear: equal differences; log: equal ratios", ""},                                                   \
-    {"values", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,                                                   \
-     "a list of the values, rising or falling, in place of from, to, points and step", ""}
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),                                                \
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),                                                   \
+    WHOLE_KEY("points", "", OPTIONAL, WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS),                                             \
+     "number of values, spaced as scale says, both ends included; this or step"),                                      \
+    NUMBER_KEY("step", "", "", OPTIONAL, WHIRL_ANY,                                                                    \
+     "distance of the values, from the first up to the last that is not beyond `to`; this or points"),                 \
+    CHOICE_KEY("scale", DEFAULT("linear"), "linear|log",                                                               \
+     "of points: linear: equal differences; log: equal ratios"),                                                       \
+    NUMBER_KEY("values", "", "", OPTIONAL, WHIRL_ANY,                                                                  \
+     "a list of the values, rising or falling, in place of from, to, points and step")
 // clang-format on
 
 static const whirl_key sweep_keys[] = {
     AXIS_KEYS(true),
-    {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state|carry",
-     "rest: every point from zero; state: from the initial state; carry: from the end of the point before", ""},
-    {"direction", "", "", WHIRL_KEY_CHOICE, false, "up", WHIRL_ANY, "up|down|both",
-     "with start: carry, along rising or falling values, or both, which shows hysteresis", ""},
+    CHOICE_KEY("start", DEFAULT("state"), "rest|state|carry",
+               "rest: every point from zero; state: from the initial state; carry: from the end of the point before"),
+    CHOICE_KEY("direction", DEFAULT("up"), "up|down|both",
+               "with start: carry, along rising or falling values, or both, which shows hysteresis"),
 };
 
 static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
 
 static const whirl_key map_keys[] = {
-    {"x", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter along its rows, and its values", ""},
-    {"y", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the parameter from row to row, and its values", ""},
-    {"z", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "the parameter from plane to plane, and its values; absent: there is one plane", ""},
-    {"start", "", "", WHIRL_KEY_CHOICE, false, "state", WHIRL_ANY, "rest|state",
-     "rest: every point from zero; state: from the initial state", ""},
-    {"refine", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(2, WHIRL_MAX_SQUARE), NULL,
-     "every so many points along both axes are computed first, a power of two, then squares between them are halved "
-     "where verdicts differ; absent: all points are computed",
-     ""},
+    CHOICE_KEY("x", REQUIRED, "", "the parameter along its rows, and its values"),
+    CHOICE_KEY("y", REQUIRED, "", "the parameter from row to row, and its values"),
+    CHOICE_KEY("z", OPTIONAL, "", "the parameter from plane to plane, and its values; absent: there is one plane"),
+    CHOICE_KEY("start", DEFAULT("state"), "rest|state", "rest: every point from zero; state: from the initial state"),
+    WHOLE_KEY("refine", "", OPTIONAL, WHIRL_FROM_TO(2, WHIRL_MAX_SQUARE),
+              "every so many points along both axes are computed first, a power of two, then squares between them are "
+              "halved where verdicts differ; absent: all points are computed"),
 };
 
 // Without a parameter there is one point, of the machine as it stands.
 static const whirl_key resting_keys[] = {AXIS_KEYS(false)};
 
 static const whirl_key branch_keys[] = {
-    {"parameter", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "name of the parameter that varies; that of the sweep where there is one", ""},
-    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its first bound; of the sweep where absent", ""},
-    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "its other bound; of the sweep where absent", ""},
-    {"at", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
-     "a list of values at which a motion is let settle and a branch begins; the first bound where absent", ""},
+    CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; that of the sweep where there is one"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first bound; of the sweep where absent"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its other bound; of the sweep where absent"),
+    NUMBER_KEY("at", "", "", OPTIONAL, WHIRL_ANY,
+               "a list of values at which a motion is let settle and a branch begins; the first bound where absent"),
 };
 
 static const whirl_key curves_keys[] = {
-    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the second parameter", ""},
-    {"from", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its lower bound", ""},
-    {"to", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "its upper bound", ""},
+    CHOICE_KEY("parameter", REQUIRED, "", "name of the second parameter"),
+    NUMBER_KEY("from", "", "", REQUIRED, WHIRL_ANY, "its lower bound"),
+    NUMBER_KEY("to", "", "", REQUIRED, WHIRL_ANY, "its upper bound"),
 };
 
 static const whirl_key detail_keys[] = {
-    {"at", "", "", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL, "a list of values of the swept parameter", ""},
+    NUMBER_KEY("at", "", "", REQUIRED, WHIRL_ANY, "a list of values of the swept parameter"),
 };
 
 static const whirl_key starts_keys[] = {
-    {"count", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(2, WHIRL_MAX_STARTS), NULL,
-     "starts of every point; the first is the initial state itself, the others fill the ranges evenly, by the sequence "
-     "of "
-     "Halton: the same at every point",
-     ""},
-    {"grid", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "in place of count: numbers of values of the coordinates of within, such as x: 5, from one end of the range to "
-     "the other; every point has the initial state itself besides",
-     ""},
-    {"within", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "",
-     "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; what is not named is as there",
-     ""},
-    {"neighbours", "", "1", WHIRL_KEY_WHOLE, false, "0", WHIRL_FROM_TO(0, 100000), NULL,
-     "rounds, at most, in which points of a sweep or map start from where motions of their neighbours ended, on "
-     "attractors that they lack; such starts count in no share",
-     ""},
+    WHOLE_KEY("count", "", OPTIONAL, WHIRL_FROM_TO(2, WHIRL_MAX_STARTS),
+              "starts of every point; the first is the initial state itself, the others fill the ranges evenly, by the "
+              "sequence of Halton: the same at every point"),
+    CHOICE_KEY("grid", OPTIONAL, "",
+               "in place of count: numbers of values of the coordinates of within, such as x: 5, from one end of the "
+               "range to the other; every point has the initial state itself besides"),
+    CHOICE_KEY("within", REQUIRED, "",
+               "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; what is not named is "
+               "as there"),
+    WHOLE_KEY("neighbours", "", DEFAULT("0"), WHIRL_FROM_TO(0, 100000),
+              "rounds, at most, in which points of a sweep or map start from where motions of their neighbours ended, "
+              "on attractors that they lack; such starts count in no share"),
 };
 
 // Parts whose keys are members of the structs that they fill.
@@ -231,32 +214,27 @@ const whirl_group *const *whirl_case_groups(void) {
 // ---------------------------------------------------------------- claims
 
 static const whirl_key claims_keys[] = {
-    {"claims", "", "1", WHIRL_KEY_WHOLE, true, "", WHIRL_ANY, NULL, "version of the format, 1", ""},
-    {"source", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "", "who says it", ""},
-    {"parameter", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the parameter that the claims speak of",
-     ""},
-    {"station", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "name of the station whose spectrum is meant", ""},
-    {"items", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "a list of claims", ""},
+    WHOLE_KEY("claims", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
+    CHOICE_KEY("source", OPTIONAL, "", "who says it"),
+    CHOICE_KEY("parameter", REQUIRED, "", "name of the parameter that the claims speak of"),
+    CHOICE_KEY("station", REQUIRED, "", "name of the station whose spectrum is meant"),
+    CHOICE_KEY("items", REQUIRED, "", "a list of claims"),
 };
 
 static const whirl_key claim_keys[] = {
-    {"where", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "figure or section", ""},
-    {"from", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "first value of the parameter", ""},
-    {"to", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "last value of the parameter", ""},
-    {"at", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL, "value of the parameter, in place of from and to", ""},
-    {"says", "", "", WHIRL_KEY_CHOICE, true, "", WHIRL_ANY, "", "the claim in words", ""},
-    {"regime", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-     "P-1 to P-128, periodic, quasi-periodic, chaotic or diverged", ""},
-    {"curves", "", "1", WHIRL_KEY_WHOLE, false, "", WHIRL_FROM_TO(1, 64), NULL,
-     "closed curves of a quasi-periodic section", ""},
-    {"rub", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false|yes|no", "whether there is contact", ""},
-    {"lines", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "a list of orders that the spectrum shows",
-     ""},
-    {"only_lines", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "true|false|yes|no", "and no others", ""},
-    {"band", "", "", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
-     "two orders between which the large lines below the running speed lie", ""},
-    {"whirl", "", "", WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "forward|backward|diverging-backward",
-     "direction of the whirl", ""},
+    CHOICE_KEY("where", REQUIRED, "", "figure or section"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "first value of the parameter"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "last value of the parameter"),
+    NUMBER_KEY("at", "", "", OPTIONAL, WHIRL_ANY, "value of the parameter, in place of from and to"),
+    CHOICE_KEY("says", REQUIRED, "", "the claim in words"),
+    CHOICE_KEY("regime", OPTIONAL, "", "P-1 to P-128, periodic, quasi-periodic, chaotic or diverged"),
+    WHOLE_KEY("curves", "", OPTIONAL, WHIRL_FROM_TO(1, 64), "closed curves of a quasi-periodic section"),
+    CHOICE_KEY("rub", OPTIONAL, "true|false|yes|no", "whether there is contact"),
+    NUMBER_KEY("lines", "", "", OPTIONAL, WHIRL_POSITIVE, "a list of orders that the spectrum shows"),
+    CHOICE_KEY("only_lines", OPTIONAL, "true|false|yes|no", "and no others"),
+    NUMBER_KEY("band", "", "", OPTIONAL, WHIRL_NOT_NEGATIVE,
+               "two orders between which the large lines below the running speed lie"),
+    CHOICE_KEY("whirl", OPTIONAL, "forward|backward|diverging-backward", "direction of the whirl"),
 };
 
 const whirl_group schema_claims =

@@ -10,8 +10,8 @@
 #include <stddef.h>
 
 #include "assembly.h"
+#include "keys.h"
 #include "vector.h"
-#include "whirl/descriptor.h"
 #include "whirl/rotor.h"
 #include "whirl/status.h"
 
@@ -74,6 +74,11 @@ typedef struct element_kernels {
     /// Writes the normal force of its contact in newtons.
     void (*contact)(const element *own, const struct block *b, void *force);
 } element_kernels;
+
+/// The table `kernels` of those that the file has been compiled to, for its element_type.
+#define KERNELS_OF_EVERY_ISA(name)                                                                                     \
+    FOR_EVERY_ISA(const element_kernels, name);                                                                        \
+    static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, name)
 
 typedef struct whirl_element_type {
     whirl_group group;

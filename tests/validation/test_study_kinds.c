@@ -77,6 +77,7 @@ static const struct {
             "  integrate: {transient: 200, record: 20}\n"},
     {machine, "  modes: {parameter: omega, from: 1, to: 4, points: 3}\n"},
     {machine, "  unbalance: {parameter: omega, from: 1, to: 4, points: 3}\n"},
+    {machine, "  critical_speeds: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
 };
 enum { STUDIES = sizeof studies / sizeof *studies };
 

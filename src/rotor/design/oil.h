@@ -6,15 +6,13 @@
 
 /// Rows of tables of keys. What is given in cSt needs the density; what is given in Pa s may have it, and the film is
 /// looked at then whether its inertia may be left out.
-#define OIL_DYNAMIC(text)                                                                                              \
-    { "viscosity", "mu", "Pa s", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, text, "" }
+#define OIL_DYNAMIC(text) NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, text)
 #define OIL_KINEMATIC                                                                                                  \
     {                                                                                                                  \
         "kinematic_viscosity", "nu", "m2/s", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,                        \
             "kinematic viscosity of the oil, in place of viscosity; with its density", ""                              \
     }
-#define OIL_DENSITY                                                                                                    \
-    { "density", "rho", "kg/m3", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "density of the oil", "" }
+#define OIL_DENSITY NUMBER_KEY("density", "rho", "kg/m3", OPTIONAL, WHIRL_POSITIVE, "density of the oil")
 
 typedef struct oil {
     const key_value *dynamic, *kinematic, *density;

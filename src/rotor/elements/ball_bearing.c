@@ -20,25 +20,25 @@ const element_kernels ISA(ball_bearing_kernels) = GENERIC_KERNELS;
 enum { AT, FROM, BALLS, STIFFNESS, CLEARANCE, INNER, OUTER, CAGE, ANGLE, DAMPING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it carries", ""},
-    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
-              "station of its housing; the ground where absent", ""},
-    [BALLS] = {"balls", "N_b", "1", WHIRL_KEY_WHOLE, true, "", {3, 64, false, false}, NULL, "number of balls", ""},
-    [STIFFNESS] = {"stiffness", "C_b", "1", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-                   "Hertz stiffness of a ball between both races in N/m^1.5: force over approach to the power 3/2",
-                   "Harris 2001, ch. 6"},
-    [CLEARANCE] = {"clearance", "g_0", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-                   "radial play of a ball, half the bearing's internal clearance; below zero for a preload", ""},
-    [INNER] = {"inner", "r_i", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the inner race", ""},
-    [OUTER] = {"outer", "r_o", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the outer race", ""},
-    [CAGE] = {"cage", "", "1", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
-              "speed of the cage over the rotor's, between those of its races, in place of the radii: r_i/(r_i + r_o) "
-              "where the outer race stands",
-              "Harris 2001, ch. 8"},
-    [ANGLE] = {"angle", "theta_0", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-               "where a ball stands at t = 0, from the x axis towards y", ""},
-    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                 "viscous damping between the races", ""},
+    [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [BALLS] = WHOLE_KEY("balls", "N_b", REQUIRED, WHIRL_FROM_TO(3, 64), "number of balls"),
+    [STIFFNESS] = CITED_NUMBER_KEY(
+        "stiffness", "C_b", "1", REQUIRED, WHIRL_POSITIVE,
+        "Hertz stiffness of a ball between both races in N/m^1.5: force over approach to the power 3/2",
+        "Harris 2001, ch. 6"),
+    [CLEARANCE] = NUMBER_KEY("clearance", "g_0", "m", DEFAULT("0"), WHIRL_ANY,
+                             "radial play of a ball, half the bearing's internal clearance; below zero for a preload"),
+    [INNER] = NUMBER_KEY("inner", "r_i", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the inner race"),
+    [OUTER] = NUMBER_KEY("outer", "r_o", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the outer race"),
+    [CAGE] = CITED_NUMBER_KEY("cage", "", "1", OPTIONAL, WHIRL_ANY,
+                              "speed of the cage over the rotor's, between those of its races, in place of the radii: "
+                              "r_i/(r_i + r_o) where the outer race stands",
+                              "Harris 2001, ch. 8"),
+    [ANGLE] = NUMBER_KEY("angle", "theta_0", "rad", DEFAULT("0"), WHIRL_ANY,
+                         "where a ball stands at t = 0, from the x axis towards y"),
+    [DAMPING] =
+        NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "viscous damping between the races"),
 };
 
 /// Speeds of both races over the rotor's. A housing that is no station of a shaft stands.
@@ -75,8 +75,7 @@ static double passes_of(const element *own) {
     return own->law * own->number[BALL_RATIO];
 }
 
-FOR_EVERY_ISA(const element_kernels, ball_bearing_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, ball_bearing_kernels);
+KERNELS_OF_EVERY_ISA(ball_bearing_kernels);
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double balls = values[BALLS].number, length = to->length, apart = 6.283185307179586476925 / balls;

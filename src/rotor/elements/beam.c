@@ -7,16 +7,14 @@
 enum { BETWEEN, LENGTH, DIAMETER, INNER, MODULUS, BENDING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "its ends, along the shaft; ground is a clamp", ""},
-    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "length", ""},
-    [DIAMETER] = {"diameter", "d", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                  "outer diameter; required without bending", ""},
-    [INNER] = {"inner", "d_i", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "diameter of the bore", ""},
-    [MODULUS] = {"modulus", "E", "Pa", WHIRL_KEY_NUMBER, false, "2.11e11", WHIRL_POSITIVE, NULL,
-                 "Young's modulus; steel where absent", ""},
-    [BENDING] = {"bending", "E I", "N m2", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                 "bending stiffness, in place of diameter, inner and modulus", ""},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "its ends, along the shaft; ground is a clamp"),
+    [LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length"),
+    [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE, "outer diameter; required without bending"),
+    [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "diameter of the bore"),
+    [MODULUS] =
+        NUMBER_KEY("modulus", "E", "Pa", DEFAULT("2.11e11"), WHIRL_POSITIVE, "Young's modulus; steel where absent"),
+    [BENDING] = NUMBER_KEY("bending", "E I", "N m2", OPTIONAL, WHIRL_POSITIVE,
+                           "bending stiffness, in place of diameter, inner and modulus"),
 };
 
 static whirl_status bending_of(const key_value *values, double *bending) {

@@ -15,12 +15,12 @@ enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, 
     { name, symbol, "kg", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it carries", ""},
-    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
-              "station of its housing; the ground where absent", ""},
-    [SPEEDS] = {"speeds", "", "rad/s", WHIRL_KEY_NUMBERS, false, "", WHIRL_NOT_NEGATIVE, NULL,
-                "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
-                "Fritsch, Butland 1984"},
+    [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [SPEEDS] =
+        CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                          "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
+                          "Fritsch, Butland 1984"),
     [KXX] = STIFFNESS("kxx", "k_xx", "0", "stiffness along x"),
     [KXY] = STIFFNESS("kxy", "k_xy", "0", "force along -x by a displacement along y"),
     [KYX] = STIFFNESS("kyx", "k_yx", "0", "force along -y by a displacement along x"),

@@ -6,16 +6,14 @@
 enum { BETWEEN, RADIAL, TILT, RADIAL_DAMPING, TILT_DAMPING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "the two stations that it joins, at the ends of two shafts", ""},
-    [RADIAL] = {"radial", "k_r", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-                "stiffness against a parallel offset", ""},
-    [TILT] = {"tilt", "k_t", "N m/rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-              "stiffness against an angle between both shafts", ""},
-    [RADIAL_DAMPING] = {"radial_damping", "c_r", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                        "damping of a parallel offset", ""},
-    [TILT_DAMPING] = {"tilt_damping", "c_t", "N m s/rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                      "damping of an angle between both shafts", ""},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins, at the ends of two shafts"),
+    [RADIAL] = NUMBER_KEY("radial", "k_r", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness against a parallel offset"),
+    [TILT] = NUMBER_KEY("tilt", "k_t", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                        "stiffness against an angle between both shafts"),
+    [RADIAL_DAMPING] =
+        NUMBER_KEY("radial_damping", "c_r", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of a parallel offset"),
+    [TILT_DAMPING] = NUMBER_KEY("tilt_damping", "c_t", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                "damping of an angle between both shafts"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {

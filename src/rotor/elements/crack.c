@@ -33,32 +33,25 @@ enum { LAW_COSINE, LAW_SQUARE };
     { 0.0, 1.0, false, false }
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "the two stations that it joins; one may be ground", ""},
-    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-                   "stiffness while the crack is closed", ""},
-    [LOSS] = {"loss", "d1", "1", WHIRL_KEY_NUMBER, true, "", PART, NULL,
-              "part of the stiffness along the crack's direction that is lost while it is open", "Gasch 1993"},
-    [LOSS_ACROSS] = {"loss_across", "d2", "1", WHIRL_KEY_NUMBER, false, "0", PART, NULL,
-                     "part of the stiffness across it that is lost", "Gasch 1993"},
-    [ANGLE] = {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-               "where the crack lies at t = 0, from the x axis towards y", ""},
-    [OPENS] = {"opens", "", "rad", WHIRL_KEY_NUMBER, false, "-1.5707963267948966", WHIRL_ANY, NULL,
-               "where the static load points, so that a crack that lies there is open; down, against y, where absent",
-               ""},
-    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "cosine", WHIRL_ANY, "cosine|square",
-             "cosine: opens and closes gently; square: switches, as the first terms of its Fourier series",
-             "Mayes & Davies 1984; Gasch 1993"},
-    [TERMS] = {"terms",
-               "n",
-               "1",
-               WHIRL_KEY_WHOLE,
-               false,
-               "18",
-               {1, 100, false, false},
-               NULL,
-               "terms of the square wave, of the orders 1, 3, ... 2n - 1",
-               ""},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
+    [STIFFNESS] =
+        NUMBER_KEY("stiffness", "k", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness while the crack is closed"),
+    [LOSS] = CITED_NUMBER_KEY("loss", "d1", "1", REQUIRED, PART,
+                              "part of the stiffness along the crack's direction that is lost while it is open",
+                              "Gasch 1993"),
+    [LOSS_ACROSS] = CITED_NUMBER_KEY("loss_across", "d2", "1", DEFAULT("0"), PART,
+                                     "part of the stiffness across it that is lost", "Gasch 1993"),
+    [ANGLE] = NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
+                         "where the crack lies at t = 0, from the x axis towards y"),
+    [OPENS] = NUMBER_KEY(
+        "opens", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
+        "where the static load points, so that a crack that lies there is open; down, against y, where absent"),
+    [LAW] =
+        CITED_CHOICE_KEY("law", DEFAULT("cosine"), "cosine|square",
+                         "cosine: opens and closes gently; square: switches, as the first terms of its Fourier series",
+                         "Mayes & Davies 1984; Gasch 1993"),
+    [TERMS] = WHOLE_KEY("terms", "n", DEFAULT("18"), WHIRL_FROM_TO(1, 100),
+                        "terms of the square wave, of the orders 1, 3, ... 2n - 1"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -83,8 +76,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-FOR_EVERY_ISA(const element_kernels, crack_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, crack_kernels);
+KERNELS_OF_EVERY_ISA(crack_kernels);
 
 const element_type crack_element = {
     .group = {"crack", "a massless shaft with a crack that opens and closes as its weight turns past it",

@@ -7,16 +7,15 @@
 enum { AT, OUTER, INNER, WIDTH, DENSITY, ECCENTRICITY, ECCENTRICITY_ANGLE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},
-    [OUTER] = {"outer", "d_o", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "outer diameter", ""},
-    [INNER] = {"inner", "d_i", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "diameter of the bore", ""},
-    [WIDTH] = {"width", "h", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "width along the shaft", ""},
-    [DENSITY] = {"density", "rho", "kg/m3", WHIRL_KEY_NUMBER, false, "7850", WHIRL_POSITIVE, NULL,
-                 "density; steel where absent", ""},
-    [ECCENTRICITY] = {"eccentricity", "e", "m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                      "distance of the disc's centre of mass from the shaft's centre", ""},
-    [ECCENTRICITY_ANGLE] = {"eccentricity_angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
-                            "where the centre of mass lies at t = 0, from the x axis towards y", ""},
+    [AT] = STATION_KEY("at", REQUIRED, "station that carries it"),
+    [OUTER] = NUMBER_KEY("outer", "d_o", "m", REQUIRED, WHIRL_POSITIVE, "outer diameter"),
+    [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "diameter of the bore"),
+    [WIDTH] = NUMBER_KEY("width", "h", "m", REQUIRED, WHIRL_POSITIVE, "width along the shaft"),
+    [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("7850"), WHIRL_POSITIVE, "density; steel where absent"),
+    [ECCENTRICITY] = NUMBER_KEY("eccentricity", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                "distance of the disc's centre of mass from the shaft's centre"),
+    [ECCENTRICITY_ANGLE] = NUMBER_KEY("eccentricity_angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
+                                      "where the centre of mass lies at t = 0, from the x axis towards y"),
 };
 
 static const double pi = 3.14159265358979323846;

@@ -44,27 +44,19 @@ const element_kernels ISA(film_kernels) = {.flow = flow};
 enum { AT, COUNT, LAW, CLEARANCE, LOAD, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station of the journal", ""},
-    [COUNT] = {"count",
-               "",
-               "1",
-               WHIRL_KEY_WHOLE,
-               false,
-               "1",
-               {1, 1000, false, false},
-               NULL,
-               "equal bearings that carry this station",
-               ""},
-    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "capone", WHIRL_ANY, "capone",
-             "capone: short bearing, film over half the circumference", "Capone 1991"},
-    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
-    [LOAD] = {"load", "F0", "N", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
-              "scale F0 of the film force of one bearing, in place of viscosity, radius and length", "Capone 1991"},
+    [AT] = STATION_KEY("at", REQUIRED, "station of the journal"),
+    [COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings that carry this station"),
+    [LAW] = CITED_CHOICE_KEY("law", DEFAULT("capone"), "capone",
+                             "capone: short bearing, film over half the circumference", "Capone 1991"),
+    [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
+    [LOAD] = CITED_NUMBER_KEY("load", "F0", "N", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                              "scale F0 of the film force of one bearing, in place of viscosity, radius and length",
+                              "Capone 1991"),
     [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil"),
     [KINEMATIC] = OIL_KINEMATIC,
     [DENSITY] = OIL_DENSITY,
-    [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "radius of the journal", ""},
-    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL, "length of the bearing", ""},
+    [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal"),
+    [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the bearing"),
 };
 
 static oil oil_of(const key_value *values) {
@@ -131,8 +123,7 @@ void whirl_film_force(double x, double y, double vx, double vy, double force[2])
     film_add(&film, FILM_STRENGTH_OF_1, &force[0], &force[1]);
 }
 
-FOR_EVERY_ISA(const element_kernels, film_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, film_kernels);
+KERNELS_OF_EVERY_ISA(film_kernels);
 
 const element_type film_element = {
     .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL, NULL},

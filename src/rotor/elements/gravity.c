@@ -7,10 +7,10 @@
 enum { ACCELERATION, DIRECTION, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [ACCELERATION] = {"acceleration", "g", "m/s2", WHIRL_KEY_NUMBER, false, "9.80665", WHIRL_NOT_NEGATIVE, NULL,
-                      "acceleration of gravity", ""},
-    [DIRECTION] = {"direction", "", "rad", WHIRL_KEY_NUMBER, false, "-1.5707963267948966", WHIRL_ANY, NULL,
-                   "where it points, from the x axis towards y; downwards, against y, where absent", ""},
+    [ACCELERATION] =
+        NUMBER_KEY("acceleration", "g", "m/s2", DEFAULT("9.80665"), WHIRL_NOT_NEGATIVE, "acceleration of gravity"),
+    [DIRECTION] = NUMBER_KEY("direction", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
+                             "where it points, from the x axis towards y; downwards, against y, where absent"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {

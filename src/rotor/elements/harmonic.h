@@ -24,9 +24,8 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 /// The key that names the phase by which sections are taken.
 // clang-format off
 #define HARMONIC_KEYPHASOR                                                                                             \
-    {"keyphasor", "", "", WHIRL_KEY_CHOICE, false, "no", WHIRL_ANY, "no|yes",                                          \
-     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not once a " \
-     "turn of the shaft", ""}
+    CHOICE_KEY("keyphasor", DEFAULT("no"), "no|yes", \
+     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not once a turn of the shaft")
 // clang-format on
 
 /// Turns of the phase in a revolution.
@@ -41,11 +40,11 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
 /// The keys `at`, `moment` and `angle` of an unbalance, which its enum begins with.
 // clang-format off
 #define UNBALANCE_KEYS                                                                                                 \
-    {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that carries it", ""},                       \
-    {"moment", "U", "kg m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,                                      \
-     "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"},                                         \
-    {"angle", "beta", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,                                            \
-     "where it lies at t = 0, from the x axis towards y", ""}
+    STATION_KEY("at", REQUIRED, "station that carries it"),                       \
+    CITED_NUMBER_KEY("moment", "U", "kg m", REQUIRED, WHIRL_NOT_NEGATIVE, \
+     "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"),                                         \
+    NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY, \
+     "where it lies at t = 0, from the x axis towards y")
 // clang-format on
 
 #endif

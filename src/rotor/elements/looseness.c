@@ -41,17 +41,16 @@ enum {
     { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "" }
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "what can lift, then what it sits on; one may be ground", ""},
-    [ALONG] = {"along", "", "", WHIRL_KEY_CHOICE, false, "y", WHIRL_ANY, "x|y",
-               "the axis along which it lifts: the first station goes up it, away from the second", ""},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "what can lift, then what it sits on; one may be ground"),
+    [ALONG] = CHOICE_KEY("along", DEFAULT("y"), "x|y",
+                         "the axis along which it lifts: the first station goes up it, away from the second"),
     [STIFFNESS] = STIFFNESS_KEY("stiffness", "k_1", true, "", "stiffness of the seat, below the position of rest"),
     [DAMPING] = DAMPING_KEY("damping", "c_1", "0", "damping there"),
     [LOOSE_STIFFNESS] =
         STIFFNESS_KEY("loose_stiffness", "k_2", false, "0", "stiffness once lifted; 0: it sits without being held"),
     [LOOSE_DAMPING] = DAMPING_KEY("loose_damping", "c_2", "0", "damping once lifted"),
-    [GAP] = {"gap", "delta", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-             "lift at which it is held from above; never where absent", ""},
+    [GAP] = NUMBER_KEY("gap", "delta", "m", OPTIONAL, WHIRL_POSITIVE,
+                       "lift at which it is held from above; never where absent"),
     [HELD_STIFFNESS] = STIFFNESS_KEY("held_stiffness", "k_3", false, "", "stiffness beyond the gap; k_1 where absent"),
     [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; c_1 where absent"),
 };
@@ -84,8 +83,7 @@ static bool jumps(const element *own) {
     return own->law != 0;
 }
 
-FOR_EVERY_ISA(const element_kernels, looseness_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, looseness_kernels);
+KERNELS_OF_EVERY_ISA(looseness_kernels);
 
 const element_type looseness_element = {
     .group = {"looseness", "a seat that can lift: along one axis a spring and damper with two or three slopes",

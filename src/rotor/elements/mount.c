@@ -18,14 +18,13 @@ const element_kernels ISA(mount_kernels) = GENERIC_KERNELS;
 enum { BETWEEN, STIFFNESS, BRANCH, DAMPING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "the two stations that it joins; one may be ground", ""},
-    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL, "stiffness at rest",
-                   ""},
-    [BRANCH] = {"branch", "k_m", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-                "stiffness of the spring in series with the damper: what is added at high frequencies", "Zener 1948"},
-    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-                 "damping of the damper in series", "Zener 1948"},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
+    [STIFFNESS] = NUMBER_KEY("stiffness", "k", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness at rest"),
+    [BRANCH] = CITED_NUMBER_KEY("branch", "k_m", "N/m", REQUIRED, WHIRL_POSITIVE,
+                                "stiffness of the spring in series with the damper: what is added at high frequencies",
+                                "Zener 1948"),
+    [DAMPING] = CITED_NUMBER_KEY("damping", "c", "N s/m", REQUIRED, WHIRL_POSITIVE, "damping of the damper in series",
+                                 "Zener 1948"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -39,8 +38,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-FOR_EVERY_ISA(const element_kernels, mount_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, mount_kernels);
+KERNELS_OF_EVERY_ISA(mount_kernels);
 
 const element_type mount_element = {
     .group = {"mount", "an elastomer between two stations or a station and the ground, a standard linear solid",

@@ -39,22 +39,20 @@ const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .c
 enum { AT, GAP, STIFFNESS, DAMPING, FRICTION, LAW, RADIUS, SLIP_SPEED, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that may touch the stator", ""},
-    [GAP] = {"gap", "delta_1", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL,
-             "radial gap between rotor and stator", ""},
-    [STIFFNESS] = {"stiffness", "k_c", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-                   "radial stiffness of the stator", ""},
-    [DAMPING] = {"damping", "c_c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                 "viscous damping of the contact along its normal; the stator never pulls", ""},
-    [FRICTION] = {"friction", "f", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                  "coefficient of Coulomb friction", ""},
-    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "paper", WHIRL_ANY, "paper|slip",
-             "paper: friction always against the rotation; slip: against the sliding, which backward whirl can reverse",
-             "rub-impact paper 2015, eq. (3); Black 1968"},
-    [RADIUS] = {"radius", "R_d", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                "radius of the rotor's surface that rubs; law slip needs it", ""},
-    [SLIP_SPEED] = {"slip_speed", "v_0", "m/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                    "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal", ""},
+    [AT] = STATION_KEY("at", REQUIRED, "station that may touch the stator"),
+    [GAP] = NUMBER_KEY("gap", "delta_1", "m", REQUIRED, WHIRL_POSITIVE, "radial gap between rotor and stator"),
+    [STIFFNESS] = NUMBER_KEY("stiffness", "k_c", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "radial stiffness of the stator"),
+    [DAMPING] = NUMBER_KEY("damping", "c_c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                           "viscous damping of the contact along its normal; the stator never pulls"),
+    [FRICTION] = NUMBER_KEY("friction", "f", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "coefficient of Coulomb friction"),
+    [LAW] = CITED_CHOICE_KEY(
+        "law", DEFAULT("paper"), "paper|slip",
+        "paper: friction always against the rotation; slip: against the sliding, which backward whirl can reverse",
+        "rub-impact paper 2015, eq. (3); Black 1968"),
+    [RADIUS] = NUMBER_KEY("radius", "R_d", "m", OPTIONAL, WHIRL_POSITIVE,
+                          "radius of the rotor's surface that rubs; law slip needs it"),
+    [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                              "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -107,8 +105,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
         doubt_value(to, keys[GAP].name, "is %.3g times the radius, and stators are up to %g times away", share, most);
 }
 
-FOR_EVERY_ISA(const element_kernels, rub_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, rub_kernels);
+KERNELS_OF_EVERY_ISA(rub_kernels);
 
 const element_type rub_element = {
     .group = {"rub", "an elastic stator ring with Coulomb friction around a station",

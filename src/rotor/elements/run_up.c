@@ -22,9 +22,9 @@ enum { AT, MOMENT, ANGLE, SPEED, ACCELERATION, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
-    [SPEED] = {"speed", "", "rad/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "at t = 0", ""},
-    [ACCELERATION] = {"acceleration", "alpha", "rad/s2", WHIRL_KEY_NUMBER, true, "", WHIRL_ANY, NULL,
-                      "of the rotation; against the speed for a run-down", "Lewis 1932"},
+    [SPEED] = NUMBER_KEY("speed", "", "rad/s", DEFAULT("0"), WHIRL_ANY, "at t = 0"),
+    [ACCELERATION] = CITED_NUMBER_KEY("acceleration", "alpha", "rad/s2", REQUIRED, WHIRL_ANY,
+                                      "of the rotation; against the speed for a run-down", "Lewis 1932"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -37,8 +37,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-FOR_EVERY_ISA(const element_kernels, run_up_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, run_up_kernels);
+KERNELS_OF_EVERY_ISA(run_up_kernels);
 
 static const element_type run_up_element = {
     .group = {"run_up", "an unbalance while the speed runs up or down evenly", "Lewis 1932", keys, KEY_COUNT, NULL,

@@ -27,24 +27,22 @@ const element_kernels ISA(seal_kernels) = GENERIC_KERNELS;
 enum { AT, FROM, CLEARANCE, STIFFNESS, DAMPING, MASS, RATIO, GROWTH, SLOWING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station in the seal", ""},
-    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
-              "station of its housing; the ground where absent", ""},
-    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
-    [STIFFNESS] = {"stiffness", "K_0", "N/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                   "stiffness in the middle", ""},
-    [DAMPING] = {"damping", "D_0", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                 "damping in the middle, of the motion against the turning fluid", ""},
-    [MASS] = {"mass", "m_f", "kg", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-              "mass of the fluid that moves with the station", ""},
-    [RATIO] = {"ratio", "lambda_0", "1", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-               "mean speed of the turning fluid over that of the shaft, in the middle; below 0.5 as a rule",
-               "Muszynska 1988"},
-    [GROWTH] = {"growth", "n", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                "power by which stiffness and damping grow with the eccentricity ratio e, as (1 - e^2)^-n",
-                "Muszynska 1988"},
-    [SLOWING] = {"slowing", "b", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                 "power by which the fluid slows down with it, as (1 - e)^b", "Muszynska 1988"},
+    [AT] = STATION_KEY("at", REQUIRED, "station in the seal"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
+    [STIFFNESS] = NUMBER_KEY("stiffness", "K_0", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "stiffness in the middle"),
+    [DAMPING] = NUMBER_KEY("damping", "D_0", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                           "damping in the middle, of the motion against the turning fluid"),
+    [MASS] = NUMBER_KEY("mass", "m_f", "kg", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                        "mass of the fluid that moves with the station"),
+    [RATIO] = CITED_NUMBER_KEY(
+        "ratio", "lambda_0", "1", REQUIRED, WHIRL_NOT_NEGATIVE,
+        "mean speed of the turning fluid over that of the shaft, in the middle; below 0.5 as a rule", "Muszynska 1988"),
+    [GROWTH] = CITED_NUMBER_KEY(
+        "growth", "n", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+        "power by which stiffness and damping grow with the eccentricity ratio e, as (1 - e^2)^-n", "Muszynska 1988"),
+    [SLOWING] = CITED_NUMBER_KEY("slowing", "b", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                 "power by which the fluid slows down with it, as (1 - e)^b", "Muszynska 1988"),
 };
 
 static whirl_status inertia(const key_value *values, assembly *to) {
@@ -86,8 +84,7 @@ static double bearing_clearance(const element *own) {
     return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]) : 0.0;
 }
 
-FOR_EVERY_ISA(const element_kernels, seal_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, seal_kernels);
+KERNELS_OF_EVERY_ISA(seal_kernels);
 
 const element_type seal_element = {
     .group = {"seal", "an annular seal or lightly loaded bearing whose fluid turns with the shaft",

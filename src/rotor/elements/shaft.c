@@ -63,15 +63,14 @@ const element_kernels ISA(shaft_kernels) = {.flow = flow};
 enum { BETWEEN, K1, K2, SIGNS, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "the two stations that it joins; one may be ground", ""},
-    [K1] = {"k1", "k1", "N/m", WHIRL_KEY_NUMBER, true, "", WHIRL_NOT_NEGATIVE, NULL,
-            "stiffness along the first principal axis, which lies along x at t = 0", ""},
-    [K2] = {"k2", "k2", "N/m", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
-            "stiffness along the second principal axis; k1 where absent", ""},
-    [SIGNS] = {"signs", "", "", WHIRL_KEY_CHOICE, false, "derived", WHIRL_ANY, "derived|paper",
-               "derived: a shaft that turns; paper: the equations of the 2015 paper as printed",
-               "Friswell et al. 2010, sec. 7.3; rub-impact paper 2015, eq. (2)"},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
+    [K1] = NUMBER_KEY("k1", "k1", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE,
+                      "stiffness along the first principal axis, which lies along x at t = 0"),
+    [K2] = NUMBER_KEY("k2", "k2", "N/m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                      "stiffness along the second principal axis; k1 where absent"),
+    [SIGNS] = CITED_CHOICE_KEY("signs", DEFAULT("derived"), "derived|paper",
+                               "derived: a shaft that turns; paper: the equations of the 2015 paper as printed",
+                               "Friswell et al. 2010, sec. 7.3; rub-impact paper 2015, eq. (2)"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -98,8 +97,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-FOR_EVERY_ISA(const element_kernels, shaft_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, shaft_kernels);
+KERNELS_OF_EVERY_ISA(shaft_kernels);
 
 const element_type shaft_element = {
     .group = {"shaft", "a massless shaft of unequal stiffness between two stations, or from a station to ground",

@@ -18,16 +18,15 @@ const element_kernels ISA(spring_kernels) = GENERIC_KERNELS;
 enum { BETWEEN, ALONG, STIFFNESS, DAMPING, GAP, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = {"between", "", "", WHIRL_KEY_STATIONS, true, "", WHIRL_ANY, NULL,
-                 "the two stations that it joins; one may be ground", ""},
-    [ALONG] = {"along", "", "", WHIRL_KEY_CHOICE, false, "xy", WHIRL_ANY, "xy|x|y|tilts",
-               "the axes along which it acts; tilts: between the slopes of the stations", ""},
-    [STIFFNESS] = {"stiffness", "k", "N/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                   "stiffness; along tilts in N m per radian", ""},
-    [DAMPING] = {"damping", "c", "N s/m", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                 "damping; along tilts in N m s per radian", ""},
-    [GAP] = {"gap", "g", "m", WHIRL_KEY_NUMBER, false, "", WHIRL_NOT_NEGATIVE, NULL,
-             "play to either side, within which nothing acts; always joined where absent", ""},
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
+    [ALONG] = CHOICE_KEY("along", DEFAULT("xy"), "xy|x|y|tilts",
+                         "the axes along which it acts; tilts: between the slopes of the stations"),
+    [STIFFNESS] = NUMBER_KEY("stiffness", "k", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                             "stiffness; along tilts in N m per radian"),
+    [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                           "damping; along tilts in N m s per radian"),
+    [GAP] = NUMBER_KEY("gap", "g", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                       "play to either side, within which nothing acts; always joined where absent"),
 };
 
 enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS, ALONGS };
@@ -61,8 +60,7 @@ static bool jumps(const element *own) {
     return own->law != 0;
 }
 
-FOR_EVERY_ISA(const element_kernels, spring_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, spring_kernels);
+KERNELS_OF_EVERY_ISA(spring_kernels);
 
 const element_type spring_element = {
     .group = {"spring", "a spring and damper between two stations or a station and the ground, with or without play",

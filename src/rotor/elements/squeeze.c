@@ -23,31 +23,23 @@ const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;
 enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "station that it damps", ""},
-    [FROM] = {"from", "", "", WHIRL_KEY_STATION, false, "", WHIRL_ANY, NULL,
-              "station of its housing; the ground where absent", ""},
-    [COUNT] = {"count",
-               "",
-               "1",
-               WHIRL_KEY_WHOLE,
-               false,
-               "1",
-               {1, 1000, false, false},
-               NULL,
-               "equal dampers, or lands of one, at this station",
-               ""},
-    [LAW] = {"law", "", "", WHIRL_KEY_CHOICE, false, "short", WHIRL_ANY, "short|long",
-             "short: open ends, oil flows along the axis; long: sealed ends, oil flows around",
-             "Vance, Zeidan, Murphy 2010"},
-    [FILM] = {"film", "", "", WHIRL_KEY_CHOICE, false, "half", WHIRL_ANY, "half|full",
-              "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
-              "Vance, Zeidan, Murphy 2010"},
-    [CLEARANCE] = {"clearance", "c", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radial clearance", ""},
+    [AT] = STATION_KEY("at", REQUIRED, "station that it damps"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [COUNT] =
+        WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal dampers, or lands of one, at this station"),
+    [LAW] = CITED_CHOICE_KEY("law", DEFAULT("short"), "short|long",
+                             "short: open ends, oil flows along the axis; long: sealed ends, oil flows around",
+                             "Vance, Zeidan, Murphy 2010"),
+    [FILM] =
+        CITED_CHOICE_KEY("film", DEFAULT("half"), "half|full",
+                         "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
+                         "Vance, Zeidan, Murphy 2010"),
+    [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
     [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil; required without kinematic_viscosity"),
     [KINEMATIC] = OIL_KINEMATIC,
     [DENSITY] = OIL_DENSITY,
-    [RADIUS] = {"radius", "R", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "radius of the damper", ""},
-    [LENGTH] = {"length", "L", "m", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "length of the film", ""},
+    [RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the damper"),
+    [LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the film"),
 };
 
 static oil oil_of(const key_value *values) {
@@ -93,8 +85,7 @@ static double bearing_clearance(const element *own) {
     return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
 }
 
-FOR_EVERY_ISA(const element_kernels, squeeze_kernels);
-static const element_kernels *const kernels[VECTOR_ISAS] = EVERY_ISA(&, squeeze_kernels);
+KERNELS_OF_EVERY_ISA(squeeze_kernels);
 
 const element_type squeeze_element = {
     .group = {"squeeze", "a squeeze film damper between a station and its housing", "Vance, Zeidan, Murphy 2010", keys,

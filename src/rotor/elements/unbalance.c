@@ -9,11 +9,11 @@ enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEYPHASOR, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
-    [RATIO] = {"ratio", "rho", "1", WHIRL_KEY_NUMBER, false, "1", WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
-               NULL, "speed of the shaft that it turns with over the speed of the rotor; below 0 against the rotation",
-               ""},
-    [SPEED] = {"speed", "", "rad/s", WHIRL_KEY_NUMBER, false, "", WHIRL_ANY, NULL,
-               "that speed where it does not depend on the rotor's, in place of ratio", ""},
+    [RATIO] =
+        NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
+                   "speed of the shaft that it turns with over the speed of the rotor; below 0 against the rotation"),
+    [SPEED] = NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
+                         "that speed where it does not depend on the rotor's, in place of ratio"),
     [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 

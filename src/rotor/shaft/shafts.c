@@ -6,55 +6,55 @@
 const material shaft_steel = {.modulus = 2.11e11, .shear_modulus = 8.12e10, .density = 7810.0};
 
 static const whirl_key material_keys[MATERIAL_KEYS] = {
-    [MATERIAL_MODULUS] = {"modulus", "E", "Pa", WHIRL_KEY_NUMBER, false, "2.11e11", WHIRL_POSITIVE, NULL,
-                          "Young's modulus", ""},
-    [MATERIAL_SHEAR_MODULUS] = {"shear_modulus", "G", "Pa", WHIRL_KEY_NUMBER, false, "8.12e10", WHIRL_POSITIVE, NULL,
-                                "shear modulus; required with modulus, or poisson in its place", ""},
-    [MATERIAL_POISSON] = {"poisson", "nu", "1", WHIRL_KEY_NUMBER, false, "", WHIRL_FROM_TO(0.0, 0.5), NULL,
-                          "Poisson's ratio, in place of shear_modulus", ""},
-    [MATERIAL_DENSITY] = {"density", "rho", "kg/m3", WHIRL_KEY_NUMBER, false, "7810", WHIRL_POSITIVE, NULL, "density",
-                          ""},
+    [MATERIAL_MODULUS] = NUMBER_KEY("modulus", "E", "Pa", DEFAULT("2.11e11"), WHIRL_POSITIVE, "Young's modulus"),
+    [MATERIAL_SHEAR_MODULUS] = NUMBER_KEY("shear_modulus", "G", "Pa", DEFAULT("8.12e10"), WHIRL_POSITIVE,
+                                          "shear modulus; required with modulus, or poisson in its place"),
+    [MATERIAL_POISSON] = NUMBER_KEY("poisson", "nu", "1", OPTIONAL, WHIRL_FROM_TO(0.0, 0.5),
+                                    "Poisson's ratio, in place of shear_modulus"),
+    [MATERIAL_DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("7810"), WHIRL_POSITIVE, "density"),
 };
 
 const whirl_group material_group = {
     "materials", "a material of shafts; `steel` is known by itself", "", material_keys, MATERIAL_KEYS, NULL, NULL};
 
 static const whirl_key shaft_keys[SHAFT_KEYS] = {
-    [SHAFT_MATERIAL] = {"material", "", "", WHIRL_KEY_NAME, false, "steel", WHIRL_ANY, "materials",
-                        "name of `materials` that its segments are of", ""},
-    [SHAFT_MASS] = {"mass", "", "", WHIRL_KEY_CHOICE, false, "consistent", WHIRL_ANY, "consistent|lumped",
-                    "consistent: the mass moves with the bending between nodes; lumped: half a piece at each of its "
-                    "ends",
-                    "Friswell et al. 2010, sec. 5.4"},
-    [SHAFT_SHEAR] = {"shear", "", "", WHIRL_KEY_CHOICE, false, "cowper", WHIRL_ANY, "cowper|hutchinson|none",
-                     "shear factor of hollow circles; none: sections stay square to the axis",
-                     "Cowper 1966; Hutchinson 2001"},
-    [SHAFT_ROTARY] = {"rotary_inertia", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
-                      "whether sections resist tilting by their own inertia", ""},
-    [SHAFT_GYROSCOPIC] = {"gyroscopic", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
-                          "whether the shaft's own inertia makes gyroscopic moments", ""},
-    [SHAFT_RATIO] = {"ratio", "rho", "1", WHIRL_KEY_NUMBER, false, "1", WHIRL_ANY, NULL,
-                     "its speed over the rotor's; below 0 against the rotation", ""},
-    [SHAFT_MASS_DAMPING] = {"mass_damping", "alpha", "1/s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                            "proportional damping: C = alpha M + beta K of the shaft", ""},
-    [SHAFT_STIFFNESS_DAMPING] = {"stiffness_damping", "beta", "s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE,
-                                 NULL, "proportional damping; it does not turn with the shaft", ""},
-    [SHAFT_VISCOUS] = {"viscous_damping", "eta_V", "s", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                       "internal damping, which turns with the shaft: stress by the rate of strain over that by strain",
-                       "Zorzi, Nelson 1977"},
-    [SHAFT_HYSTERETIC] = {"hysteretic_damping", "eta_H", "1", WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
-                          "internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"},
-    [SHAFT_MESH_TO] = {"mesh_to", "", "Hz", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                       "elements are so short that natural frequencies up to there are right to 1e-4; absent: nodes "
-                       "at stations and ends of segments alone",
-                       ""},
-    [SHAFT_REDUCE] = {"reduce", "", "", WHIRL_KEY_CHOICE, false, "yes", WHIRL_ANY, "yes|no",
-                      "yes: displacements of its stations and the lowest modes between them; no: all its nodes",
-                      "Craig, Bampton 1968"},
-    [SHAFT_MODES] = {"modes", "", "1", WHIRL_KEY_WHOLE, false, "8", WHIRL_FROM_TO(0, 512), NULL,
-                     "of reduce: modes that are kept in each of both planes", ""},
-    [SHAFT_MODES_TO] = {"modes_to", "", "Hz", WHIRL_KEY_NUMBER, false, "", WHIRL_POSITIVE, NULL,
-                        "of reduce: all modes up to there, in place of their number", ""},
+    [SHAFT_MATERIAL] =
+        NAME_KEY("material", DEFAULT("steel"), "materials", "name of `materials` that its segments are of"),
+    [SHAFT_MASS] = CITED_CHOICE_KEY(
+        "mass", DEFAULT("consistent"), "consistent|lumped",
+        "consistent: the mass moves with the bending between nodes; lumped: half a piece at each of its ends",
+        "Friswell et al. 2010, sec. 5.4"),
+    [SHAFT_SHEAR] = CITED_CHOICE_KEY("shear", DEFAULT("cowper"), "cowper|hutchinson|none",
+                                     "shear factor of hollow circles; none: sections stay square to the axis",
+                                     "Cowper 1966; Hutchinson 2001"),
+    [SHAFT_ROTARY] =
+        CHOICE_KEY("rotary_inertia", DEFAULT("yes"), "yes|no", "whether sections resist tilting by their own inertia"),
+    [SHAFT_GYROSCOPIC] =
+        CHOICE_KEY("gyroscopic", DEFAULT("yes"), "yes|no", "whether the shaft's own inertia makes gyroscopic moments"),
+    [SHAFT_RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_ANY,
+                               "its speed over the rotor's; below 0 against the rotation"),
+    [SHAFT_MASS_DAMPING] = NUMBER_KEY("mass_damping", "alpha", "1/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                      "proportional damping: C = alpha M + beta K of the shaft"),
+    [SHAFT_STIFFNESS_DAMPING] = NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                           "proportional damping; it does not turn with the shaft"),
+    [SHAFT_VISCOUS] = CITED_NUMBER_KEY(
+        "viscous_damping", "eta_V", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+        "internal damping, which turns with the shaft: stress by the rate of strain over that by strain",
+        "Zorzi, Nelson 1977"),
+    [SHAFT_HYSTERETIC] =
+        CITED_NUMBER_KEY("hysteretic_damping", "eta_H", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                         "internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"),
+    [SHAFT_MESH_TO] = NUMBER_KEY("mesh_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
+                                 "elements are so short that natural frequencies up to there are right to 1e-4; "
+                                 "absent: nodes at stations and ends of segments alone"),
+    [SHAFT_REDUCE] =
+        CITED_CHOICE_KEY("reduce", DEFAULT("yes"), "yes|no",
+                         "yes: displacements of its stations and the lowest modes between them; no: all its nodes",
+                         "Craig, Bampton 1968"),
+    [SHAFT_MODES] = WHOLE_KEY("modes", "", DEFAULT("8"), WHIRL_FROM_TO(0, 512),
+                              "of reduce: modes that are kept in each of both planes"),
+    [SHAFT_MODES_TO] = NUMBER_KEY("modes_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
+                                  "of reduce: all modes up to there, in place of their number"),
 };
 
 const whirl_group shaft_group = {"shafts",

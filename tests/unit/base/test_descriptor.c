@@ -8,15 +8,15 @@
 
 #include <cmocka.h>
 
-#include "whirl/descriptor.h"
+#include "keys.h"
 
 static const whirl_key keys[] = {
-    {"mass", "m", "kg", WHIRL_KEY_NUMBER, true, "", WHIRL_POSITIVE, NULL, "", ""},
-    {"count", "", "1", WHIRL_KEY_WHOLE, false, "1", {1, 1000, false, false}, NULL, "", ""},
-    {"law", "", "", WHIRL_KEY_CHOICE, false, "paper", WHIRL_ANY, "paper|slip|none", "", ""},
+    NUMBER_KEY("mass", "m", "kg", REQUIRED, WHIRL_POSITIVE, ""),
+    WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), ""),
+    CHOICE_KEY("law", DEFAULT("paper"), "paper|slip|none", ""),
     {"share", "", "1", WHIRL_KEY_NUMBER, false, "0", {0, 1, false, true}, NULL, "", ""},
-    {"depth", "", "m", WHIRL_KEY_NUMBER, false, "0", {-INFINITY, 0, false, false}, NULL, "", ""},
-    {"angle", "", "rad", WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL, "", ""},
+    NUMBER_KEY("depth", "", "m", DEFAULT("0"), WHIRL_FROM_TO(-INFINITY, 0), ""),
+    NUMBER_KEY("angle", "", "rad", DEFAULT("0"), WHIRL_ANY, ""),
 };
 static const whirl_group group = {"thing", "", "", keys, sizeof keys / sizeof *keys, NULL, NULL};
 

@@ -115,8 +115,7 @@ static void test_elements(void **state) {
 
 /// A kind of element that is no mass, no force: a design is told of it, others are not.
 static void test_own_types(void **state) {
-    static const whirl_key keys[] = {
-        {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
+    static const whirl_key keys[] = {STATION_KEY("at", REQUIRED, "where it is of no use")};
     static const element_type idler = {.group = {"idler", "an element that does nothing", "", keys, 1, NULL, NULL},
                                        .build = build_nothing};
     static const element_type impostor = {.group = {"shaft", "not the shaft that is known", "", keys, 1, NULL, NULL},
@@ -140,8 +139,7 @@ static void test_own_types(void **state) {
 
 /// Kinds with more keys or states than there is room for are refused.
 static void test_own_types_too_large(void **state) {
-    static const whirl_key keys[65] = {
-        {"at", "", "", WHIRL_KEY_STATION, true, "", WHIRL_ANY, NULL, "where it is of no use", ""}};
+    static const whirl_key keys[65] = {STATION_KEY("at", REQUIRED, "where it is of no use")};
     static const element_kernels idle = {0};
     static const element_kernels *const kernels[VECTOR_ISAS] = {&idle, &idle, &idle, &idle, &idle};
     static const element_type wordy = {.group = {"wordy", "an element of 65 keys", "", keys, 65, NULL, NULL},

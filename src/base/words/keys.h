@@ -1,0 +1,35 @@
+/// How tables of keys are written: a whirl_key by its kind, without the members that the kind has no use for.
+///
+/// Behind the name stands whether the key must be given: REQUIRED, OPTIONAL (it may be left out) or DEFAULT("0"), text
+/// in its unit. Ranges are those of whirl/descriptor.h; CITED_ keys tell the source of their definition.
+#ifndef BASE_KEYS_H
+#define BASE_KEYS_H
+
+#include <math.h>
+
+#include "whirl/descriptor.h"
+
+#define REQUIRED true, ""
+#define OPTIONAL false, ""
+#define DEFAULT(text) false, text
+
+#define CITED_NUMBER_KEY(name, symbol, unit, presence, range, meaning, source)                                         \
+    { name, symbol, unit, WHIRL_KEY_NUMBER, presence, range, NULL, meaning, source }
+#define NUMBER_KEY(name, symbol, unit, presence, range, meaning)                                                       \
+    { name, symbol, unit, WHIRL_KEY_NUMBER, presence, range, NULL, meaning, "" }
+#define CITED_NUMBERS_KEY(name, symbol, unit, presence, range, meaning, source)                                        \
+    { name, symbol, unit, WHIRL_KEY_NUMBERS, presence, range, NULL, meaning, source }
+#define WHOLE_KEY(name, symbol, presence, range, meaning)                                                              \
+    { name, symbol, "1", WHIRL_KEY_WHOLE, presence, range, NULL, meaning, "" }
+#define CITED_CHOICE_KEY(name, presence, choices, meaning, source)                                                     \
+    { name, "", "", WHIRL_KEY_CHOICE, presence, WHIRL_ANY, choices, meaning, source }
+#define CHOICE_KEY(name, presence, choices, meaning)                                                                   \
+    { name, "", "", WHIRL_KEY_CHOICE, presence, WHIRL_ANY, choices, meaning, "" }
+#define STATION_KEY(name, presence, meaning)                                                                           \
+    { name, "", "", WHIRL_KEY_STATION, presence, WHIRL_ANY, NULL, meaning, "" }
+#define STATIONS_KEY(name, presence, meaning)                                                                          \
+    { name, "", "", WHIRL_KEY_STATIONS, presence, WHIRL_ANY, NULL, meaning, "" }
+#define NAME_KEY(name, presence, of, meaning)                                                                          \
+    { name, "", "", WHIRL_KEY_NAME, presence, WHIRL_ANY, of, meaning, "" }
+
+#endif
