@@ -39,7 +39,7 @@ function colour = verdict_colour(verdict, confidence)   % as the user guide tell
   digits = {'366EFB', '1FBADD', '1D7257', 'CC0892', '000000', '9A9F95', 'FB8D41', '664406'};
   text = digits{find(strcmp(names, verdict), 1)};
   rgb = [hex2dec(text(1:2)), hex2dec(text(3:4)), hex2dec(text(5:6))] / 255;
-  opacity = [0.4, 0.7, 1](confidence + 1);
+  opacity = [0.4, 0.8, 1](confidence + 1);
   colour = opacity * rgb + (1 - opacity);
 end
 figure('visible', 'off');

@@ -11,7 +11,7 @@ elseif has_field(table, FIELD.regime_code)
     [names, colours] = regimes();
     confidence = field_of(table, FIELD.regime_confidence);
     confidence(isnan(confidence)) = 0;
-    paleness = [0.6; 0.3; 0];
+    paleness = [0.6; 0.2; 0];
     kinds.of = regime_classes(table);
     kinds.paleness = paleness(confidence + 1);
     kinds.number = unique(kinds.of);

@@ -21,7 +21,7 @@ REGIMES = {
 ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", "#F0E442", "#000000")
 _NO_ATTRACTOR = "#9A9F95"
 _UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
-_OPACITY = (0.4, 0.7, 1.0)  # of low, fair and high confidence
+_OPACITY = (0.4, 0.8, 1.0)  # of low, fair and high confidence
 
 
 def classes(table):

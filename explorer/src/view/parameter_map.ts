@@ -80,7 +80,7 @@ function isOwn({ grid, cell }: Found, [x, y]: Spot): boolean {
 export type Spot = readonly [number, number];
 
 /// How much of a regime's colour is left, by confidence: low, fair, high.
-const STRENGTH = [0.4, 0.75, 1];
+const STRENGTH = [0.4, 0.8, 1];
 
 /// Colours of numbers.
 const SHADES = 256;
