@@ -485,8 +485,8 @@ typedef struct whirl_field {
     size_t offset;        ///< of the first number in the block; the next repetition follows after rows * columns
 } whirl_field;
 
-/// The most fields of a block.
-enum { WHIRL_MAX_FIELDS = 160 };
+/// The most fields of a block, and the most columns that have names.
+enum { WHIRL_MAX_FIELDS = 160, WHIRL_MAX_COLUMNS = 32 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
@@ -583,6 +583,9 @@ bool whirl_layout_has_verdict(const whirl_layout *layout);
 
 /// The field of that name, or NULL.
 const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *name);
+
+/// The names of a field's columns, "x", "y"; false where they have none.
+bool whirl_field_column_names(const whirl_field *field, char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 /// Whether the analyses have a field of that name whose numbers stand in rows: also where options leave one row of
 /// them.

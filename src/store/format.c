@@ -45,21 +45,3 @@ int format_dimension_names(const whirl_field *field, shape points, char names[SH
     for (int i = 0; i < rank; ++i) snprintf(names[i], WHIRL_NAME_SIZE, "%s", found[i]);
     return rank;
 }
-
-bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]) {
-    if (field->columns < 2 || field->columns > FORMAT_MAX_COLUMNS) return false;
-    const char *from = field->meaning;
-    for (size_t i = 0; i < field->columns; ++i) {
-        const size_t length = strcspn(from, ",(");
-        size_t end = length;
-        while (end > 0 && from[end - 1] == ' ') --end;
-        if (end == 0 || end >= WHIRL_NAME_SIZE) return false;
-        memcpy(names[i], from, end);
-        names[i][end] = '\0';
-        from += length;
-        // Another name must follow, or none.
-        if ((*from == ',') != (i + 1 < field->columns)) return false;
-        if (*from == ',') from += 1 + strspn(from + 1, " ");
-    }
-    return true;
-}

@@ -147,8 +147,8 @@ static shape shape_of(const whirl_table *table) {
 }
 
 static void put_column_names(whirl_status *status, hid_t dataset, const whirl_field *field) {
-    char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
-    if (format_column_names(field, names))
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    if (whirl_field_column_names(field, names))
         put_texts_attribute(status, dataset, "column_names", texts_of(names[0], WHIRL_NAME_SIZE, field->columns));
 }
 

@@ -224,7 +224,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     add_multipliers(figure, v);
 }
 
-const figure_kind branch_figure = {list, describe};
+const figure_kind branch_figure = {.list = list, .describe = describe};
 
 // ---------------------------------------------------------------- curves
 
@@ -258,4 +258,4 @@ static void describe_curves(const drawing *of, const figure_place *place, whirl_
              table->parameter, second);
 }
 
-const figure_kind curves_figure = {list_curves, describe_curves};
+const figure_kind curves_figure = {.list = list_curves, .describe = describe_curves};

@@ -198,4 +198,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         v.table->parameter);
 }
 
-const figure_kind campbell_figure = {list, describe};
+const figure_kind campbell_figure = {.list = list, .describe = describe};

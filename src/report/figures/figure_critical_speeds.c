@@ -75,4 +75,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              table->parameter);
 }
 
-const figure_kind critical_speeds_figure = {list, describe};
+const figure_kind critical_speeds_figure = {.list = list, .describe = describe};

@@ -7,18 +7,19 @@
 #include "machine_at.h"
 
 static const figure_kind *const kinds[] = {
-    &bifurcation_figure, &map_figure,    &branch_figure,    &curves_figure,          &torus_figure,
-    &campbell_figure,    &shapes_figure, &unbalance_figure, &critical_speeds_figure, &point_figure,
+    &bifurcation_figure, &map_figure,       &branch_figure,          &curves_figure, &torus_figure, &campbell_figure,
+    &shapes_figure,      &unbalance_figure, &critical_speeds_figure, &point_figure,  &field_figure,
 };
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 // ---------------------------------------------------------------- the list
 
 whirl_status figures_list(const drawing *of, figure_list *list) {
     *list = (figure_list){.count = 0};
-    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+    for (size_t k = 0; k < KINDS; k++)
         for (size_t t = 0; t < of->result->table_count; t++) {
             const whirl_table *table = &of->result->tables[t];
-            if (table->count > 0) kinds[k]->list(list, of, table);
+            if (table->count > 0 && kinds[k]->list) kinds[k]->list(list, of, table);
         }
     if (!list->failed) return whirl_ok();
     free(list->items);
@@ -105,17 +106,27 @@ static whirl_status no_figure(const figure_list *list, const char *name) {
     return status;
 }
 
+/// The place on the list of a figure that is there, or made as it is asked for.
+static whirl_status find_figure(shown_result *shown, const char *name, size_t *at) {
+    figure_list *list = &shown->list;
+    whirl_status status = whirl_ok();
+    *at = 0;
+    while (name && *at < list->count && strcmp(list->items[*at].name.name, name) != 0) ++*at;
+    for (size_t k = 0; k < KINDS && name && *at == list->count && status.code == WHIRL_OK; k++)
+        if (kinds[k]->find) status = kinds[k]->find(list, &shown->of, name);
+    if (status.code != WHIRL_OK) return status;
+    if (list->failed) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name);
+    return *at < list->count ? whirl_ok() : no_figure(list, name ? name : "");
+}
+
 whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
                               whirl_figure **figure) {
     shown_result shown;
+    size_t at = 0;
     *figure = NULL;
     whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
-    size_t at = 0;
-    if (status.code == WHIRL_OK) {
-        while (name && at < shown.list.count && strcmp(shown.list.items[at].name.name, name) != 0) at++;
-        status = at < shown.list.count ? figure_make(&shown.of, &shown.list.items[at], options, figure)
-                                       : no_figure(&shown.list, name ? name : "");
-    }
+    if (status.code == WHIRL_OK) status = find_figure(&shown, name, &at);
+    if (status.code == WHIRL_OK) status = figure_make(&shown.of, &shown.list.items[at], options, figure);
     shown_free(&shown);
     return status;
 }

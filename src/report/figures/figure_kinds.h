@@ -26,6 +26,8 @@ typedef struct figure_place {
     const whirl_table *table; ///< whose
     long point;               ///< or NO_POINT
     size_t station, which;    ///< of several alike
+    const whirl_field *field; ///< whose numbers any figure of fields shows,
+    size_t column;            ///< and which of them; `which` is the station or contact
     whirl_figure_name name;
 } figure_place;
 
@@ -40,7 +42,17 @@ struct figure_kind {
     void (*list)(figure_list *list, const drawing *of, const whirl_table *table);
     /// Makes one of them; name and title are there.
     void (*describe)(const drawing *of, const figure_place *place, whirl_figure *figure);
+    /// Optional: adds the figure of a name that is not on the list, made as it is asked for. WHIRL_BAD_INPUT where the
+    /// name is meant for this kind, and there is no such figure.
+    whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
 };
+
+/// A number of a point in the unit that is shown, of a figure of fields, in a row of the field; and what it is called.
+double shown_number(const drawing *of, const figure_place *place, size_t point, size_t row);
+void shown_label(const drawing *of, const figure_place *place, char *label, size_t size);
+
+/// A map of a field's numbers.
+void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure);
 
 /// Adds one; `name` is made a file name that no other has.
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...)
@@ -60,6 +72,6 @@ const char *line_colour(size_t number);
 bool table_has(const whirl_table *table, const char *field);
 
 extern const figure_kind bifurcation_figure, map_figure, branch_figure, curves_figure, torus_figure, campbell_figure,
-    shapes_figure, unbalance_figure, critical_speeds_figure, point_figure;
+    shapes_figure, unbalance_figure, critical_speeds_figure, point_figure, field_figure;
 
 #endif

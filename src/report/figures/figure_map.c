@@ -25,6 +25,7 @@ static const char *const around_zero[] = {"#0072B2", "#ffffff", "#D55E00"};
 /// A map that is drawn, and where it goes.
 typedef struct map_drawing {
     const drawing *of;
+    const figure_place *place;
     const whirl_table *table;
     whirl_figure *figure;
     size_t *labels;                                ///< [count] attractors of a basin; NULL: it is none
@@ -72,6 +73,11 @@ static double contact_of(const map_drawing *map, size_t point, size_t station) {
 
 static double radius_of(const map_drawing *map, size_t point, size_t station) {
     return whirl_shown_length(map->of->units, map->table, point) * max_radius(map->table, point, station);
+}
+
+static double field_of(const map_drawing *map, size_t point, size_t station) {
+    (void)station;
+    return shown_number(map->of, map->place, point, 0);
 }
 
 static double beside_of(const map_drawing *map, size_t point, size_t station) {
@@ -134,6 +140,9 @@ static const map_quantity quantities[] = {
     {"map-radius", "Largest radius", "", radius_of, scale_as_found, true},
 };
 enum { BASINS, REGIMES, QUANTITIES = sizeof quantities / sizeof *quantities };
+
+/// The numbers of any field.
+static const map_quantity of_field = {"", "", "", field_of, scale_as_found, false};
 
 // ---------------------------------------------------------------- cells
 
@@ -323,6 +332,8 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
             "Motions that starts over %s and %s come to rest on: %zu attractor%s, told apart by their sections. In "
             "the key their shares of all starts; starts without a verdict are left white.",
             table->parameter, table->second, map->attractor_count, map->attractor_count == 1 ? "" : "s");
+    } else if (what == &of_field) {
+        snprintf(text, sizeof text, "%.450s.", map->figure->title);
     } else {
         const char *name = what->per_station ? map->of->result->stations[station].name : "";
         snprintf(text, sizeof text, "%s%s%s over %s and %s%s.", what->title, *name ? " of " : "", name,
@@ -365,11 +376,11 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
             if (is_known(&map, &quantities[which], s)) add_to_list(to, &map, which, s);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
-    const map_quantity *what = &quantities[place->which];
+    const map_quantity *what = place->field ? &of_field : &quantities[place->which];
     const size_t planes = plane_count(table);
-    map_drawing map = {.of = of, .table = table, .figure = figure};
+    map_drawing map = {.of = of, .place = place, .table = table, .figure = figure};
     double *of_points = malloc((table->count + 1) * sizeof *of_points);
     span range = span_empty();
     map.labels = is_basin(table) ? calloc(table->count + 1, sizeof *map.labels) : NULL;
@@ -388,6 +399,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         snprintf(figure->scale.label, sizeof figure->scale.label, "%s", what->label);
         if (what->per_station)
             symbol_length(of->units, "largest radius", figure->scale.label, sizeof figure->scale.label);
+        if (place->field) shown_label(of, place, figure->scale.label, sizeof figure->scale.label);
     }
     for (size_t k = 0; k < planes && !figure->failed; k++) add_plane(&map, what, of_points, k, planes);
     if (!figure->failed) write_caption(&map, what, place->station);
@@ -395,4 +407,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     free(of_points);
 }
 
-const figure_kind map_figure = {list, describe};
+const figure_kind map_figure = {.list = list, .describe = map_describe};

@@ -202,7 +202,8 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
         span_widen(&y, of->length * of->section.at[4 * k + 1]);
     }
     const double extent = fmax(x.high - x.low, y.high - y.low);
-    const window in = window_around(x, y, fmax(1.24 * extent, 0.2 * of->size));
+    const double least = fmax(0.2 * of->size, 1e-3 * hypot(x.high, y.high)); // where no waveform says how far it moves
+    const window in = window_around(x, y, fmax(1.24 * extent, least));
     show_window(panel, of, &in);
     const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size &&
                        whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC;
@@ -358,20 +359,25 @@ static double highest_order(const subject *of) {
     return order_size(of) * (last > 0.0 ? last : 1.0);
 }
 
-/// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
-static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, int full) {
-    const double highest = highest_order(of);
-    const scale axis = scale_of(of, full, full ? 1.24 : 1.22);
+static void label_spectrum(whirl_panel *panel, const subject *of, int full) {
     const char *keyphasor = whirl_result_keyphasor(of->result), *backward = full ? " (negative: backward whirl)" : "";
-    axis_show(&panel->x, (span){full ? -highest : 0.0, highest});
-    axis_show(&panel->y, (span){axis.low, axis.high});
-    panel->y.logarithmic = axis.logarithmic;
+    panel->keyed = true;
     symbol_amplitude(of->units, "amplitude", panel->y.label, sizeof panel->y.label);
     if (isnan(of->order))
         snprintf(panel->x.label, sizeof panel->x.label, "order of the %.63s%s",
                  *keyphasor ? keyphasor : "running speed", backward);
     else
         snprintf(panel->x.label, sizeof panel->x.label, "frequency (%s)%s", of->units->frequency_name, backward);
+}
+
+/// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
+static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, int full) {
+    const double highest = highest_order(of);
+    const scale axis = scale_of(of, full, full ? 1.24 : 1.22);
+    label_spectrum(panel, of, full);
+    axis_show(&panel->x, (span){full ? -highest : 0.0, highest});
+    axis_show(&panel->y, (span){axis.low, axis.high});
+    panel->y.logarithmic = axis.logarithmic;
     add_line_labels(figure, panel, of, &axis, highest, full);
     return axis;
 }
@@ -393,7 +399,6 @@ static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject
 
 static void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     const scale axis = begin_spectrum(figure, panel, of, 0);
-    panel->keyed = true;
     panel_named(figure, panel, WHIRL_LINE, "$x$", line_colour(0), 0.53);
     add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "$y$", line_colour(1), 0.38), of, &axis, 2, 1.0);
     add_spectrum(figure, panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38), of, &axis, 1, 1.0);
@@ -401,24 +406,43 @@ static void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const su
 
 static void add_full_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     const scale axis = begin_spectrum(figure, panel, of, 1);
-    panel->keyed = true;
     add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "backward", line_colour(1), 0.38), of, &axis, 4, -1.0);
     add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "forward", line_colour(0), 0.38), of, &axis, 3, 1.0);
 }
 
+/// The largest lines alone, where no whole spectrum was kept.
+static void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    double highest = 0.0, tallest = 0.0;
+    for (size_t k = 0; k < of->lines.rows && !isnan(of->lines.at[5 * k]); k++) {
+        highest = fmax(highest, order_size(of) * of->lines.at[5 * k]);
+        tallest = fmax(tallest, of->amplitude * amplitude(&of->lines.at[5 * k], 1));
+    }
+    label_spectrum(panel, of, 1);
+    axis_show(&panel->x, (span){-1.08 * highest, 1.08 * highest});
+    axis_show(&panel->y, (span){0.0, 1.2 * (tallest > 0.0 ? tallest : 1.0)});
+    for (size_t way = 0; way < 2; way++) {
+        whirl_series *bars =
+            panel_named(figure, panel, WHIRL_BARS, way ? "forward" : "backward", line_colour(1 - way), 1.1);
+        for (size_t k = 0; k < of->lines.rows && !isnan(of->lines.at[5 * k]); k++)
+            series_add_to(figure, bars, (way ? 1.0 : -1.0) * order_size(of) * of->lines.at[5 * k], 0.0,
+                          of->amplitude * of->lines.at[5 * k + (way ? 3 : 4)]);
+    }
+}
+
 // ---------------------------------------------------------------- the figure
 
-enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, PANEL_COUNT };
+enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, LINES_PANEL, PANEL_COUNT };
 
 /// Which panels there are data for, in the order in which they are lettered.
 static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
     there[WAVEFORM_PANEL] = there[ORBIT_PANEL] = of->waveform.at != NULL;
     there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
+    there[LINES_PANEL] = of->spectrum.at == NULL && of->lines.at != NULL;
     there[SECTION_PANEL] = of->section.at != NULL;
 }
 
 static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
-    add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum};
+    add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum, add_lines};
 
 /// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
 static void name_panels(const subject *of, char *text, size_t size) {
@@ -427,8 +451,12 @@ static void name_panels(const subject *of, char *text, size_t size) {
                         : circles == 1u ? "orbit (grey: bearing)"
                         : circles == 2u ? "orbit (dashed: stator)"
                                         : "orbit";
-    const char *const names[] = {"waveform", orbit, "spectrum", "Poincar\u00e9 map (once a revolution)",
-                                 "full spectrum of x + iy"};
+    const char *const names[] = {"waveform",
+                                 orbit,
+                                 "spectrum",
+                                 "Poincar\u00e9 map (once a revolution)",
+                                 "full spectrum of x + iy",
+                                 "lines of the full spectrum"};
     bool there[PANEL_COUNT];
     size_t used = 0;
     char letter = 'a';
@@ -441,42 +469,119 @@ static void name_panels(const subject *of, char *text, size_t size) {
         }
 }
 
+/// Whether there is anything to show of a point at a station.
+static bool is_there(const whirl_table *table, size_t point, size_t station) {
+    return whirl_table_done(table, point) &&
+           (point_waveform(table, point, station).at || point_section(table, point, station).at ||
+            point_spectrum(table, point, station).at || point_lines(table, point, station).at);
+}
+
+static void add_to_list(figure_list *to, const drawing *of, const whirl_table *table, size_t i, size_t station) {
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], name[200];
+    const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
+    const char *station_name = of->result->stations[station].name;
+    const figure_place place = {.kind = &point_figure, .table = table, .point = (long)i, .station = station};
+    const whirl_verdict verdict = whirl_table_verdict(table, i);
+    units_point_label(of->units, table, i, point, sizeof point);
+    whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+    if (*table->parameter)
+        snprintf(name, sizeof name, "%.63s-%.6g%.20s-%.63s", table->parameter, table->values[i] / unit.size, unit.name,
+                 station_name);
+    else
+        snprintf(name, sizeof name, "%.63s-%.63s", table->name, station_name);
+    list_figure(to, &place, name, "%.80s, %.60s: %.54s", point, station_name, verdict_text);
+}
+
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (table != detail_table(of->result)) return;
-    const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
     for (size_t i = 0; i < table->count; i++)
-        for (size_t s = 0; s < of->result->station_count && whirl_table_done(table, i); s++) {
-            char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], name[200];
-            const char *station = of->result->stations[s].name;
-            const figure_place place = {.kind = &point_figure, .table = table, .point = (long)i, .station = s};
-            if (!point_waveform(table, i, s).at && !point_section(table, i, s).at && !point_spectrum(table, i, s).at)
-                continue;
-            const whirl_verdict verdict = whirl_table_verdict(table, i);
-            units_point_label(of->units, table, i, point, sizeof point);
-            whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
-            if (*table->parameter)
-                snprintf(name, sizeof name, "%.63s-%.6g%.20s-%.63s", table->parameter, table->values[i] / unit.size,
-                         unit.name, station);
-            else
-                snprintf(name, sizeof name, "%.63s-%.63s", table->name, station);
-            list_figure(to, &place, name, "%.80s, %.60s: %.54s", point, station, verdict_text);
-        }
+        for (size_t s = 0; s < of->result->station_count; s++)
+            if (is_there(table, i, s)) add_to_list(to, of, table, i, s);
+}
+
+// ---------------------------------------------------------------- any point: "@6000 rpm:disc", "@#12"
+
+/// The point of a table that is nearest to a value in the unit that is shown, and how far that is.
+static size_t nearest_point(const drawing *of, const whirl_table *table, double value, size_t station, double *far) {
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    size_t nearest = table->count;
+    *far = INFINITY;
+    for (size_t i = 0; i < table->count; i++) {
+        const double away = fabs(table->values[i] / size - value);
+        if (away < *far && is_there(table, i, station)) nearest = i, *far = away;
+    }
+    return nearest;
+}
+
+static whirl_status add_nearest(figure_list *to, const drawing *of, const char *text, size_t station) {
+    const whirl_table *found = NULL;
+    size_t point = 0;
+    double best = INFINITY;
+    char *end;
+    const double value = strtod(text, &end);
+    const char *unit = end + strspn(end, " ");
+    for (size_t t = 0; t < of->result->table_count; t++) {
+        const whirl_table *table = &of->result->tables[t];
+        if (!*table->parameter || table->row > 0) continue;
+        const whirl_unit shown = whirl_shown_parameter(of->units, table->parameter);
+        if (end == text || (*unit && strcmp(unit, shown.name) != 0))
+            return whirl_fail(WHIRL_BAD_INPUT, "the value is '%.60s', expected a number%s%.60s", text,
+                              *shown.name ? " in " : "", shown.name);
+        double far;
+        const size_t nearest = nearest_point(of, table, value, station, &far);
+        // Points in detail have more to show, and stand behind those of the sweep.
+        if (nearest < table->count && far <= best) found = table, point = nearest, best = far;
+    }
+    if (!found)
+        return whirl_fail(WHIRL_BAD_INPUT, "the result has no points along a parameter with sections or spectra");
+    add_to_list(to, of, found, point, station);
+    return whirl_ok();
+}
+
+static whirl_status add_numbered(figure_list *to, const drawing *of, const char *text, size_t station) {
+    char *end;
+    const unsigned long long point = strtoull(text, &end, 10);
+    const whirl_table *table = &of->result->tables[0];
+    if (end == text || *end || point >= table->count)
+        return whirl_fail(WHIRL_BAD_INPUT, "the point is '%.60s', expected a number from 0 to %zu", text,
+                          table->count > 0 ? table->count - 1 : 0);
+    if (!is_there(table, (size_t)point, station))
+        return whirl_fail(WHIRL_BAD_INPUT, "point %.60s has no section, waveform or spectrum, or is not done", text);
+    add_to_list(to, of, table, (size_t)point, station);
+    return whirl_ok();
+}
+
+static whirl_status find(figure_list *to, const drawing *of, const char *name) {
+    char text[200];
+    if (*name != '@' || of->result->table_count == 0) return whirl_ok();
+    snprintf(text, sizeof text, "%s", name + 1);
+    char *colon = strchr(text, ':');
+    size_t station = 0;
+    if (colon) *colon = '\0';
+    while (colon && station < of->result->station_count && strcmp(of->result->stations[station].name, colon + 1) != 0)
+        station++;
+    if (station == of->result->station_count)
+        return whirl_fail(WHIRL_BAD_INPUT, "there is no station '%.60s'", colon ? colon + 1 : "");
+    return *text == '#' ? add_numbered(to, of, text + 1, station) : add_nearest(to, of, text, station);
 }
 
 static void describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
-    static const char *const panel_names[] = {"waveform", "orbit", "spectrum", "section", "full-spectrum"};
+    static const char *const panel_names[] = {"waveform", "orbit",         "spectrum",
+                                              "section",  "full-spectrum", "full-spectrum"};
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
     const whirl_verdict verdict = whirl_table_verdict(of.table, of.point);
     char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], panels[280];
     bool there[PANEL_COUNT];
     char letter = 'a';
     panels_there(&of, there);
-    figure->width = 17.5;
+    // A section alone fills the width of a column.
+    const bool alone = there[SECTION_PANEL] && !there[ORBIT_PANEL] && !there[SPECTRUM_PANEL];
+    figure->width = alone ? 9.0 : 17.5;
     figure->font = 8.0;
     for (int i = 0; i < PANEL_COUNT; i++) {
         if (!there[i]) continue;
-        const bool wide = i == FULL_PANEL;
-        whirl_panel *panel = figure_panel(figure, panel_names[i], wide ? 1.0 : 0.5, wide ? 4.2 : 6.5);
+        const bool wide = i >= FULL_PANEL;
+        whirl_panel *panel = figure_panel(figure, panel_names[i], wide || alone ? 1.0 : 0.5, wide ? 4.2 : 6.5);
         if (!panel) return;
         panel->letter = letter++;
         adders[i](figure, panel, &of);
@@ -489,4 +594,4 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
              of.waveform.at ? "" : " No waveform was kept.");
 }
 
-const figure_kind point_figure = {list, describe};
+const figure_kind point_figure = {.list = list, .describe = describe, .find = find};

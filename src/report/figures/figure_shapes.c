@@ -161,4 +161,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
                                 : "the place of the stations along the shaft");
 }
 
-const figure_kind shapes_figure = {list, describe};
+const figure_kind shapes_figure = {.list = list, .describe = describe};

@@ -149,4 +149,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi);
 }
 
-const figure_kind unbalance_figure = {list, describe};
+const figure_kind unbalance_figure = {.list = list, .describe = describe};

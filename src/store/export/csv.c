@@ -82,10 +82,10 @@ static const char *repetition_name(const whirl_result *result, const whirl_field
 
 /// Name of a column of a field; "" where it has but one.
 static void column_text(const whirl_field *field, size_t column, char *text, size_t size) {
-    char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     if (field->columns == 1)
         snprintf(text, size, "%s", "");
-    else if (format_column_names(field, names))
+    else if (whirl_field_column_names(field, names))
         snprintf(text, size, "%s", names[column]);
     else
         snprintf(text, size, "column %zu", column + 1);
