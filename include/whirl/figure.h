@@ -94,6 +94,9 @@ typedef struct whirl_colour_scale {
     bool logarithmic;                ///< colours stand for ratios
     size_t count;                    ///< of colours
     const char *const *colours;      ///< [count] "#440154", from low to high; static
+    size_t tick_count;               ///< of ticks
+    double *ticks;                   ///< [tick_count] where they stand
+    char **tick_texts;               ///< [tick_count] and what is written there
 } whirl_colour_scale;
 
 /// A figure.

@@ -124,26 +124,6 @@ static void put_exponents(bool *well, json_t *object, const whirl_table *table, 
     document_put(well, object, "exponents", exponents);
 }
 
-/// The orbit of a settled motion; what it has no numbers of is null.
-static void put_floquet(bool *well, json_t *object, const whirl_table *table, size_t point) {
-    static const char *const names[] = {"search",   "period",       "residual",    "distance", "modulus",
-                                        "unstable", "volume_error", "revolutions", "set_at"};
-    const double *multipliers = whirl_table_field(table, point, WHIRL_FIELD_FLOQUET_MULTIPLIERS, 0);
-    if (!multipliers) return;
-    json_t *floquet = json_object(), *pairs = json_array();
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char field[WHIRL_NAME_SIZE];
-        snprintf(field, sizeof field, "floquet/%s", names[i]);
-        const double *value = whirl_table_field(table, point, field, 0);
-        if (value) document_put(well, floquet, names[i], document_number(*value));
-    }
-    const size_t count = whirl_layout_field(&table->layout, WHIRL_FIELD_FLOQUET_MULTIPLIERS)->rows;
-    for (size_t i = 0; i < count && !isnan(multipliers[2 * i]); i++)
-        document_append(well, pairs, numbers_array(well, multipliers + 2 * i, 2));
-    document_put(well, floquet, "multipliers", pairs);
-    document_put(well, object, "floquet", floquet);
-}
-
 // Every single number, or row of them, that an analysis ("orbit/") gives of a station or contact: orbit/max_radius,
 // orbit/mean, ...; forces in newtons.
 static json_t *numbers_of(const char *analysis, whirl_extent extent, double newtons, bool *well,
@@ -161,6 +141,18 @@ static json_t *numbers_of(const char *analysis, whirl_extent extent, double newt
                                          : numbers_array(well, values, field->columns));
     }
     return object;
+}
+
+/// The orbit of a settled motion; what it has no numbers of is null.
+static void put_floquet(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    const double *multipliers = whirl_table_field(table, point, WHIRL_FIELD_FLOQUET_MULTIPLIERS, 0);
+    if (!multipliers) return;
+    json_t *floquet = numbers_of("floquet/", WHIRL_PER_POINT, 1.0, well, table, point, 0), *pairs = json_array();
+    const size_t count = whirl_layout_field(&table->layout, WHIRL_FIELD_FLOQUET_MULTIPLIERS)->rows;
+    for (size_t i = 0; i < count && !isnan(multipliers[2 * i]); i++)
+        document_append(well, pairs, numbers_array(well, multipliers + 2 * i, 2));
+    document_put(well, floquet, "multipliers", pairs);
+    document_put(well, object, "floquet", floquet);
 }
 
 // "fraction" is another name of "share".

@@ -8,6 +8,15 @@ double units_order(const whirl_shown_units *units, double speed) {
     return units->frequency > 0.0 && speed > 0.0 ? speed / two_pi / units->frequency : (double)NAN;
 }
 
+void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size) {
+    const char *keyphasor = whirl_result_keyphasor(units->result), *below = "negative: backward whirl";
+    if (orders)
+        snprintf(label, size, full ? "order of the %.63s (%s)" : "order of the %.63s",
+                 *keyphasor ? keyphasor : "running speed", below);
+    else
+        snprintf(label, size, full ? "frequency (%s, %s)" : "frequency (%s)", units->frequency_name, below);
+}
+
 void units_length_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size) {
     snprintf(label, size, units->ratio ? "%s / %s" : "%s (%s)", quantity, units->length_name);
 }

@@ -2,6 +2,7 @@
 #ifndef REPORT_UNITS_H
 #define REPORT_UNITS_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/shown.h"
@@ -11,6 +12,9 @@ enum { UNIT_LABEL_SIZE = 160 };
 /// What an order of the running speed (rad/s) is in the unit of frequencies; NaN where they are shown as orders, or the
 /// speed is not known.
 double units_order(const whirl_shown_units *units, double speed);
+
+/// The axis of orders of the running speed, or of the frequencies that they are; `full`: of backward whirl, too.
+void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size);
 
 /// How an axis is called, for plain text: "x / c" or "x (um)"; "amplitude / c (0-p)" or "amplitude (um p-p)"; "omega
 /// (rpm)".

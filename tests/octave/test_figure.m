@@ -147,7 +147,18 @@ function shapes = check_figure(drawn)
   end
   assert(isempty(drawn.scale) == ~isfield(drawn.data, 'scale'));
   if ~isempty(drawn.scale)
-    assert(get(drawn.scale, 'ylim'), [drawn.data.scale.low, drawn.data.scale.high]);
+    ends = [drawn.data.scale.low, drawn.data.scale.high];
+    ticks = get(drawn.scale, 'ytick');
+    if drawn.data.scale.log
+      assert(ends(1) * (ends(2) / ends(1)) .^ ticks(:), drawn.data.scale.ticks(:), -1e-9);
+    else
+      assert(ends(1) + diff(ends) * ticks(:), drawn.data.scale.ticks(:), 1e-9 * max(abs(ends)));
+    end
+    assert(cellfun(@seen, cellstr(get(drawn.scale, 'yticklabel'))(:), 'UniformOutput', false), ...
+           cellfun(@plain, cellstr(drawn.data.scale.tick_texts)(:), 'UniformOutput', false));
+    bar = findobj(drawn.scale, 'type', 'patch');
+    first = hex2dec(reshape(drawn.data.scale.colours{1}(2:end), 2, 3)')' / 255;
+    assert(get(bar, 'facevertexcdata')(1, :), first, 0.05);
     assert(seen(get(get(drawn.scale, 'ylabel'), 'string')), plain(drawn.data.scale.label));
   end
 end

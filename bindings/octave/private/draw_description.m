@@ -263,19 +263,15 @@ high = max(boxes(:, 4));
 axes_handle = axes('Position', [1 - 1.85 / data.width_cm, low, 0.35 / data.width_cm, high - low], 'Box', 'on', ...
     'Layer', 'top', 'FontSize', 0.9 * data.font_pt, 'XTick', [], 'XLim', [0, 1], 'YAxisLocation', 'right');
 hold(axes_handle, 'on');
-edges = linspace(scale.low, scale.high, 129)';
-scales = {'linear', 'log'};
-if scale.log
-    edges = logspace(log10(scale.low), log10(scale.high), 129)';
-end
-count = numel(edges) - 1;
-series = struct('colour', '#000000', 'opacity', 1, 'x_to', ones(count, 1), 'y_to', edges(2:end), ...
-    'values', sqrt(edges(1:end - 1) .* edges(2:end)));
-if ~scale.log
-    series.values = (edges(1:end - 1) + edges(2:end)) / 2;
-end
-draw_boxes(axes_handle, series, zeros(count, 1), edges(1:end - 1), scale);
-set(axes_handle, 'YScale', scales{1 + scale.log}, 'YLim', [scale.low, scale.high]);
+% From 0 to 1: gnuplot draws patches beside a logarithmic axis on the right as if it were linear.
+count = 128;
+edges = linspace(0, 1, count + 1)';
+middles = (edges(1:end - 1) + edges(2:end)) / 2;
+series = struct('colour', '#000000', 'opacity', 1, 'x_to', ones(count, 1), 'y_to', edges(2:end), 'values', middles);
+draw_boxes(axes_handle, series, zeros(count, 1), edges(1:end - 1), ...
+    struct('low', 0, 'high', 1, 'log', false, 'colours', {scale.colours}));
+set(axes_handle, 'YLim', [0, 1], 'YTick', place_on(scale.ticks(:)', scale), 'YTickLabel', ...
+    cellfun(@marked_up, cellstr(scale.tick_texts), 'UniformOutput', false));
 ylabel(axes_handle, marked_up(scale.label), 'FontSize', data.font_pt);
 hold(axes_handle, 'off');
 end

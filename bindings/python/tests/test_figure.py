@@ -164,3 +164,69 @@ def test_maps_have_the_numbers_of_their_cells(map_files):
     table = result["map"]
     expected = (table["orbit/max_radius"][..., 0] * table.length_scale * 1e3).ravel()
     assert np.allclose(boxes["values"], expected, rtol=1e-12) and MAP
+
+
+@pytest.mark.parametrize("units", ["", "Hz, mm, p-p, rpm"])
+def test_waterfalls_have_the_lines_of_all_spectra(good, units):
+    data = good.figure_data("waterfall-disc", units=units)
+    boxes = data["panels"][0]["series"][1]
+    sweep = good["sweep"]
+    lines, omega = sweep["spectrum/lines"][:, 0], sweep.values[:, None]
+    order, forward, backward = (lines[..., column] for column in (0, 3, 4))
+    if units:  # the length scale is 1 m
+        order, omega = order * omega / (2 * np.pi), omega * 30 / np.pi
+        forward, backward = 2e3 * forward, 2e3 * backward
+    at = np.broadcast_to(omega, order.shape)
+    expected = np.concatenate(
+        [np.column_stack([side.ravel() for side in (place, at, size)])
+         for place, size in ((order, forward), (-order, backward))]
+    )  # fmt: skip
+    largest = np.nanmax(expected[:, 2])
+    expected = expected[expected[:, 2] >= 1e-3 * largest]
+    middles = [(np.array(boxes[low]) + boxes[high]) / 2 for low, high in (("x", "x_to"), ("y", "y_to"))]
+    found = np.column_stack([*middles, boxes["values"]])
+    assert len(found) > len(sweep.values) and (np.diff(found[:, 2]) >= 0).all()  # the largest over the others
+    assert np.allclose(found, expected[np.argsort(expected[:, 2])], rtol=1e-9, atol=1e-12)
+    scale = data["scale"]
+    assert scale["log"] and np.allclose((scale["low"], scale["high"]), (1e-3 * largest, largest))
+    assert scale["label"] == ("amplitude (mm p-p)" if units else "amplitude (m 0-p)")
+
+
+def test_scales_have_the_ticks_of_the_data(map_files):
+    result = whirl.open(map_files[1])
+    data, figure = result.figure_data("map-radius-disc"), result.figure("map-radius-disc")
+    bar = figure.axes[-1]
+    assert np.allclose(bar.yaxis.get_majorticklocs(), data["scale"]["ticks"])
+    assert [tick.get_text() for tick in bar.yaxis.get_majorticklabels()] == data["scale"]["tick_texts"]
+    assert len(data["scale"]["ticks"]) > 1
+
+
+def test_any_field_and_any_point(good_file, map_files):
+    good, grid = whirl.open(good_file), whirl.open(map_files[1])
+    data = good.figure_data("orbit/mean:disc:y")
+    table = good["sweep"]
+    drawn = sorted((x, y) for series in data["panels"][0]["series"] for x, y in zip(series["x"], series["y"]))
+    own = table["orbit/mean"][:, 0, 1] * table.length_scale
+    expected = sorted(zip(table.values / good._shown.size(table.parameter), own))
+    assert np.allclose(drawn, expected, rtol=1e-12)
+    assert good.figure_data("orbit/max_radius")["panels"] == good.figure_data("orbit/max_radius:disc")["panels"]
+    boxes = grid.figure_data("orbit/max_radius", units="mm")
+    radius = grid.figure_data("map-radius-disc", units="mm")
+    assert boxes["panels"][0]["series"][0]["values"] == radius["panels"][0]["series"][0]["values"]
+    point = good.figure_data("@#2")
+    section = next(panel for panel in point["panels"] if panel["name"] == "section")["series"][0]
+    assert np.allclose(section["x"], table["poincare/section"][2, 0, :, 0] * table.length_scale[2])
+    value = table.values[2] / good._shown.size(table.parameter)
+    assert good.figure_data(f"@{value:.17g}:disc") == point
+    for wrong, words in (
+        ("orbit/meen", "did you mean orbit/mean"),
+        ("orbit/mean:disk", "did you mean disc"),
+        ("orbit/mean:disc:z", "no column 'z'"),
+        ("@fast", "expected a number"),
+        ("@#99", "expected a number from 0 to 4"),
+        ("@1:disk", "no station 'disk'"),
+    ):
+        with pytest.raises(whirl.BadInput, match=words):
+            good.figure_data(wrong)
+    with pytest.raises(whirl.BadInput, match="rows at every point"):
+        grid.figure_data("poincare/section")

@@ -36,7 +36,7 @@ export const OF_A_FIELD = /^[a-z_]{1,40}\/[a-z_0-9]{1,40}(:\d)?$/;
 /// "mean x", "min radius".
 function wordsOf({ name, meaning, columns }: FieldInfo, column: number): string {
   const words = name.replace(/.*\//, '').replaceAll('_', ' ');
-  return columns > 1 ? `${words} ${meaning.split(', ')[column] ?? column}` : words;
+  return columns > 1 ? `${words} ${meaning.replace(/ \(.*/, '').split(', ')[column] ?? column}` : words;
 }
 
 function quantitiesOfField(field: FieldInfo): Quantity[] {

@@ -376,9 +376,7 @@ static void write_caption(const bifurcation *of, whirl_figure *figure) {
 }
 
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
-    const bool sweep = *table->parameter && table->row == 0 && whirl_analysis_kind(table->analyses)->moves &&
-                       table == whirl_result_table(of->result, "sweep");
-    if (!sweep || !table_has(table, WHIRL_FIELD_POINCARE_SECTION)) return;
+    if (!table_is_sweep(of, table) || !table_has(table, WHIRL_FIELD_POINCARE_SECTION)) return;
     for (size_t s = 0; s < of->result->station_count; s++) {
         const char *station = of->result->stations[s].name;
         const figure_place place = {.kind = &bifurcation_figure, .table = table, .point = NO_POINT, .station = s};

@@ -195,7 +195,10 @@ static void free_panel(whirl_panel *panel) {
 
 void whirl_figure_free(whirl_figure *figure) {
     for (size_t i = 0; figure && i < figure->count; i++) free_panel(figure->panels[i]);
-    if (figure) free((void *)figure->panels);
+    if (!figure) return;
+    free((void *)figure->panels);
+    free(figure->scale.ticks);
+    free_texts(figure->scale.tick_texts, figure->scale.tick_count);
     free(figure);
 }
 

@@ -1,4 +1,5 @@
-/// The figures that results have: one file a kind in this folder, one line in the registry.
+/// The figures that results have: one file a kind in this folder, a line in the registry and
+/// one below.
 #ifndef REPORT_FIGURE_KINDS_H
 #define REPORT_FIGURE_KINDS_H
 
@@ -71,7 +72,10 @@ const char *line_colour(size_t number);
 /// Whether a table has a field.
 bool table_has(const whirl_table *table, const char *field);
 
-extern const figure_kind bifurcation_figure, map_figure, branch_figure, curves_figure, torus_figure, campbell_figure,
-    shapes_figure, unbalance_figure, critical_speeds_figure, point_figure, field_figure;
+/// Whether a table has the motions of a sweep over one parameter.
+bool table_is_sweep(const drawing *of, const whirl_table *table);
+
+extern const figure_kind bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure, torus_figure,
+    campbell_figure, shapes_figure, unbalance_figure, critical_speeds_figure, point_figure, field_figure;
 
 #endif

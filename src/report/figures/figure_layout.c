@@ -6,6 +6,8 @@
 
 // cm around a panel: beside numbers, a label, on the right, below with numbers and label, below without, titles.
 static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
+/// cm on the right for the colours of numbers.
+static const double SCALE = 2.0;
 
 double figure_text_width(const whirl_figure *figure, size_t letters) {
     return 0.0195 * figure->font * (double)letters;
@@ -144,7 +146,7 @@ static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
 
 /// What is left beside numbers and labels is shared out.
 static void place_row(whirl_figure *figure, size_t first, size_t end, double top) {
-    const double wide = figure->width - (*figure->scale.label ? 2.0 : 0.0);
+    const double wide = figure->width - (*figure->scale.label ? SCALE : 0.0);
     double shares = 0.0, inner = 0.0, left = 0.0;
     for (size_t i = first; i < end; i++) shares += figure->panels[i]->width;
     inner = shares * wide;
@@ -187,7 +189,33 @@ static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
     axis_show(narrow, (span){middle - half, middle + half});
 }
 
+/// Panels that all stand alone in a row where there is room beside them get a figure that is as wide as they are.
+static void fit_width(whirl_figure *figure) {
+    const double beside = *figure->scale.label ? SCALE : 0.0;
+    double widest = 0.0;
+    for (size_t first = 0, end; first < figure->count; first = end) {
+        double shares = 0.0;
+        end = row_end(figure, first);
+        for (size_t i = first; i < end; i++) shares += figure->panels[i]->width;
+        widest = fmax(widest, shares);
+    }
+    if (!(widest > 0.0 && widest < 1.0 - 1e-9)) return;
+    figure->width = beside + widest * (figure->width - beside);
+    for (size_t i = 0; i < figure->count; i++) figure->panels[i]->width /= widest;
+}
+
+static void fill_scale_ticks(whirl_figure *figure) {
+    whirl_colour_scale *scale = &figure->scale;
+    whirl_axis axis = {.low = scale->low, .high = scale->high, .logarithmic = scale->logarithmic};
+    if (!*scale->label) return;
+    axis_fill_ticks(figure, &axis, (int)fmax(3.0, figure->height / 1.5));
+    scale->tick_count = axis.tick_count;
+    scale->ticks = axis.ticks;
+    scale->tick_texts = axis.tick_texts;
+}
+
 void figure_finish(whirl_figure *figure, const char *log) {
+    fit_width(figure);
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
         fit_axis(panel, &panel->x, false, log && strchr(log, 'x'));
@@ -213,4 +241,5 @@ void figure_finish(whirl_figure *figure, const char *log) {
         top += row_height(figure, first, end) + below_row(figure, first, end);
     }
     fill_ticks(figure, false);
+    fill_scale_ticks(figure);
 }

@@ -15,6 +15,11 @@ bool table_has(const whirl_table *table, const char *field) {
     return whirl_layout_field(&table->layout, field) != NULL;
 }
 
+bool table_is_sweep(const drawing *of, const whirl_table *table) {
+    return *table->parameter && table->row == 0 && whirl_analysis_kind(table->analyses)->moves &&
+           table == whirl_result_table(of->result, "sweep");
+}
+
 static bool is_taken(const figure_list *list, const char *name) {
     for (size_t i = 0; i < list->count; i++)
         if (strcmp(list->items[i].name.name, name) == 0) return true;

@@ -360,14 +360,9 @@ static double highest_order(const subject *of) {
 }
 
 static void label_spectrum(whirl_panel *panel, const subject *of, int full) {
-    const char *keyphasor = whirl_result_keyphasor(of->result), *backward = full ? " (negative: backward whirl)" : "";
     panel->keyed = true;
     symbol_amplitude(of->units, "amplitude", panel->y.label, sizeof panel->y.label);
-    if (isnan(of->order))
-        snprintf(panel->x.label, sizeof panel->x.label, "order of the %.63s%s",
-                 *keyphasor ? keyphasor : "running speed", backward);
-    else
-        snprintf(panel->x.label, sizeof panel->x.label, "frequency (%s)%s", of->units->frequency_name, backward);
+    units_order_label(of->units, isnan(of->order), full, panel->x.label, sizeof panel->x.label);
 }
 
 /// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
@@ -574,14 +569,12 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     bool there[PANEL_COUNT];
     char letter = 'a';
     panels_there(&of, there);
-    // A section alone fills the width of a column.
-    const bool alone = there[SECTION_PANEL] && !there[ORBIT_PANEL] && !there[SPECTRUM_PANEL];
-    figure->width = alone ? 9.0 : 17.5;
+    figure->width = 17.5;
     figure->font = 8.0;
     for (int i = 0; i < PANEL_COUNT; i++) {
         if (!there[i]) continue;
         const bool wide = i >= FULL_PANEL;
-        whirl_panel *panel = figure_panel(figure, panel_names[i], wide || alone ? 1.0 : 0.5, wide ? 4.2 : 6.5);
+        whirl_panel *panel = figure_panel(figure, panel_names[i], wide ? 1.0 : 0.5, wide ? 4.2 : 6.5);
         if (!panel) return;
         panel->letter = letter++;
         adders[i](figure, panel, &of);

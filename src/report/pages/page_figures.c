@@ -37,10 +37,7 @@ const drawn_figure *page_main_figure(const page *to, size_t index) {
 }
 
 const char *page_diagrams_title(const whirl_result *result) {
-    return whirl_result_table(result, "sweep")   ? "Bifurcation diagrams"
-           : whirl_result_table(result, "map")   ? "Maps"
-           : whirl_result_table(result, "basin") ? "Basins"
-                                                 : "Diagrams";
+    return whirl_result_table(result, "map") ? "Maps" : whirl_result_table(result, "basin") ? "Basins" : "Diagrams";
 }
 
 void page_figures(const page *to, size_t index) {

@@ -396,11 +396,10 @@ static bool is_watched(const whirl_field *field, whirl_extent extent) {
 
 /// "max radius / c", "mean x (um)", "max force (N)", with the meaning behind it.
 static void write_watched_head(const point_page *to, const whirl_field *field, size_t column) {
-    char name[WHIRL_NAME_SIZE + 64], label[sizeof name + UNIT_LABEL_SIZE];
-    const char *part = field->meaning;
-    for (size_t c = 0; c < column; c++) part += strspn(part + strcspn(part, ","), ", ") + strcspn(part, ",");
-    snprintf(name, sizeof name, "%s%s%.*s", strchr(field->name, '/') + 1, field->columns > 1 ? " " : "",
-             field->columns > 1 ? (int)strcspn(part, ",") : 0, part);
+    char name[2 * WHIRL_NAME_SIZE], label[sizeof name + UNIT_LABEL_SIZE];
+    char columns[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    const char *part = whirl_field_column_names(field, columns) ? columns[column] : "";
+    snprintf(name, sizeof name, "%s%s%s", strchr(field->name, '/') + 1, *part ? " " : "", part);
     for (char *at = name; (at = strchr(at, '_')) != NULL;) *at = ' ';
     snprintf(label, sizeof label, strcmp(field->unit, "force") == 0 ? "%s (N)" : "%s", name);
     if (strcmp(field->unit, "length") == 0) units_length_label(to->units, name, label, sizeof label);

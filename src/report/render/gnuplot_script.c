@@ -374,7 +374,14 @@ static void write_palette(FILE *script, const whirl_colour_scale *scale) {
     fputs("set palette defined (", script);
     for (size_t i = 0; i < scale->count; i++) fprintf(script, "%s%zu '%s'", i ? ", " : "", i, scale->colours[i]);
     fprintf(script, ")\nset cbrange [%.8g:%.8g]\n", scale->low, scale->high);
-    if (scale->logarithmic) fputs("set logscale cb 2\n", script);
+    if (scale->logarithmic) fputs("set logscale cb 10\n", script);
+    fputs("set cbtics (", script);
+    for (size_t i = 0; i < scale->tick_count; i++) {
+        fputs(i ? ", " : "", script);
+        put_text(script, scale->tick_texts[i]);
+        fprintf(script, " %.9g", scale->ticks[i]);
+    }
+    fputs(")\n", script);
 }
 
 void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *name, const char *data,
