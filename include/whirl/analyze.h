@@ -509,12 +509,12 @@ typedef struct whirl_kind {
     /// Its points are found as a run goes on: how many they are, at most record.trace.points, and at which values is
     /// known when they are there. Their options are those of whirl_trace_members, too.
     bool found;
-    double cost; ///< of a point, about, in revolutions; 0: those of its motion
+    double cost; ///< of a point, about, in revolutions, 1 at rest; 0: those of its motion
     bool still;  ///< also of machines that stand still, of which no revolutions are counted
 } whirl_kind;
 
 /// The studies of machines at rest: name, what it is of, source, and `STILL` where it is also of machines that stand
-/// still. Each is an analysis, and a part of a study, of that name.
+/// still, else `TURNING`. Each is an analysis, and a part of a study, of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \

@@ -15,7 +15,7 @@ static const whirl_kind motion = {.name = "motion",
 
 #define AT_REST                                                                                                        \
     .name = "rest", .asked = "A study of its own, in place of sweep or response.", .method = "linear, about rest",     \
-    .beside = ""
+    .beside = "", .cost = 1.0
 static const whirl_kind rest = {AT_REST}, still = {AT_REST, .still = true};
 
 static const whirl_kind branch = {.name = "branch",

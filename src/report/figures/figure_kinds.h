@@ -52,6 +52,11 @@ struct figure_kind {
 double shown_number(const drawing *of, const figure_place *place, size_t point, size_t row);
 void shown_label(const drawing *of, const figure_place *place, char *label, size_t size);
 
+/// What the number is called without its unit: its column, or the meaning of the field up to what is said beside it;
+/// and the station or contact that it is of, "" of a point's.
+void shown_quantity(const figure_place *place, char *text, size_t size);
+const char *shown_owner(const drawing *of, const figure_place *place);
+
 /// A map of a field's numbers.
 void map_describe(const drawing *of, const figure_place *place, whirl_figure *figure);
 

@@ -65,6 +65,7 @@ static span around(span range, double margin) {
 static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, bool log) {
     const span all = range_of(panel, upright);
     const bool open = isnan(axis->low) || isnan(axis->high);
+    const double most = fmax(fabs(all.low), fabs(all.high));
     const bool may = axis->logarithmic || (axis->tick_count == 0 && !panel->equal);
     if (log && may && all.high > 0.0) {
         axis->logarithmic = true;
@@ -78,7 +79,7 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     if (open && axis->logarithmic && all.low > 0.0 && all.high > all.low)
         axis_show(axis, around(all, upright ? 0.06 : 0.0));
     else if (open)
-        axis_show(axis, span_with_margin(all, 0.05, fmax(1e-9 * fmax(fabs(all.low), fabs(all.high)), 1e-300)));
+        axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-9 * most : 1.0));
     if (!(axis->low > 0.0)) axis->logarithmic = false;
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, 1.0));
 }

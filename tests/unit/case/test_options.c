@@ -23,7 +23,9 @@ static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE])
 
 /// Parts that are studies of their own.
 static bool is_study(const char *part) {
-    return strcmp(part, "modes") == 0 || strcmp(part, "unbalance") == 0;
+#define NAMED(name, ...) strcmp(part, #name) == 0 ||
+    return WHIRL_STUDIES_AT_REST(NAMED) false;
+#undef NAMED
 }
 
 /// The part of a study that is said beside a sweep, and has points of its own.
