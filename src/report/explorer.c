@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explorer_figures.h"
 #include "machine_at.h"
 #include "regimes.h"
 #include "report_file.h"
@@ -654,6 +655,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
     }
     fputc(']', stream);
     write_opening(stream, result);
+    well = explorer_write_figures(stream, result, units) && well;
     fputc('}', stream);
     return well;
 }
@@ -687,7 +689,7 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
                 status = report_file_close(&file);
             } else {
                 report_file_drop(&file);
-                status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the axes of a map");
+                status = whirl_fail(WHIRL_NO_MEMORY, "no memory for what the page shows");
             }
         }
     } else

@@ -98,7 +98,7 @@ export class AtRest {
   private found: readonly (readonly Place[])[] | undefined;
 
   private constructor(
-    readonly kind: 'modes' | 'unbalance',
+    readonly kind: 'modes' | 'unbalance' | 'figures',
     readonly diagram: Diagram,
     readonly stations: readonly StationInfo[],
     readonly critical: readonly Critical[],
@@ -113,7 +113,9 @@ export class AtRest {
   /// What is stored of a run; undefined where it has motions.
   static kindOf(run: Run | undefined): AtRest['kind'] | undefined {
     const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field);
-    return has(FIELD.MODES_FREQUENCY) ? 'modes' : has(FIELD.UNBALANCE_AMPLITUDE) ? 'unbalance' : undefined;
+    if (has(FIELD.MODES_FREQUENCY)) return 'modes';
+    if (has(FIELD.UNBALANCE_AMPLITUDE)) return 'unbalance';
+    return run?.figures?.length ? 'figures' : undefined;
   }
 
   static of(run: Run | undefined): AtRest | undefined {

@@ -1,4 +1,5 @@
 // The runs that `whirl report` put into the page (src/report/explorer.c writes them).
+import type { Described } from '../figure/described';
 import type { Field, StationInfo, Verdict } from '../engine/protocol';
 
 export interface StoredField extends Omit<Field, 'offset'> {
@@ -118,6 +119,8 @@ export interface Run {
   /// Absent where no point may be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];
+  /// Of results that have no view of their own.
+  readonly figures?: readonly Described[];
 }
 
 export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {

@@ -52,7 +52,7 @@ export function textWidth(text: string, face: string): number {
 const BASELINE: Record<string, string> = { middle: '0.35em', top: '0.8em', bottom: '-0.2em' };
 const ANCHOR: Record<string, string> = { center: 'middle', right: 'end', end: 'end' };
 
-function escaped(text: string): string {
+export function escaped(text: string): string {
   return text.replace(/[&<>"']/g, (letter) => `&#${letter.charCodeAt(0)};`);
 }
 

@@ -59,6 +59,8 @@ const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
   unbalance:
     'The synchronous response about where the machine rests, as the run has stored it. Drag across the diagram for ' +
     'the numbers at the value under the cursor; any station and any angle of the probes may be chosen.',
+  figures:
+    'The figures of the report, from the numbers that the run has stored. Each can be saved, as can its numbers.',
 };
 
 const MAP =

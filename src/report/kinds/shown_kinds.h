@@ -8,6 +8,7 @@
 typedef struct shown_kind {
     const char *field;         ///< which its tables have, and no others
     const char *anchor, *name; ///< of its section, where it has one
+    bool explored;             ///< the explorer has a view of its own, else it shows the figures
     /// Its lines of the summary, below the table's heading.
     void (*summarize)(FILE *out, const whirl_result *result, const whirl_table *table);
     /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along

@@ -139,6 +139,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
 }
 
 const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
+                                .explored = true,
                                 .anchor = "critical",
                                 .name = "Critical speeds and stability",
                                 .summarize = summarize,

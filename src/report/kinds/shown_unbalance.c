@@ -24,4 +24,4 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
     }
 }
 
-const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE, .summarize = summarize};
+const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE, .explored = true, .summarize = summarize};

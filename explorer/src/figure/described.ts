@@ -1,0 +1,385 @@
+// Figures as the library describes them (docs/figures.md), as SVG: panels, axes and series, none known by its name.
+import { escaped, FONT } from './pen';
+import type { Picture } from './figure';
+
+type Numbers = readonly (number | null)[];
+
+interface DescribedSeries {
+  readonly shape: 'dots' | 'line' | 'area' | 'bars' | 'boxes' | 'texts';
+  readonly name: string;
+  readonly colour: string;
+  readonly opacity: number;
+  /// pt: the diameter of marks, the width of lines.
+  readonly size: number;
+  readonly mark?: string;
+  readonly dashed?: boolean;
+  readonly side?: string;
+  readonly x?: Numbers;
+  readonly y?: Numbers;
+  readonly x_to?: Numbers;
+  readonly y_to?: Numbers;
+  readonly values?: Numbers;
+  readonly texts?: readonly string[];
+}
+
+interface DescribedAxis {
+  readonly label: string;
+  readonly low: number;
+  readonly high: number;
+  readonly log: boolean;
+  readonly shown: boolean;
+  readonly ticks?: readonly number[];
+  readonly tick_texts?: readonly string[];
+}
+
+interface DescribedPanel {
+  readonly name: string;
+  readonly title: string;
+  readonly letter: string;
+  readonly box: readonly [number, number, number, number];
+  readonly legend_inside: boolean;
+  readonly x: DescribedAxis;
+  readonly y: DescribedAxis;
+  readonly series: readonly DescribedSeries[];
+}
+
+interface DescribedScale {
+  readonly label: string;
+  readonly low: number;
+  readonly high: number;
+  readonly log: boolean;
+  readonly colours: readonly string[];
+  readonly ticks?: readonly number[];
+  readonly tick_texts?: readonly string[];
+}
+
+export interface Described {
+  readonly name: string;
+  readonly title: string;
+  readonly caption: string;
+  readonly width_cm: number;
+  readonly height_cm: number;
+  readonly font_pt: number;
+  readonly panels: readonly DescribedPanel[];
+  readonly scale?: DescribedScale;
+}
+
+/// Pixels of a centimetre and of a point, twice as large as on paper: screens are further away.
+const CM = (1.6 * 96) / 2.54;
+const PT = (1.6 * 96) / 72;
+
+const short = (value: number) => String(Math.round(value * 100) / 100);
+
+/// Where a value of an axis stands, from 0 to 1; NaN where there is none.
+function shareOf({ low, high, log }: DescribedAxis | DescribedScale, value: number | null | undefined): number {
+  if (value === null || value === undefined) return NaN;
+  if (log) return value > 0 ? Math.log(value / low) / Math.log(high / low) : NaN;
+  return (value - low) / (high - low);
+}
+
+/// Symbols between dollars in italics with their indices below; lines one below the other.
+function markedUp(label: string, size: number, x: number): string {
+  const line = (text: string) =>
+    text
+      .split('$')
+      .map((part, i) => {
+        if (i % 2 === 0) return escaped(part);
+        const [, letter = part, below = ''] = /^(.*?)_\{(.*)\}$/.exec(part) ?? [];
+        const drop = short(0.25 * size);
+        const index = below
+          ? `<tspan font-size="${short(0.72 * size)}" dy="${drop}">${escaped(below)}</tspan><tspan dy="-${drop}">\u200b</tspan>`
+          : '';
+        return `<tspan font-style="italic">${escaped(letter)}</tspan>${index}`;
+      })
+      .join('');
+  const lines = label.split('\n');
+  return lines.length === 1
+    ? line(label)
+    : lines
+        .map((text, i) => `<tspan x="${short(x)}" dy="${i ? short(1.15 * size) : 0}">${line(text)}</tspan>`)
+        .join('');
+}
+
+function textAt(x: number, y: number, label: string, size: number, attributes: string): string {
+  return `<text x="${short(x)}" y="${short(y)}" font-size="${short(size)}" ${attributes}>${markedUp(label, size, x)}</text>`;
+}
+
+/// A panel's box on the page, and where numbers stand in it.
+class Place {
+  readonly left: number;
+  readonly top: number;
+  readonly width: number;
+  readonly height: number;
+
+  constructor(
+    figure: Described,
+    private readonly panel: DescribedPanel,
+  ) {
+    const [left, right, bottom, top] = panel.box;
+    this.left = left * figure.width_cm * CM;
+    this.width = (right - left) * figure.width_cm * CM;
+    this.top = (1 - top) * figure.height_cm * CM;
+    this.height = (top - bottom) * figure.height_cm * CM;
+  }
+
+  x(value: number | null | undefined): number {
+    return this.left + shareOf(this.panel.x, value) * this.width;
+  }
+
+  y(value: number | null | undefined): number {
+    return this.top + (1 - shareOf(this.panel.y, value)) * this.height;
+  }
+}
+
+/// The colour of a number: between two of the scale a mixture of both.
+function colourOf(scale: DescribedScale, value: number | null | undefined): string | undefined {
+  const share = shareOf(scale, value);
+  if (Number.isNaN(share)) return undefined;
+  const at = Math.min(Math.max(share, 0), 1) * (scale.colours.length - 1);
+  const [from, to] = [scale.colours[Math.floor(at)]!, scale.colours[Math.ceil(at)]!];
+  const part = (k: number) => {
+    const [a, b] = [from, to].map((colour) => parseInt(colour.slice(1 + 2 * k, 3 + 2 * k), 16));
+    return Math.round(a! + (b! - a!) * (at - Math.floor(at)));
+  };
+  return `rgb(${part(0)},${part(1)},${part(2)})`;
+}
+
+function markAt(x: number, y: number, { mark, size, colour, opacity }: DescribedSeries, least = 0): string {
+  const r = (Math.max(size, least) * PT) / 2;
+  const open = mark === 'ring' || mark === 'frame';
+  const look = open
+    ? `fill="none" stroke="${colour}" stroke-width="${short(0.6 * PT)}"`
+    : `fill="${colour}" fill-opacity="${opacity}"`;
+  const path = (points: readonly (readonly [number, number])[], end = 'Z') =>
+    `<path d="M${points.map(([dx, dy]) => `${short(x + dx * r)},${short(y + dy * r)}`).join('L')}${end}" ${look}/>`;
+  if (mark === 'square' || mark === 'frame') return path([[-1, -1], [1, -1], [1, 1], [-1, 1]]); // prettier-ignore
+  if (mark === 'up') return path([[0, -1], [1, 0.8], [-1, 0.8]]); // prettier-ignore
+  if (mark === 'down') return path([[0, 1], [1, -0.8], [-1, -0.8]]); // prettier-ignore
+  if (mark === 'diamond') return path([[0, -1], [1, 0], [0, 1], [-1, 0]]); // prettier-ignore
+  if (mark === 'cross')
+    return (
+      `<path d="M${short(x - r)},${short(y - r)}L${short(x + r)},${short(y + r)}M${short(x - r)},${short(y + r)}` +
+      `L${short(x + r)},${short(y - r)}" fill="none" stroke="${colour}" stroke-width="${short(0.6 * PT)}"/>`
+    );
+  return `<circle cx="${short(x)}" cy="${short(y)}" r="${short(r)}" ${look}/>`;
+}
+
+/// A line from point to point, broken where there is none.
+function lineThrough(points: readonly (readonly [number, number])[]): string {
+  let path = '';
+  let open = false;
+  for (const [x, y] of points) {
+    const there = Number.isFinite(x) && Number.isFinite(y);
+    if (there) path += `${open ? 'L' : 'M'}${short(x)},${short(y)}`;
+    open = there;
+  }
+  return path;
+}
+
+/// Runs of points that are all there.
+function runs<T extends readonly number[]>(points: readonly T[]): T[][] {
+  const found: T[][] = [[]];
+  for (const point of points)
+    if (point.every(Number.isFinite)) found.at(-1)!.push(point);
+    else if (found.at(-1)!.length > 0) found.push([]);
+  return found.filter((run) => run.length > 0);
+}
+
+const SIDES: Readonly<Record<string, readonly [number, number, string]>> = {
+  above: [0, -2, 'middle'],
+  below: [0, 8, 'middle'],
+  left: [-3, -2, 'end'],
+  right: [3, 8, 'start'],
+  slanted: [1, -2, 'start'],
+};
+
+function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale | undefined, font: number): string {
+  const { colour, opacity, size, shape } = series;
+  const count = series.x?.length ?? 0;
+  const at = Array.from({ length: count }, (_, i) => [place.x(series.x![i]), place.y(series.y![i])] as const);
+  const stroke =
+    `fill="none" stroke="${colour}" stroke-opacity="${opacity}" stroke-width="${short(size * PT)}"` +
+    (series.dashed ? ` stroke-dasharray="${short(4 * PT)} ${short(2.5 * PT)}"` : '');
+  const to = (i: number) => place.y(series.y_to?.[i]);
+  const there = at.map((point, i) => [...point, i] as const).filter((point) => point.every(Number.isFinite));
+  if (shape === 'dots') return there.map(([x, y]) => markAt(x, y, series)).join('');
+  if (shape === 'line') return `<path d="${lineThrough(at)}" ${stroke}/>`;
+  if (shape === 'bars')
+    return `<path d="${there.map(([x, y, i]) => `M${short(x)},${short(y)}V${short(to(i))}`).join('')}" ${stroke}/>`;
+  if (shape === 'area')
+    return runs(at.map(([x, y], i) => [x, y, to(i)] as const))
+      .map((run) => {
+        const back = [...run].reverse().map(([x, , up]) => [x, up] as const);
+        const path = lineThrough([...run.map(([x, y]) => [x, y] as const), ...back]);
+        return `<path d="${path}Z" fill="${colour}" fill-opacity="${opacity}"/>`;
+      })
+      .join('');
+  if (shape === 'boxes')
+    return there
+      .map(([x, y, i]) => {
+        const own = series.values && scale ? colourOf(scale, series.values[i]) : colour;
+        if (!own) return '';
+        const [right, top] = [place.x(series.x_to?.[i]), to(i)];
+        return (
+          `<rect x="${short(Math.min(x, right))}" y="${short(Math.min(y, top))}" width="${short(Math.abs(right - x))}" ` +
+          `height="${short(Math.abs(top - y))}" fill="${own}" fill-opacity="${opacity}"/>`
+        );
+      })
+      .join('');
+  const [dx, dy, anchor] = SIDES[series.side ?? 'above'] ?? SIDES['above']!;
+  return there
+    .map(([x, y, i]) => {
+      const turn = series.side === 'slanted' ? ` transform="rotate(-60 ${short(x)} ${short(y)})"` : '';
+      return textAt(
+        x + dx * PT,
+        y + dy * PT,
+        series.texts?.[i] ?? '',
+        font,
+        `text-anchor="${anchor}" fill="${colour}"${turn}`,
+      );
+    })
+    .join('');
+}
+
+function drawAxes(place: Place, { x, y, title, letter }: DescribedPanel, font: number): string {
+  const { left, top, width, height } = place;
+  const near = 0.9 * font;
+  const tick = 2.5 * PT;
+  let out = `<rect x="${short(left)}" y="${short(top)}" width="${short(width)}" height="${short(height)}" fill="none" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+  (x.ticks ?? []).forEach((value, i) => {
+    const at = place.x(value);
+    out += `<path d="M${short(at)},${short(top + height)}v${short(tick)}" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+    if (x.shown) out += textAt(at, top + height + tick + near, x.tick_texts?.[i] ?? '', near, 'text-anchor="middle"');
+  });
+  let widest = 0;
+  (y.ticks ?? []).forEach((value, i) => {
+    const at = place.y(value);
+    const text = y.tick_texts?.[i] ?? '';
+    widest = Math.max(widest, text.length);
+    out += `<path d="M${short(left)},${short(at)}h${short(-tick)}" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+    if (y.shown) out += textAt(left - 1.5 * tick, at + 0.35 * near, text, near, 'text-anchor="end"');
+  });
+  if (x.shown && x.label)
+    out += textAt(left + width / 2, top + height + tick + near + 1.35 * font, x.label, font, 'text-anchor="middle"');
+  if (y.shown && y.label) {
+    const [at, middle] = [left - 2.5 * tick - 0.56 * near * widest, top + height / 2];
+    const low = height < 0.7 * CM;
+    const lines = y.label.split('\n').length - 1;
+    out += low
+      ? textAt(left - 1.5 * tick, middle + 0.35 * font, y.label, font, 'text-anchor="end"')
+      : textAt(
+          at - lines * 1.15 * font,
+          middle,
+          y.label,
+          font,
+          `text-anchor="middle" transform="rotate(-90 ${short(at)} ${short(middle)})"`,
+        );
+  }
+  const heading = [letter && `(${letter})`, title].filter(Boolean).join('  ');
+  if (heading) out += textAt(left, top - 0.35 * font, heading, near, 'text-anchor="start"');
+  return out;
+}
+
+/// The named series, each name once.
+function named(panels: readonly DescribedPanel[]): DescribedSeries[] {
+  const found = new Map<string, DescribedSeries>();
+  for (const panel of panels)
+    for (const series of panel.series) if (series.name && !found.has(series.name)) found.set(series.name, series);
+  return [...found.values()];
+}
+
+function drawLegend(list: readonly DescribedSeries[], right: number, top: number, font: number): string {
+  const width = (series: DescribedSeries) => 2.2 * font + 0.58 * font * series.name.length + 0.8 * font;
+  let [x, y, out] = [0, top, ''];
+  for (const series of list) {
+    if (x > 0 && x + width(series) > right) [x, y] = [0, y + 1.4 * font];
+    const [left, middle] = [x + 0.4 * font, y + 0.7 * font];
+    if (series.shape === 'dots') out += markAt(left + 0.8 * font, middle, series, 3);
+    else if (series.shape === 'boxes' || series.shape === 'area')
+      out += `<rect x="${short(left)}" y="${short(middle - 0.35 * font)}" width="${short(1.4 * font)}" height="${short(0.7 * font)}" fill="${series.colour}" fill-opacity="${series.opacity}"/>`;
+    else
+      out += `<path d="M${short(left)},${short(middle)}h${short(1.6 * font)}" stroke="${series.colour}" stroke-width="${short(Math.max(0.8, series.size) * PT)}"${series.dashed ? ` stroke-dasharray="${short(3 * PT)} ${short(2 * PT)}"` : ''}/>`;
+    out += textAt(left + 2 * font, middle + 0.35 * font, series.name, 0.9 * font, 'text-anchor="start"');
+    x += width(series);
+  }
+  return out;
+}
+
+function drawScale(figure: Described, scale: DescribedScale, font: number): string {
+  const low = Math.min(...figure.panels.map(({ box }) => box[2]));
+  const high = Math.max(...figure.panels.map(({ box }) => box[3]));
+  const [left, width] = [(figure.width_cm - 1.85) * CM, 0.35 * CM];
+  const [top, height] = [(1 - high) * figure.height_cm * CM, (high - low) * figure.height_cm * CM];
+  const STEPS = 128;
+  let out = '';
+  for (let i = 0; i < STEPS; i++) {
+    const share = (i + 0.5) / STEPS;
+    const value = scale.log
+      ? scale.low * (scale.high / scale.low) ** share
+      : scale.low + share * (scale.high - scale.low);
+    out += `<rect x="${short(left)}" y="${short(top + height * (1 - (i + 1) / STEPS))}" width="${short(width)}" height="${short(height / STEPS + 0.5)}" fill="${colourOf(scale, value)}"/>`;
+  }
+  (scale.ticks ?? []).forEach((value, i) => {
+    const at = top + (1 - shareOf(scale, value)) * height;
+    out += textAt(
+      left + width + 3 * PT,
+      at + 0.32 * font,
+      scale.tick_texts?.[i] ?? '',
+      0.9 * font,
+      'text-anchor="start"',
+    );
+  });
+  const [x, y] = [left + width + 1.25 * CM, top + height / 2];
+  return out + textAt(x, y, scale.label, font, `text-anchor="middle" transform="rotate(-90 ${short(x)} ${short(y)})"`);
+}
+
+/// The picture of a figure, on white as on paper.
+export function pictureOfDescribed(figure: Described): Picture {
+  const [width, height, font] = [figure.width_cm * CM, figure.height_cm * CM, figure.font_pt * PT];
+  const clips = figure.panels.map((panel, i) => {
+    const { left, top, width, height } = new Place(figure, panel);
+    return `<clipPath id="${escaped(figure.name)}-${i}"><rect x="${short(left)}" y="${short(top)}" width="${short(width)}" height="${short(height)}"/></clipPath>`;
+  });
+  const panels = figure.panels.map((panel, i) => {
+    const place = new Place(figure, panel);
+    const texts = panel.series.filter(({ shape }) => shape === 'texts');
+    const rest = panel.series.filter(({ shape }) => shape !== 'texts');
+    const drawn = (list: readonly DescribedSeries[]) =>
+      list.map((series) => drawSeries(place, series, figure.scale, 0.9 * font)).join('');
+    const inside = panel.legend_inside ? named([panel]) : [];
+    const legend = inside.length
+      ? `<g transform="translate(${short(place.left + 0.3 * font)} 0)">${drawLegend(inside, place.width, place.top + 2, 0.9 * font)}</g>`
+      : '';
+    return `<g clip-path="url(#${escaped(figure.name)}-${i})">${drawn(rest)}</g>${drawn(texts)}${drawAxes(place, panel, font)}${legend}`;
+  });
+  const outside = named(figure.panels.filter((panel) => !panel.legend_inside));
+  const svg =
+    `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}" height="${short(height)}" ` +
+    `viewBox="0 0 ${short(width)} ${short(height)}" role="img" font-family="${escaped(FONT)}">` +
+    `<title>${escaped(figure.title)}</title><rect width="100%" height="100%" fill="#fff"/><defs>${clips.join('')}</defs>` +
+    panels.join('\n') +
+    drawLegend(outside, width - 2, 3, font) +
+    (figure.scale ? drawScale(figure, figure.scale, font) : '') +
+    '</svg>\n';
+  return { svg, width, height };
+}
+
+/// All numbers of the figure, a line each.
+export function tableOfDescribed({ panels }: Described): {
+  readonly heading: readonly string[];
+  readonly rows: readonly (readonly (number | string)[])[];
+} {
+  const rows = panels.flatMap(({ name, series }) =>
+    series.flatMap((one) =>
+      (one.x ?? []).map((x, i) => [
+        name,
+        one.name,
+        x ?? '',
+        one.y?.[i] ?? '',
+        one.y_to?.[i] ?? '',
+        one.values?.[i] ?? one.texts?.[i] ?? '',
+      ]),
+    ),
+  );
+  return { heading: ['panel', 'series', 'x', 'y', 'y to', 'value'], rows };
+}
