@@ -48,7 +48,8 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
     const bool resting = progress->revolutions_total == (double)progress->points_total;
     snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f %s/s, %s left", round,
              floor(100 * done_share(progress)), progress->points_done, progress->points_total,
-             progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "", rate, resting ? "points" : "revolutions", left);
+             progress->stage == WHIRL_STAGE_CONFIRM ? " confirmed" : "", rate, resting ? "points" : "revolutions",
+             left);
 }
 
 static void draw_bar(const whirl_progress *progress, const char *state) {

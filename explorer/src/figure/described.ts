@@ -87,7 +87,8 @@ function markedUp(label: string, size: number, x: number): string {
         const [, letter = part, below = ''] = /^(.*?)_\{(.*)\}$/.exec(part) ?? [];
         const drop = short(0.25 * size);
         const index = below
-          ? `<tspan font-size="${short(0.72 * size)}" dy="${drop}">${escaped(below)}</tspan><tspan dy="-${drop}">\u200b</tspan>`
+          ? `<tspan font-size="${short(0.72 * size)}" dy="${drop}">${escaped(below)}</tspan>` +
+            `<tspan dy="-${drop}">\u200b</tspan>`
           : '';
         return `<tspan font-style="italic">${escaped(letter)}</tspan>${index}`;
       })
@@ -101,7 +102,8 @@ function markedUp(label: string, size: number, x: number): string {
 }
 
 function textAt(x: number, y: number, label: string, size: number, attributes: string): string {
-  return `<text x="${short(x)}" y="${short(y)}" font-size="${short(size)}" ${attributes}>${markedUp(label, size, x)}</text>`;
+  const words = markedUp(label, size, x);
+  return `<text x="${short(x)}" y="${short(y)}" font-size="${short(size)}" ${attributes}>${words}</text>`;
 }
 
 /// A panel's box on the page, and where numbers stand in it.
@@ -144,12 +146,11 @@ function colourOf(scale: DescribedScale, value: number | null | undefined): stri
   return `rgb(${part(0)},${part(1)},${part(2)})`;
 }
 
-function markAt(x: number, y: number, { mark, size, colour, opacity }: DescribedSeries, least = 0): string {
+function markAt(x: number, y: number, series: DescribedSeries, least = 0): string {
+  const { mark, size, colour } = series;
   const r = (Math.max(size, least) * PT) / 2;
   const open = mark === 'ring' || mark === 'frame';
-  const look = open
-    ? `fill="none" stroke="${colour}" stroke-width="${short(0.6 * PT)}"`
-    : `fill="${colour}" fill-opacity="${opacity}"`;
+  const look = open ? `fill="none" stroke="${colour}" stroke-width="${short(0.6 * PT)}"` : filled(series);
   const path = (points: readonly (readonly [number, number])[], end = 'Z') =>
     `<path d="M${points.map(([dx, dy]) => `${short(x + dx * r)},${short(y + dy * r)}`).join('L')}${end}" ${look}/>`;
   if (mark === 'square' || mark === 'frame') return path([[-1, -1], [1, -1], [1, 1], [-1, 1]]); // prettier-ignore
@@ -176,6 +177,22 @@ function lineThrough(points: readonly (readonly [number, number])[]): string {
   return path;
 }
 
+function rectangle(x: number, y: number, width: number, height: number, look: string): string {
+  const [left, top, right, up] = [x, y, width, height].map(short);
+  return `<rect x="${left}" y="${top}" width="${right}" height="${up}" ${look}/>`;
+}
+
+/// How lines look, at least so many points wide, and what is filled.
+function drawnAs({ colour, opacity, size, dashed }: DescribedSeries, least = 0): string {
+  const dashes = dashed ? ` stroke-dasharray="${short(4 * PT)} ${short(2.5 * PT)}"` : '';
+  const width = short(Math.max(least, size) * PT);
+  return `fill="none" stroke="${colour}" stroke-opacity="${opacity}" stroke-width="${width}"${dashes}`;
+}
+
+function filled({ colour, opacity }: DescribedSeries): string {
+  return `fill="${colour}" fill-opacity="${opacity}"`;
+}
+
 /// Runs of points that are all there.
 function runs<T extends readonly number[]>(points: readonly T[]): T[][] {
   const found: T[][] = [[]];
@@ -194,12 +211,10 @@ const SIDES: Readonly<Record<string, readonly [number, number, string]>> = {
 };
 
 function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale | undefined, font: number): string {
-  const { colour, opacity, size, shape } = series;
+  const { colour, opacity, shape } = series;
   const count = series.x?.length ?? 0;
   const at = Array.from({ length: count }, (_, i) => [place.x(series.x![i]), place.y(series.y![i])] as const);
-  const stroke =
-    `fill="none" stroke="${colour}" stroke-opacity="${opacity}" stroke-width="${short(size * PT)}"` +
-    (series.dashed ? ` stroke-dasharray="${short(4 * PT)} ${short(2.5 * PT)}"` : '');
+  const stroke = drawnAs(series);
   const to = (i: number) => place.y(series.y_to?.[i]);
   const there = at.map((point, i) => [...point, i] as const).filter((point) => point.every(Number.isFinite));
   if (shape === 'dots') return there.map(([x, y]) => markAt(x, y, series)).join('');
@@ -211,7 +226,7 @@ function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale
       .map((run) => {
         const back = [...run].reverse().map(([x, , up]) => [x, up] as const);
         const path = lineThrough([...run.map(([x, y]) => [x, y] as const), ...back]);
-        return `<path d="${path}Z" fill="${colour}" fill-opacity="${opacity}"/>`;
+        return `<path d="${path}Z" ${filled(series)}/>`;
       })
       .join('');
   if (shape === 'boxes')
@@ -220,10 +235,9 @@ function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale
         const own = series.values && scale ? colourOf(scale, series.values[i]) : colour;
         if (!own) return '';
         const [right, top] = [place.x(series.x_to?.[i]), to(i)];
-        return (
-          `<rect x="${short(Math.min(x, right))}" y="${short(Math.min(y, top))}" width="${short(Math.abs(right - x))}" ` +
-          `height="${short(Math.abs(top - y))}" fill="${own}" fill-opacity="${opacity}"/>`
-        );
+        const [width, height] = [Math.abs(right - x), Math.abs(top - y)];
+        const look = `fill="${own}" fill-opacity="${opacity}"`;
+        return rectangle(Math.min(x, right), Math.min(y, top), width, height, look);
       })
       .join('');
   const [dx, dy, anchor] = SIDES[series.side ?? 'above'] ?? SIDES['above']!;
@@ -245,10 +259,11 @@ function drawAxes(place: Place, { x, y, title, letter }: DescribedPanel, font: n
   const { left, top, width, height } = place;
   const near = 0.9 * font;
   const tick = 2.5 * PT;
-  let out = `<rect x="${short(left)}" y="${short(top)}" width="${short(width)}" height="${short(height)}" fill="none" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+  const thin = `stroke="#000" stroke-width="${short(0.5 * PT)}"`;
+  let out = rectangle(left, top, width, height, `fill="none" ${thin}`);
   (x.ticks ?? []).forEach((value, i) => {
     const at = place.x(value);
-    out += `<path d="M${short(at)},${short(top + height)}v${short(tick)}" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+    out += `<path d="M${short(at)},${short(top + height)}v${short(tick)}" ${thin}/>`;
     if (x.shown) out += textAt(at, top + height + tick + near, x.tick_texts?.[i] ?? '', near, 'text-anchor="middle"');
   });
   let widest = 0;
@@ -256,7 +271,7 @@ function drawAxes(place: Place, { x, y, title, letter }: DescribedPanel, font: n
     const at = place.y(value);
     const text = y.tick_texts?.[i] ?? '';
     widest = Math.max(widest, text.length);
-    out += `<path d="M${short(left)},${short(at)}h${short(-tick)}" stroke="#000" stroke-width="${short(0.5 * PT)}"/>`;
+    out += `<path d="M${short(left)},${short(at)}h${short(-tick)}" ${thin}/>`;
     if (y.shown) out += textAt(left - 1.5 * tick, at + 0.35 * near, text, near, 'text-anchor="end"');
   });
   if (x.shown && x.label)
@@ -296,9 +311,8 @@ function drawLegend(list: readonly DescribedSeries[], right: number, top: number
     const [left, middle] = [x + 0.4 * font, y + 0.7 * font];
     if (series.shape === 'dots') out += markAt(left + 0.8 * font, middle, series, 3);
     else if (series.shape === 'boxes' || series.shape === 'area')
-      out += `<rect x="${short(left)}" y="${short(middle - 0.35 * font)}" width="${short(1.4 * font)}" height="${short(0.7 * font)}" fill="${series.colour}" fill-opacity="${series.opacity}"/>`;
-    else
-      out += `<path d="M${short(left)},${short(middle)}h${short(1.6 * font)}" stroke="${series.colour}" stroke-width="${short(Math.max(0.8, series.size) * PT)}"${series.dashed ? ` stroke-dasharray="${short(3 * PT)} ${short(2 * PT)}"` : ''}/>`;
+      out += rectangle(left, middle - 0.35 * font, 1.4 * font, 0.7 * font, filled(series));
+    else out += `<path d="M${short(left)},${short(middle)}h${short(1.6 * font)}" ${drawnAs(series, 0.8)}/>`;
     out += textAt(left + 2 * font, middle + 0.35 * font, series.name, 0.9 * font, 'text-anchor="start"');
     x += width(series);
   }
@@ -317,7 +331,8 @@ function drawScale(figure: Described, scale: DescribedScale, font: number): stri
     const value = scale.log
       ? scale.low * (scale.high / scale.low) ** share
       : scale.low + share * (scale.high - scale.low);
-    out += `<rect x="${short(left)}" y="${short(top + height * (1 - (i + 1) / STEPS))}" width="${short(width)}" height="${short(height / STEPS + 0.5)}" fill="${colourOf(scale, value)}"/>`;
+    const at = top + height * (1 - (i + 1) / STEPS);
+    out += rectangle(left, at, width, height / STEPS + 0.5, `fill="${colourOf(scale, value)}"`);
   }
   (scale.ticks ?? []).forEach((value, i) => {
     const at = top + (1 - shareOf(scale, value)) * height;
@@ -338,7 +353,8 @@ export function pictureOfDescribed(figure: Described): Picture {
   const [width, height, font] = [figure.width_cm * CM, figure.height_cm * CM, figure.font_pt * PT];
   const clips = figure.panels.map((panel, i) => {
     const { left, top, width, height } = new Place(figure, panel);
-    return `<clipPath id="${escaped(figure.name)}-${i}"><rect x="${short(left)}" y="${short(top)}" width="${short(width)}" height="${short(height)}"/></clipPath>`;
+    const clip = rectangle(left, top, width, height, '');
+    return `<clipPath id="${escaped(figure.name)}-${i}">${clip}</clipPath>`;
   });
   const panels = figure.panels.map((panel, i) => {
     const place = new Place(figure, panel);
@@ -348,15 +364,18 @@ export function pictureOfDescribed(figure: Described): Picture {
       list.map((series) => drawSeries(place, series, figure.scale, 0.9 * font)).join('');
     const inside = panel.legend_inside ? named([panel]) : [];
     const legend = inside.length
-      ? `<g transform="translate(${short(place.left + 0.3 * font)} 0)">${drawLegend(inside, place.width, place.top + 2, 0.9 * font)}</g>`
+      ? `<g transform="translate(${short(place.left + 0.3 * font)} 0)">` +
+        `${drawLegend(inside, place.width, place.top + 2, 0.9 * font)}</g>`
       : '';
-    return `<g clip-path="url(#${escaped(figure.name)}-${i})">${drawn(rest)}</g>${drawn(texts)}${drawAxes(place, panel, font)}${legend}`;
+    const clipped = `<g clip-path="url(#${escaped(figure.name)}-${i})">${drawn(rest)}</g>`;
+    return clipped + drawn(texts) + drawAxes(place, panel, font) + legend;
   });
   const outside = named(figure.panels.filter((panel) => !panel.legend_inside));
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}" height="${short(height)}" ` +
     `viewBox="0 0 ${short(width)} ${short(height)}" role="img" font-family="${escaped(FONT)}">` +
-    `<title>${escaped(figure.title)}</title><rect width="100%" height="100%" fill="#fff"/><defs>${clips.join('')}</defs>` +
+    `<title>${escaped(figure.title)}</title>${rectangle(0, 0, width, height, 'fill="#fff"')}` +
+    `<defs>${clips.join('')}</defs>` +
     panels.join('\n') +
     drawLegend(outside, width - 2, 3, font) +
     (figure.scale ? drawScale(figure, figure.scale, font) : '') +
