@@ -146,7 +146,8 @@ static int run(int argc, char **argv) {
         .args_doc = "RESULT.h5 [NAME]\nRESULT.h5 --list",
         .doc =
             "Writes one figure of a result, as reports have them: a picture, or its panels, axes and series as JSON. "
-            "Without a name the first one.",
+            "Without a name the first one; the names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
+            "@#NUMBER[:STATION] make figures of any numbers and of any point.",
     };
     figure_arguments arguments = {0};
     whirl_result *result;
