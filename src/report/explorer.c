@@ -689,7 +689,7 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
                 status = report_file_close(&file);
             } else {
                 report_file_drop(&file);
-                status = whirl_fail(WHIRL_NO_MEMORY, "no memory for what the page shows");
+                status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the page, or a figure of it cannot be made");
             }
         }
     } else

@@ -270,8 +270,11 @@ middles = (edges(1:end - 1) + edges(2:end)) / 2;
 series = struct('colour', '#000000', 'opacity', 1, 'x_to', ones(count, 1), 'y_to', edges(2:end), 'values', middles);
 draw_boxes(axes_handle, series, zeros(count, 1), edges(1:end - 1), ...
     struct('low', 0, 'high', 1, 'log', false, 'colours', {scale.colours}));
-set(axes_handle, 'YLim', [0, 1], 'YTick', place_on(scale.ticks(:)', scale), 'YTickLabel', ...
-    cellfun(@marked_up, cellstr(scale.tick_texts), 'UniformOutput', false));
+set(axes_handle, 'YLim', [0, 1], 'YTick', []);
+if isfield(scale, 'ticks')
+    set(axes_handle, 'YTick', place_on(scale.ticks(:)', scale), 'YTickLabel', ...
+        cellfun(@marked_up, cellstr(scale.tick_texts), 'UniformOutput', false));
+end
 ylabel(axes_handle, marked_up(scale.label), 'FontSize', data.font_pt);
 hold(axes_handle, 'off');
 end

@@ -201,6 +201,17 @@ def test_scales_have_the_ticks_of_the_data(map_files):
     assert len(data["scale"]["ticks"]) > 1
 
 
+def test_numbers_equal_but_for_rounding_have_a_scale(tmp_path, map_files):
+    text = map_files[0].read_text() if map_files[0].exists() else MAP
+    flat = re.sub(r"eccentricity: [^,}]*", "eccentricity: 0 m", text)
+    (tmp_path / "flat.yaml").write_text(flat)
+    command("run", tmp_path / "flat.yaml", "-o", tmp_path / "flat.h5", "-q")
+    result = whirl.open(tmp_path / "flat.h5")
+    scale = result.figure_data("map-radius-disc")["scale"]
+    assert scale["high"] > scale["low"] and scale["high"] - scale["low"] >= 1e-6 * abs(scale["high"])
+    result.figure("map-radius-disc")
+
+
 def test_any_field_and_any_point(good_file, map_files):
     good, grid = whirl.open(good_file), whirl.open(map_files[1])
     data = good.figure_data("orbit/mean:disc:y")
@@ -218,11 +229,20 @@ def test_any_field_and_any_point(good_file, map_files):
     assert np.allclose(section["x"], table["poincare/section"][2, 0, :, 0] * table.length_scale[2])
     value = table.values[2] / good._shown.size(table.parameter)
     assert good.figure_data(f"@{value:.17g}:disc") == point
+    scaled = good.figure_data("orbit/max_radius", units="mm, rpm")["panels"][0]
+    assert "(mm)" in scaled["y"]["label"] and "(rpm)" in scaled["x"]["label"]
+    drawn = sorted((x, y) for series in scaled["series"] for x, y in zip(series["x"], series["y"]))
+    radius = table["orbit/max_radius"][:, 0] * table.length_scale
+    assert np.allclose(drawn, sorted(zip(table.values * 30 / np.pi, radius * 1e3)), rtol=1e-12)
+    assert good.figure_data("poincare/section:disc:vx")["panels"][0]["y"]["label"].endswith("(m) per radian")
+    assert good.figure_data("rub/max_force")["panels"][0]["y"]["label"] == "largest normal force (N)"
+    assert good.figure_data("regime/code")["title"] == "code over omega"
     for wrong, words in (
         ("orbit/meen", "did you mean orbit/mean"),
         ("orbit/mean:disk", "did you mean disc"),
         ("orbit/mean:disc:z", "no column 'z'"),
         ("@fast", "expected a number"),
+        ("@nan", "expected a number"),
         ("@#99", "expected a number from 0 to 4"),
         ("@1:disk", "no station 'disk'"),
     ):

@@ -228,7 +228,7 @@ def _add_scale(figure, document):
     low, high = min(box[2] for box in boxes), max(box[3] for box in boxes)
     place = figure.add_axes((1.0 - 1.85 / document["width_cm"], low, 0.35 / document["width_cm"], high - low))
     bar = figure.colorbar(ScalarMappable(norm, colours), cax=place)
-    bar.set_ticks(document["scale"]["ticks"], labels=document["scale"]["tick_texts"])
+    bar.set_ticks(document["scale"].get("ticks", []), labels=document["scale"].get("tick_texts", []))
     bar.minorticks_off()
     bar.set_label(document["scale"]["label"], fontsize=document["font_pt"])
     place.tick_params(labelsize=0.9 * document["font_pt"])

@@ -394,11 +394,12 @@ export function tableOfDescribed({ panels }: Described): {
         name,
         one.name,
         x ?? '',
+        one.x_to?.[i] ?? '',
         one.y?.[i] ?? '',
         one.y_to?.[i] ?? '',
         one.values?.[i] ?? one.texts?.[i] ?? '',
       ]),
     ),
   );
-  return { heading: ['panel', 'series', 'x', 'y', 'y to', 'value'], rows };
+  return { heading: ['panel', 'series', 'x', 'x to', 'y', 'y to', 'value'], rows };
 }

@@ -29,10 +29,10 @@ static whirl_status choose_column(const figure_place *place, const char *word, s
 }
 
 static whirl_status choose_owner(const drawing *of, const figure_place *place, const char *word, size_t *owner) {
-    enum { MOST = 256 };
-    const char *names[MOST];
+    const char *names[WHIRL_MAX_CONTACTS];
     const bool station = place->field->extent == WHIRL_PER_STATION;
-    const size_t all = station ? of->result->station_count : of->result->contact_count, count = all < MOST ? all : MOST;
+    const size_t all = station ? of->result->station_count : of->result->contact_count;
+    const size_t count = all < WHIRL_MAX_CONTACTS ? all : WHIRL_MAX_CONTACTS;
     for (size_t i = 0; i < count; i++) names[i] = station ? of->result->stations[i].name : of->result->contacts[i];
     return choose(word, names, count, station ? "station" : "contact", owner);
 }
@@ -116,8 +116,10 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     const int kinds = whirl_layout_has_verdict(&place->table->layout) ? CLASS_COUNT : 1;
     for (int kind = 0; kind < kinds; kind++)
         for (int branch = 1; branch >= -1; branch -= 2) add_points(of, place, figure, panel, kind, branch);
-    snprintf(figure->caption, sizeof figure->caption, "%.250s%s.", figure->title,
-             kinds > 1 ? ", coloured by regime; crosses: carried down" : "");
+    bool down = false;
+    for (size_t i = 0; i < place->table->count; i++) down = down || place->table->branch[i] < 0;
+    snprintf(figure->caption, sizeof figure->caption, "%.250s%s%s.", figure->title,
+             kinds > 1 ? ", coloured by regime" : "", down ? "; crosses: carried down" : "");
 }
 
 const figure_kind field_figure = {.describe = describe, .find = find};

@@ -116,7 +116,9 @@ static void scale_from_zero(whirl_colour_scale *scale, span range) {
 }
 
 static void scale_as_found(whirl_colour_scale *scale, span range) {
-    scale_rising(scale, range.low, range.high > range.low ? range.high : range.low + 1.0);
+    const double size = fmax(fabs(range.low), fabs(range.high)), least = size > 0.0 ? 1e-6 * size : 1.0;
+    const span shown = span_with_margin(range, 0.0, least);
+    scale_rising(scale, shown.low, shown.high);
 }
 
 static void scale_exponents(whirl_colour_scale *scale, span range) {

@@ -519,7 +519,7 @@ static whirl_status add_nearest(figure_list *to, const drawing *of, const char *
         const whirl_table *table = &of->result->tables[t];
         if (!*table->parameter || table->row > 0) continue;
         const whirl_unit shown = whirl_shown_parameter(of->units, table->parameter);
-        if (end == text || (*unit && strcmp(unit, shown.name) != 0))
+        if (end == text || !isfinite(value) || (*unit && strcmp(unit, shown.name) != 0))
             return whirl_fail(WHIRL_BAD_INPUT, "the value is '%.60s', expected a number%s%.60s", text,
                               *shown.name ? " in " : "", shown.name);
         double far;

@@ -11,54 +11,100 @@ const char *shown_owner(const drawing *of, const figure_place *place) {
     return place->field->extent == WHIRL_PER_CONTACT ? of->result->contacts[place->which] : "";
 }
 
-void shown_quantity(const figure_place *place, char *text, size_t size) {
+/// The name of the column, "" where the field has one number.
+static void column_of(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
-    const whirl_field *field = place->field;
-    if (whirl_field_column_names(field, names))
-        snprintf(text, size, "%s", names[place->column]);
+    *name = '\0';
+    if (whirl_field_column_names(place->field, names)) snprintf(name, WHIRL_NAME_SIZE, "%s", names[place->column]);
+}
+
+void shown_quantity(const figure_place *place, char *text, size_t size) {
+    const char *meaning = place->field->meaning, *last = strrchr(place->field->name, '/');
+    char column[WHIRL_NAME_SIZE];
+    column_of(place, column);
+    // What numbers stand for in a list is no name.
+    const bool told = !*column && *meaning && !strchr("0123456789", *meaning);
+    if (told)
+        snprintf(text, size, "%.*s", (int)strcspn(meaning, ",;(:"), meaning);
     else
-        snprintf(text, size, "%.*s", (int)strcspn(field->meaning, ",;("), field->meaning);
+        snprintf(text, size, "%s%s%s", last ? last + 1 : place->field->name, *column ? " " : "", column);
+    for (char *at = told ? NULL : text; at && (at = strchr(at, '_'));) *at = ' ';
     for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
 }
 
-/// The unit in which it is shown; of lengths "", for the units of the figure say it.
-static whirl_unit unit_of(const drawing *of, const figure_place *place) {
-    static const char *const kept[] = {"length", "revolution", "1/revolution", "order"};
-    const whirl_field *field = place->field;
-    whirl_unit unit = {.size = 1.0};
-    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
-        if (strcmp(field->unit, kept[i]) == 0) {
-            if (i > 0) snprintf(unit.name, sizeof unit.name, "%s", kept[i]);
-            return unit;
-        }
-    const whirl_unit si = whirl_field_si(of->result, place->table, field);
-    if (strcmp(si.name, "rad/s") == 0 && of->units->speed.size > 0.0) return of->units->speed;
-    if (strcmp(si.name, "1") != 0 && isfinite(si.size))
-        snprintf(unit.name, sizeof unit.name, "%s", si.name), unit.size = 1.0 / si.size;
+/// How the numbers of a place are shown.
+typedef enum measure { PLAIN, OF_LENGTH, OF_VELOCITY, OF_PARAMETER, OF_SPEED } measure;
+
+static measure measure_of(const figure_place *place) {
+    char column[WHIRL_NAME_SIZE];
+    column_of(place, column);
+    if (strcmp(place->field->unit, "length") == 0) {
+        if (strcmp(column, "order") == 0) return PLAIN;
+        return strcmp(column, "vx") == 0 || strcmp(column, "vy") == 0 ? OF_VELOCITY : OF_LENGTH;
+    }
+    if (strstr(place->field->meaning, "in SI") || strcmp(column, "value") == 0) return OF_PARAMETER;
+    if (strcmp(column, "speed") == 0 || strcmp(column, "frequency") == 0) return OF_SPEED;
+    return strcmp(place->field->unit, "rad/s") == 0 ? OF_SPEED : PLAIN;
+}
+
+/// Frequencies and speeds in the unit that is asked for, else in that of a speed along the axis.
+static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table) {
+    whirl_unit unit = {.name = "rad/s", .size = 1.0};
+    if (of->units->frequency > 0.0) {
+        unit.size = 2.0 * acos(-1.0) * of->units->frequency;
+        snprintf(unit.name, sizeof unit.name, "%s", of->units->frequency_name);
+    } else if (of->units->speed.size > 0.0) {
+        unit = of->units->speed;
+    } else if (strcmp(whirl_result_parameter_unit(of->result, table->parameter), "rad/s") == 0) {
+        unit = whirl_shown_parameter(of->units, table->parameter);
+    }
     return unit;
 }
 
-static bool is_length(const figure_place *place) {
-    char quantity[WHIRL_NAME_SIZE];
-    shown_quantity(place, quantity, sizeof quantity);
-    return strcmp(place->field->unit, "length") == 0 && strcmp(quantity, "order") != 0;
+/// The unit of what is no length.
+static whirl_unit unit_of(const drawing *of, const figure_place *place) {
+    static const char *const kept[] = {"revolution", "1/revolution", "order"};
+    const whirl_field *field = place->field;
+    const measure how = measure_of(place);
+    whirl_unit unit = {.size = 1.0};
+    if (how == OF_SPEED) return speed_unit_beside(of, place->table);
+    if (how == OF_PARAMETER)
+        return whirl_shown_parameter(of->units, strstr(field->meaning, "second parameter") ? place->table->second
+                                                                                           : place->table->parameter);
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
+        if (strcmp(field->unit, kept[i]) == 0) {
+            snprintf(unit.name, sizeof unit.name, "%s", kept[i]);
+            return unit;
+        }
+    const whirl_unit si = whirl_field_si(of->result, place->table, field);
+    if (strcmp(field->unit, "length") != 0 && strcmp(si.name, "1") != 0 && isfinite(si.size))
+        snprintf(unit.name, sizeof unit.name, "%s", si.name), unit.size = 1.0 / si.size;
+    return unit;
 }
 
 double shown_number(const drawing *of, const figure_place *place, size_t point, size_t row) {
     const double *numbers = whirl_table_field(place->table, point, place->field->name, place->which);
     if (!numbers || row >= place->field->rows || !whirl_table_done(place->table, point)) return NAN;
     const double number = numbers[row * place->field->columns + place->column];
-    if (is_length(place)) return number * whirl_shown_length(of->units, place->table, point);
+    const measure how = measure_of(place);
+    if (how == OF_LENGTH || how == OF_VELOCITY) return number * whirl_shown_length(of->units, place->table, point);
     return number / unit_of(of, place).size;
 }
 
 void shown_label(const drawing *of, const figure_place *place, char *label, size_t size) {
-    char quantity[WHIRL_NAME_SIZE], symbol[WHIRL_NAME_SIZE + 2];
+    char quantity[WHIRL_NAME_SIZE], symbol[WHIRL_NAME_SIZE + 2], column[WHIRL_NAME_SIZE];
+    const measure how = measure_of(place);
     shown_quantity(place, quantity, sizeof quantity);
-    const whirl_unit unit = unit_of(of, place);
-    snprintf(symbol, sizeof symbol, strlen(quantity) == 1 ? "$%s$" : "%s", quantity);
-    if (is_length(place))
+    column_of(place, column);
+    // A letter alone is a symbol.
+    const size_t before = strlen(quantity) - strlen(column);
+    snprintf(symbol, sizeof symbol, strlen(column) == 1 ? "%.*s$%s$" : "%.*s%s", (int)before, quantity,
+             quantity + before);
+    if (how == OF_LENGTH || how == OF_VELOCITY) {
         symbol_length(of->units, symbol, label, size);
-    else
-        snprintf(label, size, *unit.name ? "%s (%s)" : "%s", symbol, unit.name);
+        if (how == OF_VELOCITY) snprintf(label + strlen(label), size - strlen(label), " per radian");
+        return;
+    }
+    const whirl_unit unit = unit_of(of, place);
+    snprintf(label, size, *unit.name ? "%s (%s)" : "%s", symbol, unit.name);
 }

@@ -97,8 +97,8 @@ static json_t *scale_object(bool *well, const whirl_colour_scale *scale) {
     document_put(well, object, "log", json_boolean(scale->logarithmic));
     for (size_t i = 0; i < scale->count && *well; i++) document_append(well, colours, document_text(scale->colours[i]));
     document_put(well, object, "colours", colours);
-    put_numbers(well, object, "ticks", scale->ticks, scale->tick_count);
-    put_texts(well, object, "tick_texts", scale->tick_texts, scale->tick_count);
+    if (scale->tick_count > 0) put_numbers(well, object, "ticks", scale->ticks, scale->tick_count);
+    if (scale->tick_count > 0) put_texts(well, object, "tick_texts", scale->tick_texts, scale->tick_count);
     return object;
 }
 

@@ -373,7 +373,7 @@ static void write_palette(FILE *script, const whirl_colour_scale *scale) {
     if (!*scale->label) return;
     fputs("set palette defined (", script);
     for (size_t i = 0; i < scale->count; i++) fprintf(script, "%s%zu '%s'", i ? ", " : "", i, scale->colours[i]);
-    fprintf(script, ")\nset cbrange [%.8g:%.8g]\n", scale->low, scale->high);
+    fprintf(script, ")\nset cbrange [%.17g:%.17g]\n", scale->low, scale->high);
     if (scale->logarithmic) fputs("set logscale cb 10\n", script);
     fputs("set cbtics (", script);
     for (size_t i = 0; i < scale->tick_count; i++) {
