@@ -28,7 +28,8 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
         snprintf(text, size, "%.*s", (int)strcspn(meaning, ",;(:"), meaning);
     else
         snprintf(text, size, "%s%s%s", last ? last + 1 : place->field->name, *column ? " " : "", column);
-    for (char *at = told ? NULL : text; at && (at = strchr(at, '_'));) *at = ' ';
+    for (char *at = text; *at && !told; at++)
+        if (*at == '_') *at = ' ';
     for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
 }
 
