@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, command, folder, makePage, open, settled } from './browser.mjs';
+import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
 
 let address;
 before(() => {
@@ -112,6 +112,34 @@ test('keys move the cursor, zoom and give help', async () => {
   assert.ok(await page.isVisible('dialog.help'));
   await page.keyboard.press('Escape');
   assert.ok(!(await page.isVisible('dialog.help')));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the orbit goes to the right with x and upwards with y', async () => {
+  const { page, complaints, close } = await open(`${address}#at=1.5`);
+  await settled(page);
+  const svg = (await saved(page, '.pane-a .panel-orbit', 'svg')).bytes.toString('utf8');
+  const csv = (await saved(page, '.pane-a .panel-orbit', 'csv')).bytes.toString('utf8');
+  const rows = csv
+    .trim()
+    .split(/\r?\n/)
+    .slice(1)
+    .map((line) => line.split(',').map(Number));
+  // Of all paths of the picture the orbit has the most points: as many numbers of the table are its extremes.
+  const paths = [...svg.matchAll(/ d="([^"]*)"/g)].map(([, d]) => [...d.matchAll(/(-?[\d.]+) (-?[\d.]+)/g)]);
+  const drawn = paths.sort((a, b) => b.length - a.length)[0].map(([, x, y]) => [Number(x), Number(y)]);
+  assert.ok(drawn.length > 50, `${drawn.length} points`);
+  const extremes = (points, k) => [Math.min(...points.map((p) => p[k])), Math.max(...points.map((p) => p[k]))];
+  const last = rows.slice(-drawn.length);
+  const [[left, right], [top, bottom]] = [extremes(drawn, 0), extremes(drawn, 1)];
+  const at = ([, x, y]) => {
+    const [[x0, x1], [y0, y1]] = [extremes(last, 1), extremes(last, 2)];
+    return [left + ((x - x0) / (x1 - x0)) * (right - left), bottom - ((y - y0) / (y1 - y0)) * (bottom - top)];
+  };
+  // The last sample, which is at the mark, is the end of the path.
+  const [x, y] = at(last.at(-1));
+  assert.ok(Math.hypot(x - drawn.at(-1)[0], y - drawn.at(-1)[1]) < 0.02 * (right - left), `${[x, y]}, ${drawn.at(-1)}`);
   assert.deepEqual(complaints, []);
   await close();
 });
