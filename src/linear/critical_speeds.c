@@ -251,10 +251,10 @@ static void share_area(const whirl_system *system, const double *a, const double
 /// Shapes [m] of one speed, any mixture of which is one: those that whirl most clearly in one direction each, forward
 /// first. work: 8 m m + 2 m + 4 m n numbers.
 static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
+    if (m < 2) return true;
     const size_t d = system->dimension, all = 2 * m;
     double *form = work, *values = form + all * all, *mixed = values + all, *vectors = mixed + all * all;
     double *own = vectors + 2 * all * m;
-    if (m < 2) return true;
     for (size_t i = 0; i < m; i++)
         for (size_t k = 0; k < m; k++) {
             double area[2];
