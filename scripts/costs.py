@@ -34,7 +34,7 @@ def measured(log):
 
 
 def quarters_of(costs, sanitized):
-    """The quarter of every test, 0: always."""
+    """The quarter of every test, 0: always, and, of units and commands in one, the third of it."""
     groups = {}
     for name, seconds in costs.items():
         group = TOGETHER.match(name)
@@ -50,9 +50,18 @@ def quarters_of(costs, sanitized):
         load[quarter] += weight
         release[quarter] += total
         quarters.update({name: quarter for name in names})
+    thirds, parts = {}, {}
+    for name in sorted(quarters, key=lambda name: -sanitized.get(name, SANITIZED * costs[name])):
+        if quarters[name] and name.startswith(("unit.", "cli.")):
+            sums = parts.setdefault(quarters[name], [0.0] * 3)
+            third = min(range(3), key=lambda t: sums[t])
+            sums[third] += sanitized.get(name, SANITIZED * costs[name])
+            thirds[name] = third + 1
+    for quarter, sums in sorted(parts.items()):
+        print(f"seconds of the thirds of quarter {quarter} with the sanitizers:", *(round(x) for x in sums))
     for what, sums in (("", release), (", with the sanitizers", load)):
         print(f"seconds of tests that always run, and of the quarters{what}:", *(round(x) for x in sums))
-    return quarters
+    return quarters, thirds
 
 
 def main():
@@ -63,9 +72,9 @@ def main():
     there = set(re.findall(r"Test +#\d+: (\S+)", listed))
     again = Path(sys.argv[1]) / "sanitize/tests.log"
     sanitized = measured(again) if again.exists() else {}
-    quarters = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
+    quarters, thirds = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
     head = [line for line in lines if line.startswith("#")]
-    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]}" for name in sorted(quarters)
+    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]}" + (f" {thirds[name]}" if name in thirds else "") for name in sorted(quarters)
             if costs[name] >= 1 or quarters[name]]
     COSTS.write_text("\n".join(head + told) + "\n")
 

@@ -55,8 +55,9 @@ typedef struct whirl_setting {
 /// A list of stations and elements, being written.
 typedef struct whirl_design whirl_design;
 
-/// Starts a design. speed: omega in rad/s, >= 0; length_scale in m, > 0. A rotor that stands still has seconds for its
-/// unit of time: linear analyses are for it, motions that revolutions are counted of are not.
+/// Starts a design. speed: omega in rad/s, below 0 clockwise, from y to x; length_scale in m, > 0. Angles go from x
+/// towards y either way. A rotor that stands still has seconds for its unit of time: linear analyses are for it,
+/// motions that revolutions are counted of are not.
 whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design);
 
 /// Adds a material ("steel" is known by itself). Names and errors as of whirl_design_station.

@@ -26,8 +26,8 @@ enum {
 };
 
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
-/// `x` and `y` index the state; `vx` and `vy` their derivatives. For a system with one coordinate set y = x and vy =
-/// vx.
+/// `x` and `y` index the state; `vx` and `vy` their derivatives. What moves along one axis has y = x and vy = vx: it
+/// moves along x, or with `along_y` along y, and not along the other.
 typedef struct whirl_probe {
     char name[WHIRL_NAME_SIZE]; ///< of the station
     size_t x, y, vx, vy;        ///< indices of coordinates
@@ -38,7 +38,20 @@ typedef struct whirl_probe {
     double gap;
     size_t shaft;    ///< number of the shaft of finite elements that the station lies on, from 1; 0: on none
     double position; ///< along that shaft, m
+    bool along_y;    ///< where y = x: the one coordinate is that along y
+    bool clockwise;  ///< the rotor turns from y to x, so that a whirl that way is forward; false: from x to y
 } whirl_probe;
+
+/// Whether it sees a displacement along x (which: 0) or y (1).
+static inline bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
+    return probe->x != probe->y || probe->along_y == (which == 1);
+}
+
+/// x, y, vx or vy (nth: 0 to 3) out of numbers that lie as those of a state do; 0 along an axis that it does not see.
+static inline double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth) {
+    const size_t at[] = {probe->x, probe->y, probe->vx, probe->vy};
+    return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
+}
 
 /// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");
 /// static, ended by one without a part.

@@ -254,7 +254,14 @@ static whirl_status new_design(const machine_parts *machine, valuation *v, doubl
     *design = NULL;
     if (speed == 0.0) speed = settings_number(v, &machine->rotor, "speed");
     const double length = settings_number(v, &machine->rotor, "length_scale");
-    return whirl_design_new(speed, length, design);
+    if (speed < 0.0)
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "rotor.speed is %.10g rad/s, expected a number above 0, and rotation: clockwise for what turns "
+            "from y to x",
+            speed);
+    const bool clockwise = strcmp(settings_word(&machine->rotor, "rotation"), "clockwise") == 0;
+    return whirl_design_new(clockwise ? -speed : speed, length, design);
 }
 
 typedef whirl_status add_part_fn(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);

@@ -26,6 +26,8 @@ static const whirl_key case_keys[] = {
 #define ROTOR_KEYS(speeds)                                                                                             \
     {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
      "speed of rotation, above 0; for modes at least 0", ""},                                                          \
+    CHOICE_KEY("rotation", DEFAULT("counter-clockwise"), "counter-clockwise|clockwise",                                \
+     "which way it turns: from x to y, or from y to x; angles go from x towards y either way"),                        \
     NUMBER_KEY("length_scale", "", "m", REQUIRED, WHIRL_POSITIVE,                                                      \
      "length in which displacements are computed and reported, such as the clearance"),                                \
     CITED_CHOICE_KEY("materials", OPTIONAL, "", "names with the keys of a material of shafts",                         \

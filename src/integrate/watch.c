@@ -10,7 +10,7 @@ static void take(double *so_far, whirl_fold fold, double value) {
 
 static void watch_probe(const whirl_probe *probe, size_t p, const double *x, size_t stride,
                         const whirl_ensemble_seen *seen) {
-    const watched_instant now = watched_at(x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
+    const watched_instant now = watched_at(probe, x[probe->x], x[probe->y], x[probe->vx], x[probe->vy]);
 #define WATCH(array, extent, columns, fold, ...)                                                                       \
     for (size_t c = 0; c < (columns); c++) take(&seen->array[((columns)*p + c) * stride], fold, now.array[c]);
     WHIRL_WATCHED_OF_STATIONS(WATCH)

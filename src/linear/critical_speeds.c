@@ -243,8 +243,9 @@ static void share_area(const whirl_system *system, const double *a, const double
         const double *ax = a + 2 * probe->x, *ay = a + 2 * probe->y, *bx = b + 2 * probe->x, *by = b + 2 * probe->y;
         if (probe->x == probe->y) continue;
         // i (conj(ax) by - conj(ay) bx)
-        out[0] += -(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]);
-        out[1] += (ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]);
+        const double way = probe->clockwise ? -1.0 : 1.0;
+        out[0] += way * (-(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]));
+        out[1] += way * ((ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]));
     }
 }
 

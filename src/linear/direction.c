@@ -8,7 +8,7 @@ double whirl_direction(const whirl_system *system, const double *v) {
         square += x[0] * x[0] + x[1] * x[1];
         if (probe->x == probe->y) continue;
         square += y[0] * y[0] + y[1] * y[1];
-        area += 2.0 * (x[1] * y[0] - x[0] * y[1]);
+        area += (probe->clockwise ? -2.0 : 2.0) * (x[1] * y[0] - x[0] * y[1]);
     }
     return square > 0.0 ? area / square : 0.0;
 }

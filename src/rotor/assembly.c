@@ -6,8 +6,9 @@
 #include <string.h>
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
-    *to = (assembly){.speed = speed, .turn = 1.0, .length = length, .station_count = station_count};
-    to->clock = speed > 0.0 ? speed : 1.0;
+    *to = (assembly){.speed = fabs(speed), .length = length, .station_count = station_count};
+    to->clock = to->speed > 0.0 ? to->speed : 1.0;
+    to->turn = speed < 0.0 ? -1.0 : 1.0;
     to->stations = calloc(station_count, sizeof *to->stations);
     to->numbers = calloc(station_count, sizeof *to->numbers);
     to->inertia = calloc(AXES * station_count, sizeof *to->inertia);
@@ -27,6 +28,10 @@ void assembly_clear(assembly *to) {
     free(to->terms);
     free(to->masses);
     body_clear(&to->body);
+}
+
+double assembly_spin(const assembly *of) {
+    return copysign(of->speed, of->turn);
 }
 
 // ---------------------------------------------------------------- coordinates
@@ -206,8 +211,8 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar) {
         body_add(&to->body, y, x, gyroscopic, turned);
         return;
     }
-    assembly_damping(to, x, y, polar * to->speed);
-    assembly_damping(to, y, x, -polar * to->speed);
+    assembly_damping(to, x, y, polar * assembly_spin(to));
+    assembly_damping(to, y, x, -polar * assembly_spin(to));
 }
 
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {

@@ -75,8 +75,9 @@ typedef struct assembly_station {
 } assembly_station;
 
 typedef struct assembly {
-    double speed, length;              ///< of the shaft, rad/s; length scale, m
-    double clock, turn;                ///< rad/s of the phase that sections are taken by: tau = clock t; speed/clock
+    double speed, length;              ///< of the shaft, rad/s, whichever way it turns; length scale, m
+    double clock;                      ///< rad/s of the phase that sections are taken by: tau = clock t
+    double turn;                       ///< speed/clock, below 0 where the shaft turns clockwise, from y to x
     bool phased;                       ///< the shaft's phase is a state: what turns with it are terms alone
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
@@ -92,10 +93,13 @@ typedef struct assembly {
     bool no_memory;    ///< a term was lost
 } assembly;
 
-/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. The
-/// unit of time of a rotor that stands still is a second.
+/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. speed:
+/// below 0 clockwise. The unit of time of a rotor that stands still is a second.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
+
+/// The shaft's speed, rad/s, below 0 clockwise.
+double assembly_spin(const assembly *of);
 
 /// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as they are.
 /// WHIRL_BAD_INPUT for a station without mass.

@@ -97,7 +97,7 @@ VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pai
     const element rub = {.port = {0, 1}, .law = pair->law[PAIR_RUB_LAW]};
     const vec *number = line->number[at];
     const size_t x = PAIR_JOURNAL * stride, y = x + stride;
-    const film_state film = film_end(&line->film, at);
+    const film_state film = film_end(&line->film, at, v_set(1.57079632679489661923));
     vec *a = line->a[at];
     film_add(&film, number[(PAIR_FILM_NUMBERS + FILM_STRENGTH) * stride], &frame[x], &frame[y]);
     for (size_t d = 0; d < PAIR_DEGREES; d++) a[d * stride] = frame[d * stride];

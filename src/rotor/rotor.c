@@ -14,7 +14,7 @@
 /// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
 /// coordinates come in this order.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
-    if (b->keyphasor || b->mesh.node_count > 0) return false;
+    if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn < 0.0) return false;
 #define FIND(name, NAME)                                                                                               \
     if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
         out->structure = INSTANCE_##NAME;                                                                              \
@@ -113,7 +113,12 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
         const size_t *coordinate = b->assembly.stations[s].coordinate;
         const size_t x = coordinate[coordinate[AXIS_X] == NO_COORDINATE ? AXIS_Y : AXIS_X];
         const size_t y = coordinate[coordinate[AXIS_Y] == NO_COORDINATE ? AXIS_X : AXIS_Y];
-        rotor->probes[s] = (whirl_probe){.x = x, .y = y, .vx = degrees + x, .vy = degrees + y};
+        rotor->probes[s] = (whirl_probe){.x = x,
+                                         .y = y,
+                                         .vx = degrees + x,
+                                         .vy = degrees + y,
+                                         .along_y = coordinate[AXIS_X] == NO_COORDINATE,
+                                         .clockwise = b->assembly.turn < 0.0};
         strcpy(rotor->probes[s].name, b->assembly.stations[s].name);
     }
     for (size_t i = 0; i < b->mesh.node_count; i++) {
@@ -144,7 +149,7 @@ static void add_numbers(whirl_rotor *rotor, const building *b) {
     number += b->number_count;
     if (b->assembly.body.count > 0) {
         rotor->first_rate = (size_t)(number - rotor->numbers);
-        body_rates(b->assembly.speed, b->assembly.clock, number);
+        body_rates(assembly_spin(&b->assembly), b->assembly.clock, number);
         number += BODY_STEPS;
     }
     if (b->keyphasor) *number = b->assembly.turn;
@@ -244,7 +249,8 @@ static whirl_rotor *finish(building *b) {
     whirl_rotor *rotor = body_gather(&b->assembly.body, &b->panels) ? calloc(1, lay_out(NULL, NULL, b)) : NULL;
     if (!rotor) return NULL;
     lay_out(rotor, (char *)rotor, b);
-    rotor->speed = b->design->speed;
+    rotor->speed = b->assembly.speed;
+    rotor->way = !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
     rotor->clock = b->assembly.clock;
     rotor->length = b->design->length;
     rotor->station_count = b->design->station_count;

@@ -23,7 +23,7 @@ typedef struct oscillator {
     double damping, stiffness, cubic, pendulum, force, frequency;
 } oscillator;
 
-static const whirl_probe oscillator_probe = {"x", 0, 0, 1, 1, 0.0, 0.0, 0, 0.0};
+static const whirl_probe oscillator_probe = {.name = "x", .vx = 1, .vy = 1};
 
 static void oscillator_forcing(const void *model, double t, double *forcing) {
     const oscillator *o = model;
@@ -64,7 +64,7 @@ static void lorenz_jacobian(const void *parameters, double t, const double *x, d
     for (int i = 0; i < 9; i++) jacobian[i] = matrix[i];
 }
 
-static const whirl_probe lorenz_probe = {"x", 0, 1, 0, 1, 0.0, 0.0, 0, 0.0};
+static const whirl_probe lorenz_probe = {.name = "x", .y = 1, .vy = 1};
 static const double lorenz_r = 28.0;
 /// One unit of time stands for a revolution.
 static const whirl_system lorenz = {

@@ -7,7 +7,7 @@ from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi,
 from ._shown import Shown
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
-_STATION_WHOLES = ("x", "y", "vx", "vy", "shaft")
+_STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "clockwise")
 
 
 class _Owner:

@@ -53,6 +53,8 @@ class Station:
     vy: int  #: likewise along y
     shaft: int = 0  #: number of the shaft of finite elements it lies on, from 1; 0 for none
     position: float = 0.0  #: along that shaft, m
+    along_y: int = 0  #: 1 where the station moves along y alone, whose coordinate `x` is, too
+    clockwise: int = 0  #: 1 where the rotor turns clockwise, from y to x
 
 
 class _About:

@@ -184,14 +184,12 @@ export class AtRest {
 
   /// Shapes of a mode at all stations, the largest displacement 1.
   shape(point: number, mode: number): Sway[] {
-    return this.stations.map((info, station) => {
+    return this.stations.map((_, station) => {
       const number = (column: number) => {
         const found = this.diagram.column(FIELD.MODES_SHAPE, station, column);
         return found?.data[point * found.rows + mode] ?? NaN;
       };
-      // One coordinate that stands for both is a motion along one line.
-      const line = info.x === info.y;
-      return { xc: number(0), xs: number(1), yc: line ? 0 : number(2), ys: line ? 0 : number(3) };
+      return { xc: number(0), xs: number(1), yc: number(2), ys: number(3) };
     });
   }
 

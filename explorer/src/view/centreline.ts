@@ -10,8 +10,8 @@ import { Panel, type Subject, type Table } from './panel';
 import { FIELD } from '../data/fields';
 
 /// Angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to 180.
-export function attitude(x: number, y: number): number {
-  return (Math.atan2(x, -y) * 180) / Math.PI;
+export function attitude(x: number, y: number, clockwise: boolean | undefined): number {
+  return (Math.atan2(clockwise ? -x : x, -y) * 180) / Math.PI;
 }
 
 /// The clearance of a point's own machine in its length scales, NaN where there is no bearing.
@@ -38,7 +38,7 @@ export class CentrelinePanel extends Panel {
   }
 
   protected table(): Table {
-    const { station, units, scales, diagram } = this.subject!;
+    const { station, units, scales, diagram, info } = this.subject!;
     const { unit } = lengthMeasure(units, scales);
     const [x, y] = [diagram?.column(FIELD.ORBIT_MEAN, station, 0), diagram?.column(FIELD.ORBIT_MEAN, station, 1)];
     return {
@@ -58,7 +58,7 @@ export class CentrelinePanel extends Panel {
           mx * factor,
           my * factor,
           Math.hypot(mx, my) / clearanceOf(diagram!, i, station),
-          attitude(mx, my),
+          attitude(mx, my, info.clockwise),
         ];
       }),
     };
@@ -78,7 +78,7 @@ export class CentrelinePanel extends Panel {
     const { factor, unit } = lengthMeasure(units, scales);
     const ratio = info.clearance > 0 ? `eccentricity ratio ${shown(Math.hypot(x, y) / info.clearance, 3)}, ` : '';
     return (
-      `${ratio}attitude ${shown(attitude(x, y), 3)}\u00b0, mean (${shown(x * factor, 3)}, ` +
+      `${ratio}attitude ${shown(attitude(x, y, info.clockwise), 3)}\u00b0, mean (${shown(x * factor, 3)}, ` +
       `${shown(y * factor, 3)}) ${unit}`
     );
   }

@@ -34,7 +34,8 @@ double *view_numbers(const block_view *view, size_t field, size_t which) {
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view) {
     double largest = 0.0, c = 1.0, s = 0.0;
     for (size_t p = 0; p < 2 * system->probe_count; p++) {
-        const double *x = v + 2 * (p % 2 ? system->probes[p / 2].y : system->probes[p / 2].x);
+        const whirl_probe *probe = &system->probes[p / 2];
+        const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
         const double size = hypot(x[0], x[1]);
         if (size > (1.0 + 1e-9) * largest) largest = size, c = x[0] / size, s = x[1] / size;
     }
@@ -42,6 +43,10 @@ void fill_shape(const whirl_system *system, const double *v, size_t row, size_t 
         const whirl_probe *probe = &system->probes[p / 2];
         const double *x = v + 2 * (p % 2 ? probe->y : probe->x);
         double *out = view_numbers(view, field, p / 2) + 4 * row + 2 * (p % 2);
+        if (!whirl_probe_sees(probe, p % 2)) {
+            out[0] = out[1] = 0.0;
+            continue;
+        }
         // x cos(w t) + y sin(w t) of Re(X exp(i w t)).
         out[0] = (x[0] * c + x[1] * s) / largest;
         out[1] = -(x[1] * c - x[0] * s) / largest;

@@ -99,8 +99,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     if (modes->period > 0.0) *view_numbers(view, MODULO, 0) = point->clock * 6.283185307179586476925 / modes->period;
     for (size_t p = 0; p < point->system->probe_count; p++) {
         const whirl_probe *probe = &point->system->probes[p];
-        view_numbers(view, REST, p)[0] = modes->rest[probe->x];
-        view_numbers(view, REST, p)[1] = modes->rest[probe->y];
+        for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, modes->rest, c);
     }
     fill_modes(point, modes, most, view);
     for (size_t i = 0; i < modes->count && i < most; i++)

@@ -23,10 +23,9 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
         const double radius = record->max_radius[which];
         WHIRL_WATCHED_OF_STATIONS(WATCHED_FILL)
         *view_numbers(view, ECCENTRICITY, which) = probe->clearance > 0.0 ? radius / probe->clearance : NAN;
-        const size_t coordinates[2] = {probe->x, probe->y};
         for (size_t c = 0; c < 2; c++) {
-            view_numbers(view, LOW, which)[c] = record->low[coordinates[c]];
-            view_numbers(view, HIGH, which)[c] = record->high[coordinates[c]];
+            view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, record->low, c);
+            view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, record->high, c);
         }
     }
     return whirl_ok();

@@ -21,10 +21,7 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
         double *out = view_numbers(view, SECTION, s);
         for (size_t n = 0; n < record->record_count; n++) {
             const double *state = oldest + n * record->dimension;
-            *out++ = state[probe->x];
-            *out++ = state[probe->y];
-            *out++ = state[probe->vx];
-            *out++ = state[probe->vy];
+            for (size_t c = 0; c < 4; c++) *out++ = whirl_probe_value(probe, state, c);
         }
     }
     return whirl_ok();

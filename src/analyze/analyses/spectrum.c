@@ -115,6 +115,22 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
     return whirl_ok();
 }
 
+static void swap(double *one, double *other) {
+    const double kept = *one;
+    *one = *other;
+    *other = kept;
+}
+
+/// Of a shaft that turns clockwise: what goes from x to y goes backward.
+static void swap_directions(whirl_spectrum *spectrum) {
+    double *forward = spectrum->forward;
+    spectrum->forward = spectrum->backward;
+    spectrum->backward = forward;
+    for (size_t l = 0; l < spectrum->line_count; l++) swap(&spectrum->lines[l].forward, &spectrum->lines[l].backward);
+    swap(&spectrum->synchronous.amplitude[2], &spectrum->synchronous.amplitude[3]);
+    swap(&spectrum->synchronous.lag[2], &spectrum->synchronous.lag[3]);
+}
+
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
                                 whirl_spectrum **spectrum) {
     *spectrum = NULL;
@@ -123,8 +139,10 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
         return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
     }
     const double *x = record->waveform + 2 * probe * record->sample_count;
-    return spectrum_of(x, x + record->sample_count, record->sample_count, record->samples_per_revolution, highest_order,
-                       spectrum);
+    const whirl_status status = spectrum_of(x, x + record->sample_count, record->sample_count,
+                                            record->samples_per_revolution, highest_order, spectrum);
+    if (status.code == WHIRL_OK && record->probes[probe].clockwise) swap_directions(*spectrum);
+    return status;
 }
 
 void whirl_spectrum_free(whirl_spectrum *spectrum) {

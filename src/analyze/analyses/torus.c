@@ -137,18 +137,19 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     const whirl_probe *probe = &trace->system->probes[which];
     const whirl_torus *torus = trace->torus;
     const whirl_torus_view *seen = trace->view;
-    const size_t at[4] = {probe->x, probe->y, probe->vx, probe->vy};
     double *section = view_numbers(view, SECTION, which);
     for (size_t j = 0; j < torus->node_count; j++)
-        for (size_t c = 0; c < 4; c++) *section++ = torus->nodes[j * torus->dimension + at[c]];
+        for (size_t c = 0; c < 4; c++) *section++ = whirl_probe_value(probe, torus->nodes + j * torus->dimension, c);
     for (size_t c = 0; c < 2; c++) {
-        view_numbers(view, FREQUENCY, which)[c] = seen->frequency[at[c]];
-        view_numbers(view, AMPLITUDE, which)[c] = seen->amplitude[at[c]];
-        view_numbers(view, LOW, which)[c] = seen->low[at[c]];
-        view_numbers(view, HIGH, which)[c] = seen->high[at[c]];
+        view_numbers(view, FREQUENCY, which)[c] = whirl_probe_value(probe, seen->frequency, c);
+        view_numbers(view, AMPLITUDE, which)[c] = whirl_probe_value(probe, seen->amplitude, c);
+        view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, seen->low, c);
+        view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, seen->high, c);
         for (size_t k = 0; k < torus->revolutions; k++) {
-            view_numbers(view, SECTION_LOW, which)[2 * k + c] = seen->section_low[k * seen->dimension + at[c]];
-            view_numbers(view, SECTION_HIGH, which)[2 * k + c] = seen->section_high[k * seen->dimension + at[c]];
+            view_numbers(view, SECTION_LOW, which)[2 * k + c] =
+                whirl_probe_value(probe, seen->section_low + k * seen->dimension, c);
+            view_numbers(view, SECTION_HIGH, which)[2 * k + c] =
+                whirl_probe_value(probe, seen->section_high + k * seen->dimension, c);
         }
     }
 }

@@ -117,15 +117,14 @@ static void put_arrays(const block_view *view, const whirl_orbit *orbit) {
 static void put_station(const block_view *view, const whirl_system *system, const whirl_orbit *orbit, size_t which) {
     const whirl_probe *probe = &system->probes[which];
     const size_t count = orbit->revolutions > 0 ? orbit->revolutions : 1;
-    const size_t at[4] = {probe->x, probe->y, probe->vx, probe->vy};
     double *out = view_numbers(view, SECTION, which);
     for (size_t k = 0; k < count; k++) {
         const double *state = orbit->nodes + k * (orbit->segment_count / count) * orbit->dimension;
-        for (size_t c = 0; c < 4; c++) *out++ = state[at[c]];
+        for (size_t c = 0; c < 4; c++) *out++ = whirl_probe_value(probe, state, c);
     }
     for (size_t c = 0; c < 2; c++) {
-        view_numbers(view, LOW, which)[c] = orbit->low[at[c]];
-        view_numbers(view, HIGH, which)[c] = orbit->high[at[c]];
+        view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, orbit->low, c);
+        view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, orbit->high, c);
     }
 }
 

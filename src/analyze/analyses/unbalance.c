@@ -20,27 +20,29 @@ static const field_plan fields[FIELD_COUNT] = {
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// What a probe at `angle` sees: its amplitude, and by how many degrees the peak comes after the mark.
-static void look(const double *x, const double *y, double angle, double *amplitude, double *lag) {
-    const double c = cos(angle), s = sin(angle);
+/// What a probe along (c, s) sees: its amplitude, and by how many degrees the peak comes after the mark.
+static void look(const double *x, const double *y, double c, double s, double *amplitude, double *lag) {
     const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
     *amplitude = hypot(real, imaginary);
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
 }
 
-static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle) {
+/// way: -1 where the shaft turns clockwise, else 1.
+static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle,
+                         double way) {
     double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);
     double *probe = view_numbers(view, PROBE, which), *probe_lag = view_numbers(view, PROBE_LAG, which);
-    look(x, y, 0.0, &amplitude[0], &lag[0]);
-    look(x, y, 90.0 * degree, &amplitude[1], &lag[1]);
-    look(x, y, angle, &probe[0], &probe_lag[0]);
-    look(x, y, angle + 90.0 * degree, &probe[1], &probe_lag[1]);
+    const double c = cos(angle), s = sin(angle);
+    look(x, y, 1.0, 0.0, &amplitude[0], &lag[0]);
+    look(x, y, 0.0, 1.0, &amplitude[1], &lag[1]);
+    look(x, y, c, s, &probe[0], &probe_lag[0]);
+    look(x, y, -s, c, &probe[1], &probe_lag[1]);
     // x + iy = forward exp(i tau) + backward exp(-i tau).
     const double forward[2] = {0.5 * (x[0] - y[1]), 0.5 * (x[1] + y[0])};
     const double backward[2] = {0.5 * (x[0] + y[1]), 0.5 * (y[0] - x[1])};
     const double f = hypot(forward[0], forward[1]), b = hypot(backward[0], backward[1]);
     view_numbers(view, AXES, which)[0] = f + b;
-    view_numbers(view, AXES, which)[1] = f - b;
+    view_numbers(view, AXES, which)[1] = way * (f - b);
     const double turned = 0.5 * (atan2(forward[1], forward[0]) + atan2(backward[1], backward[0])) / degree;
     *view_numbers(view, INCLINATION, which) = fmod(turned + 360.0, 180.0);
 }
@@ -55,10 +57,10 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++) {
         const whirl_probe *probe = &system->probes[p];
         const double nothing[2] = {0.0, 0.0};
-        view_numbers(view, REST, p)[0] = rest[probe->x];
-        view_numbers(view, REST, p)[1] = rest[probe->y];
-        fill_station(view, p, response + 2 * probe->x, probe->x == probe->y ? nothing : response + 2 * probe->y,
-                     options->probe_angle);
+        for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, rest, c);
+        fill_station(view, p, whirl_probe_sees(probe, 0) ? response + 2 * probe->x : nothing,
+                     whirl_probe_sees(probe, 1) ? response + 2 * probe->y : nothing, options->probe_angle,
+                     probe->clockwise ? -1.0 : 1.0);
     }
     free(rest);
     return status;

@@ -29,6 +29,7 @@ static const double least_motion = 1e-6;
 /// The path of one station.
 typedef struct path {
     size_t count;
+    double way; ///< -1 where the shaft turns clockwise, else 1
     const double *x, *y;
     double centre[2];
     double reach;     ///< square of the largest distance from the centre of the path
@@ -37,6 +38,7 @@ typedef struct path {
 
 static path path_of(const whirl_record *record, size_t station) {
     path p = {.count = record->sample_count, .x = record->waveform + 2 * station * record->sample_count};
+    p.way = record->probes[station].clockwise ? -1.0 : 1.0;
     p.y = p.x + p.count;
     for (size_t j = 0; j < p.count; j++) {
         p.centre[0] += p.x[j] / (double)p.count;
@@ -71,9 +73,10 @@ static turns count_turns(const path *p) {
         const double momentum = ax * by - ay * bx;
         whole += ay < 0.0 && by >= 0.0 && momentum > 0.0 ? 1.0 : 0.0;
         whole -= ay >= 0.0 && by < 0.0 && momentum < 0.0 ? 1.0 : 0.0;
-        backward += momentum < 0.0 ? 1.0 : 0.0;
+        backward += p->way * momentum < 0.0 ? 1.0 : 0.0;
     }
-    return (turns){whole + angle_at(p, p->count - 1) - angle_at(p, 0), backward / (double)(p->count - 1)};
+    const double sum = whole + angle_at(p, p->count - 1) - angle_at(p, 0);
+    return (turns){p->way * sum, backward / (double)(p->count - 1)};
 }
 
 static double contact_share(const path *p, double gap) {

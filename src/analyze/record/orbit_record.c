@@ -86,10 +86,8 @@ static void write_revolutions(const whirl_system *system, const path *p, whirl_r
         for (size_t i = 0; i < samples; i++) {
             const size_t at = n * samples + i;
             state_after(p, (double)n + (double)(i + 1) / (double)samples, x);
-            for (size_t k = 0; k < system->probe_count; k++) {
-                record->waveform[2 * k * record->sample_count + at] = x[system->probes[k].x];
-                record->waveform[(2 * k + 1) * record->sample_count + at] = x[system->probes[k].y];
-            }
+            for (size_t k = 0; k < 2 * system->probe_count; k++)
+                record->waveform[k * record->sample_count + at] = whirl_probe_value(&system->probes[k / 2], x, k % 2);
         }
         state_after(p, (double)(n + 1), x);
         memcpy(record->section + n * record->dimension, x, record->dimension * sizeof *x);

@@ -337,9 +337,12 @@ static whirl_status prepare_all(whirl_recorder *r) {
 static void sample(void *context) {
     whirl_recorder *r = context;
     double *to = r->samples + r->sample_count++ * 2 * r->probe_count * r->lane_count;
-    for (size_t k = 0; k < r->probe_count; k++, to += 2 * r->lane_count) {
-        memcpy(to, whirl_ensemble_coordinate(r->ensemble, r->probes[k].x), r->used * sizeof *to);
-        memcpy(to + r->lane_count, whirl_ensemble_coordinate(r->ensemble, r->probes[k].y), r->used * sizeof *to);
+    for (size_t k = 0; k < 2 * r->probe_count; k++, to += r->lane_count) {
+        const whirl_probe *probe = &r->probes[k / 2];
+        if (whirl_probe_sees(probe, k % 2))
+            memcpy(to, whirl_ensemble_coordinate(r->ensemble, k % 2 ? probe->y : probe->x), r->used * sizeof *to);
+        else
+            memset(to, 0, r->used * sizeof *to);
     }
 }
 

@@ -111,7 +111,7 @@ static void observe_probes(const rk4_lanes *lanes, bool speeds) {
     for (size_t p = 0; p < w->probe_count; p++)
         for (size_t k = 0; k < lanes->vectors; k++) {
             const size_t x = w->probes[p].x * stride + k, y = w->probes[p].y * stride + k;
-            const watched_instant now = watched_at(q[x], q[y], v[x], v[y]);
+            const watched_instant now = watched_at(&w->probes[p], q[x], q[y], v[x], v[y]);
 #define WATCH(array, extent, columns, fold, ...)                                                                       \
     for (size_t c = 0, at = (columns)*p * stride + k; c < (columns); c++, at += stride)                                \
         ((vec *)w->array)[at] = watched_with(fold, now.array[c], ((vec *)w->array)[at]);

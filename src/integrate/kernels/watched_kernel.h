@@ -3,6 +3,7 @@
 #define INTEGRATE_WATCHED_KERNEL_H
 
 #include "vector.h"
+#include "whirl/system.h"
 #include "whirl/watched.h"
 
 /// The values of an instant of a station.
@@ -12,8 +13,11 @@ typedef struct watched_instant {
 } watched_instant;
 #undef WATCHED_VALUES
 
-VECTOR_INLINE watched_instant watched_at(vec x, vec y, vec vx, vec vy) {
-    const vec square = v_fma(x, x, v_mul(y, y)), turning = v_fms(x, vy, v_mul(y, vx));
+VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y, vec vx, vec vy) {
+    if (!whirl_probe_sees(probe, 0)) x = vx = v_set(0.0);
+    if (!whirl_probe_sees(probe, 1)) y = vy = v_set(0.0);
+    const vec square = v_fma(x, x, v_mul(y, y)), way = v_set(probe->clockwise ? -1.0 : 1.0);
+    const vec turning = v_mul(way, v_fms(x, vy, v_mul(y, vx)));
     return (watched_instant){.max_radius = {square},
                              .min_radius = {square},
                              .mean = {x, y},

@@ -59,7 +59,7 @@ static whirl_status add_inertia(building *b) {
     for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
         const design_element *own = &design->elements[i];
         if (own->type->inertia) status = with_element(b, i, own->type->inertia(own->values, &b->assembly));
-        const double rate = own->type->keyphasor ? own->type->keyphasor(own->values, design->speed) : 0.0;
+        const double rate = own->type->keyphasor ? own->type->keyphasor(own->values, b->assembly.speed) : 0.0;
         if (rate == 0.0 || status.code != WHIRL_OK) continue;
         if (b->assembly.phased)
             status = with_element(b, i, whirl_fail(WHIRL_BAD_INPUT, "is a second keyphasor, expected one"));

@@ -11,8 +11,7 @@
 
 whirl_status whirl_design_new(double speed, double length_scale, whirl_design **design) {
     *design = NULL;
-    if (!(isfinite(speed) && speed >= 0.0))
-        return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected 0 or a number above", speed);
+    if (!isfinite(speed)) return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number", speed);
     if (!(isfinite(length_scale) && length_scale > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "length_scale is %g m, expected a number above 0", length_scale);
     *design = calloc(1, sizeof **design);

@@ -1,4 +1,5 @@
 // Values that are likely not meant, or beyond what a law is for.
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -34,6 +35,6 @@ void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, vo
     for (size_t i = 0; i < design->element_count; i++) {
         const design_element *own = &design->elements[i];
         const doubt_teller to = {tell, context, i};
-        if (own->type->doubt) own->type->doubt(own->values, design->speed, &to);
+        if (own->type->doubt) own->type->doubt(own->values, fabs(design->speed), &to);
     }
 }

@@ -30,7 +30,8 @@ static void flow(const element *first, size_t count, const block *b) {
         }
         if (i >= 1 && i <= all) film_divide(&work, (i - 1) % FILM_PLACES);
         if (i < 2) continue;
-        const film_state film = film_end(&work, (i - 2) % FILM_PLACES);
+        const vec quarter = numbers_of(b, ended)[FILM_QUARTER * b->stride + last];
+        const film_state film = film_end(&work, (i - 2) % FILM_PLACES, quarter);
         finish(ended, b, last, &film);
         if (++last == b->vectors) ended++, last = 0;
     }
@@ -93,6 +94,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[FILM_STRENGTH] =
         FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / assembly_force_scale(to, out->port[0]);
     out->number[FILM_TWICE] = 2.0 / to->turn;
+    out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn);
     return whirl_ok();
 }
 
@@ -119,7 +121,7 @@ void whirl_film_force(double x, double y, double vx, double vy, double force[2])
     force[0] = force[1] = 0.0;
     film_place(&work, 0, 1.0, x, y, x - 2.0 * vy, y + 2.0 * vx);
     film_divide(&work, 0);
-    const film_state film = film_end(&work, 0);
+    const film_state film = film_end(&work, 0, 1.57079632679489661923);
     film_add(&film, FILM_STRENGTH_OF_1, &force[0], &force[1]);
 }
 

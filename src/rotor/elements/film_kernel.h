@@ -26,7 +26,9 @@
 
 /// c and c^2; FILM_STRENGTH_OF_1 c^2 times the count times F0/(m omega^2 length scale). All in length scales. 2 over
 /// the shaft's speed by tau, which makes velocities by its angle of those by tau: 2 where sections are the shaft's.
-enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_NUMBERS };
+/// pi/2, below 0 where the shaft turns clockwise: the force is the mirror image, (x, -y), of that of the mirrored
+/// journal, whose A, U and E are the same, and whose y, B, P and angle have the other sign.
+enum { FILM_CLEARANCE, FILM_CLEARANCE_SQUARE, FILM_STRENGTH, FILM_TWICE, FILM_QUARTER, FILM_NUMBERS };
 
 /// Vectors that may be under way in a film at the same time.
 enum { FILM_PLACES = 4 };
@@ -78,11 +80,11 @@ typedef struct film_state {
     vec over_D, W_by_D; ///< 1/D, W/D
 } film_state;
 
-/// atan(P/W) by half the cosine and half the sine of its double, W^2/D - 1/2 and P W/D.
-static inline film_state film_end(const film_work *w, size_t at) {
+/// quarter: FILM_QUARTER. atan(P/W) by half the cosine and half the sine of its double, W^2/D - 1/2 and P W/D.
+static inline film_state film_end(const film_work *w, size_t at, vec quarter) {
     const vec P = w->at[at].P, W = w->at[at].W, over_D = w->at[at].D, W_by_D = v_mul(W, over_D);
     const vec arctangent = v_half_angle(v_fms(W, W_by_D, v_set(0.5)), v_mul(P, W_by_D));
-    const vec angle = v_add(v_set(1.57079632679489661923), arctangent);
+    const vec angle = v_add(quarter, arctangent);
     return (film_state){w->at[at].x, w->at[at].y, w->at[at].A, w->at[at].B, P, W, angle, w->at[at].q, over_D, W_by_D};
 }
 

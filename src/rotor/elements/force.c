@@ -48,6 +48,8 @@ double harmonic_rounds(const element *own) {
 void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
                     double rate) {
     const double direction[2] = {cos(angle), sin(angle)}, across[2] = {-sin(angle), cos(angle)};
+    // Which way the shaft turns is no matter of how far the phase is: cos(phase + tau) = cos(-phase - tau).
+    phase = copysign(1.0, to->turn) * phase;
     // Along its direction cos(theta + phase); across, on the side to which it turns, sin(theta + phase).
     for (size_t a = 0; a < 2; a++) {
         out->number[2 * a] = size * (direction[a] * cos(phase) + side * across[a] * sin(phase));

@@ -35,6 +35,7 @@ static void contact(const element *own, const block *b, void *force) {
 const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .contact = contact};
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
 
 enum { AT, GAP, STIFFNESS, DAMPING, FRICTION, LAW, RADIUS, SLIP_SPEED, KEY_COUNT };
 
@@ -74,7 +75,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[RUB_GAP] = values[GAP].number / to->length;
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
     out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->clock);
-    out->number[RUB_FRICTION] = values[FRICTION].number;
+    out->number[RUB_FRICTION] = slip ? values[FRICTION].number : copysign(values[FRICTION].number, to->turn);
     out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length * to->turn : 0.0;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->clock * to->length);
     out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];

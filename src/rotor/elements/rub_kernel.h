@@ -1,7 +1,7 @@
 /// A stator ring that a station touches when its displacement r exceeds the gap: elastic, with Coulomb friction.
 ///
 /// Normal force N = k (r - gap) + c r', never below zero (no adhesion), and friction f N against the sliding of the
-/// rotor's surface. For a surface that moves counter-clockwise past the stator (v_t > 0)
+/// rotor's surface. For a surface that moves counter-clockwise past the stator (v_t > 0; else -f)
 ///
 ///     (Fx, Fy) = -(N/r) [1 -f; f 1] (x, y),      v_t = R omega + (x y' - y x')/r.
 ///

@@ -12,8 +12,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [RATIO] =
         NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
                    "speed of the shaft that it turns with over the speed of the rotor; below 0 against the rotation"),
-    [SPEED] = NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
-                         "that speed where it does not depend on the rotor's, in place of ratio"),
+    [SPEED] = NUMBER_KEY(
+        "speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
+        "that speed where it does not depend on the rotor's, in place of ratio; below 0 against the rotation"),
     [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 

@@ -197,10 +197,11 @@ void ISA(machine_contacts)(const lanes_view *view, void *normal_force) {
 void ISA(machine_forcing)(const void *model, size_t stride, size_t vectors, const void *t, void *forcing) {
     const vec *time = t;
     vec *out = forcing;
-    (void)model;
+    const vec way = v_set(((const whirl_rotor *)model)->way);
     for (size_t k = 0; k < vectors; k++) {
         vec s, c;
         v_sincos(time[k], &s, &c);
+        s = v_mul(way, s);
         out[COS_TAU * stride + k] = c;
         out[SIN_TAU * stride + k] = s;
         out[COS_2TAU * stride + k] = v_mul(v_sub(c, s), v_add(c, s));

@@ -58,7 +58,7 @@ static void add_internal(const laying *l, const matrix4 *stiffness) {
     const double loss = shaft->hysteretic / sqrt(1.0 + shaft->hysteretic * shaft->hysteretic);
     add_both(l, BODY_VELOCITY, RATE_DAMPING, shaft->viscous, stiffness);
     add_across(l, BODY_PLACE, RATE_FOLLOWING, shaft->viscous * shaft->ratio, stiffness);
-    add_across(l, BODY_PLACE, RATE_STATIC, shaft->ratio < 0.0 ? -loss : loss, stiffness);
+    add_across(l, BODY_PLACE, RATE_STATIC, shaft->ratio * l->to->turn < 0.0 ? -loss : loss, stiffness);
 }
 
 static void average(const matrix4 *one, const matrix4 *other, double sign, matrix4 *out) {

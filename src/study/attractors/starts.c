@@ -40,8 +40,7 @@ void starts_note(const whirl_batch *batch, const beginning *start, const whirl_s
     block[number->offset] = (double)(start->slot / batch->count + 1);
     for (size_t s = 0; s < state->repeat; s++) {
         const whirl_probe *probe = &system->probes[s];
-        const size_t coordinates[] = {probe->x, probe->y, probe->vx, probe->vy};
-        for (size_t c = 0; c < 4; c++) block[state->offset + 4 * s + c] = start->state[coordinates[c]];
+        for (size_t c = 0; c < 4; c++) block[state->offset + 4 * s + c] = whirl_probe_value(probe, start->state, c);
     }
     if (neighbour)
         block[neighbour->offset] = start->origin == start->slot ? 0.0 : (double)(start->origin % batch->count + 1);

@@ -26,7 +26,7 @@ typedef void path_fn(double revolution, double *x, double *y);
 
 static answer analyse(path_fn *path, double gap) {
     static double waveform[2 * COUNT];
-    const whirl_probe probe = {"disc", 0, 1, 2, 3, 0.0, gap, 0, 0.0};
+    const whirl_probe probe = {.name = "disc", .x = 0, .y = 1, .vx = 2, .vy = 3, .gap = gap};
     const whirl_system system = {.dimension = 4, .period = two_pi, .probe_count = 1, .probes = &probe};
     const whirl_record record = {.dimension = 4,
                                  .probe_count = 1,

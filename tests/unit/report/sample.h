@@ -131,8 +131,8 @@ static inline void sample_detail(whirl_result *result, whirl_table *table) {
 
 /// Freed by whirl_result_free.
 static inline whirl_result *sample_result(void) {
-    static const whirl_probe stations[] = {{"disc", 0, 1, 4, 5, 0.0, 1.2, 0, 0.0},
-                                           {"journal", 2, 3, 6, 7, 1.0, 0.0, 0, 0.0}};
+    static const whirl_probe stations[] = {{.name = "disc", .x = 0, .y = 1, .vx = 4, .vy = 5, .gap = 1.2},
+                                           {.name = "journal", .x = 2, .y = 3, .vx = 6, .vy = 7, .clearance = 1.0}};
     static const whirl_parameter parameters[] = {{"r_k", "1", "0.6", 0.6}, {"c", "m", "0.2 mm", 2e-4}};
     whirl_result *result = sample_take(1, sizeof *result);
     snprintf(result->title, sizeof result->title, "A rotor made by hand");

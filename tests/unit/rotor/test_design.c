@@ -32,7 +32,7 @@ static whirl_status build_nothing(const key_value *values, assembly *to, element
 static void test_frame(void **state) {
     whirl_design *design;
     (void)state;
-    refused(whirl_design_new(-1, 1, &design), "speed");
+    refused(whirl_design_new(INFINITY, 1, &design), "speed");
     refused(whirl_design_new(NAN, 1, &design), "speed");
     refused(whirl_design_new(1, -1, &design), "length_scale");
     assert_null(design);

@@ -178,8 +178,9 @@ static inline whirl_result *synthetic_result(void) {
     result->parameter_count = 3;
     result->parameters = synthetic_take(3, sizeof *parameters);
     memcpy(result->parameters, parameters, sizeof parameters);
-    static const whirl_probe stations[SYNTHETIC_STATIONS] = {{"disc", 0, 1, 4, 5, 0.0, 1.2, 1, 0.25},
-                                                             {"journal", 2, 3, 6, 7, 1.0, 0.0, 0, 0.0}};
+    static const whirl_probe stations[SYNTHETIC_STATIONS] = {
+        {.name = "disc", .x = 0, .y = 1, .vx = 4, .vy = 5, .gap = 1.2, .shaft = 1, .position = 0.25},
+        {.name = "journal", .x = 2, .y = 3, .vx = 6, .vy = 7, .clearance = 1.0, .clockwise = true}};
     result->station_count = SYNTHETIC_STATIONS;
     result->stations = synthetic_take(SYNTHETIC_STATIONS, sizeof *stations);
     memcpy(result->stations, stations, sizeof stations);
