@@ -43,15 +43,10 @@ typedef struct whirl_probe {
 } whirl_probe;
 
 /// Whether it sees a displacement along x (which: 0) or y (1).
-static inline bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
-    return probe->x != probe->y || probe->along_y == (which == 1);
-}
+bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 
 /// x, y, vx or vy (nth: 0 to 3) out of numbers that lie as those of a state do; 0 along an axis that it does not see.
-static inline double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth) {
-    const size_t at[] = {probe->x, probe->y, probe->vx, probe->vy};
-    return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
-}
+double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth);
 
 /// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");
 /// static, ended by one without a part.

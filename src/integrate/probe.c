@@ -1,8 +1,17 @@
-// The numbers of a probe as they describe themselves.
+// What a probe sees, and its numbers as they describe themselves.
 #include <math.h>
 
 #include "members.h"
 #include "whirl/system.h"
+
+bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
+    return probe->x != probe->y || probe->along_y == (which == 1);
+}
+
+double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth) {
+    const size_t at[] = {probe->x, probe->y, probe->vx, probe->vy};
+    return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
+}
 
 // The range comes last: some tools expand it to its parts before they count arguments.
 #define PROBE(TYPE, field, symbol, unit, part, fallback, meaning, ...)                                                 \

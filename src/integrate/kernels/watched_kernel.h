@@ -14,8 +14,9 @@ typedef struct watched_instant {
 #undef WATCHED_VALUES
 
 VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y, vec vx, vec vy) {
-    if (!whirl_probe_sees(probe, 0)) x = vx = v_set(0.0);
-    if (!whirl_probe_sees(probe, 1)) y = vy = v_set(0.0);
+    // As whirl_probe_sees has it.
+    if (probe->x == probe->y && probe->along_y) x = vx = v_set(0.0);
+    if (probe->x == probe->y && !probe->along_y) y = vy = v_set(0.0);
     const vec square = v_fma(x, x, v_mul(y, y)), way = v_set(probe->clockwise ? -1.0 : 1.0);
     const vec turning = v_mul(way, v_fms(x, vy, v_mul(y, vx)));
     return (watched_instant){.max_radius = {square},
