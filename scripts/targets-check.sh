@@ -4,8 +4,8 @@
 #   scripts/targets-check.sh [TARGET...]
 #
 # Without names all that bring something about: the command, explorer, gallery, documents, benchmarks, installation, packages
-# and the paper. Clones HEAD. Needs root, mmdebstrap and a mirror ($MIRROR, else Debian's); a log of each is in build/targets.
-# Minutes each, so it is no part of any test.
+# and the paper. Clones HEAD. Needs root, mmdebstrap and a mirror ($MIRROR, else Debian's); certificates that npm is told of
+# by $NODE_EXTRA_CA_CERTS are there, too. A log of each is in build/targets. Minutes each, so it is no part of any test.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 targets=("$@")
@@ -19,9 +19,11 @@ commands_of() { # TARGET OPTIONS
     echo "set -e; cd /root; export HOME=/root DEBIAN_FRONTEND=noninteractive
 git clone -q whirl.bundle whirl; cd whirl
 scripts/install-dependencies.sh build
+${certificates:+export NODE_EXTRA_CA_CERTS=/root/$(basename "$certificates")}
 make $1 $2"
 }
 
+certificates=${NODE_EXTRA_CA_CERTS:-}
 failed=0
 for target in "${targets[@]}"; do
     # Benchmarks that tell something take an hour; that they run is seen in minutes.
@@ -30,7 +32,7 @@ for target in "${targets[@]}"; do
     begun=$SECONDS
     # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap says.
     if mmdebstrap --quiet --variant=apt --include=make,git,ca-certificates \
-        --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \
+        ${certificates:+--customize-hook="copy-in $certificates /root"} --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \
         --customize-hook='chroot "$1" bash /root/'"$target.sh >'$out/$target.log' 2>&1" \
         bookworm /dev/null ${MIRROR:+"$MIRROR"} 2>>"$out/$target.log"; then
         echo "make $target: works, $((SECONDS - begun)) s"

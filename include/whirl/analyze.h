@@ -71,6 +71,7 @@ typedef struct whirl_record_options {
     /// Samples of the waveform a revolution, at least (the next divisor of steps_per_revolution is taken).
     int samples_per_revolution;
     double highest_order; ///< spectra are kept up to this order of the running speed
+    bool bearings; ///< of critical speed maps: the parameter is the stiffness of springs in the place of bearings, N/m
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
     int modes;          ///< modes that are kept, >= 1
@@ -611,6 +612,13 @@ typedef struct whirl_critical {
     double direction;         ///< of its whirl
 } whirl_critical;
 
+/// A machine as it is studied, or otherwise.
+typedef enum whirl_variant {
+    WHIRL_AS_STUDIED,     ///< with springs for its bearings, where the study says so
+    WHIRL_AS_GIVEN,       ///< with its own bearings
+    WHIRL_BEARINGS_OF_IT, ///< these alone, on stations of 1 kg
+} whirl_variant;
+
 /// A machine at rest: what analyses of it are made of.
 typedef struct whirl_resting {
     const whirl_system *system;     ///< of the machine
@@ -620,7 +628,7 @@ typedef struct whirl_resting {
     size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
     /// Makes the same machine at another speed (rad/s), to be released. Errors as those of machines.
-    whirl_status (*at_speed)(const void *context, double speed, whirl_machine *machine);
+    whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, whirl_machine *machine);
     const void *context; ///< handed to at_speed
 } whirl_resting;
 

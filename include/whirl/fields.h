@@ -114,6 +114,7 @@
 #define WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION "critical_speeds/direction"
 #define WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY "critical_speeds/rigid_body"
 #define WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE "critical_speeds/shape"
+#define WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS "critical_speeds/bearings"
 #define WHIRL_FIELD_UNBALANCE_SPEED "unbalance/speed"
 #define WHIRL_FIELD_UNBALANCE_REST "unbalance/rest"
 #define WHIRL_FIELD_UNBALANCE_AMPLITUDE "unbalance/amplitude"

@@ -66,6 +66,12 @@ whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, d
 /// and its first harmonic. Errors as whirl_modes_new, and where the response is beyond all bounds.
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
 
+/// Stiffness and damping of the bearings of a machine that has nothing else (WHIRL_BEARINGS_ALONE) on stations of 1 kg,
+/// about the state x [dimension]: kxx, kxy, kyx, kyy in N/m and cxx, cxy, cyx, cyy in N s/m of all bearings at each
+/// station, [probe_count][8]: forces are -k displacement - c velocity. WHIRL_BAD_INPUT for a system without a Jacobian;
+/// WHIRL_NO_MEMORY.
+whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double *x, double *coefficients);
+
 /// The critical speeds of a machine without damping: speeds of the shaft at which a mode goes round once a revolution.
 typedef struct whirl_critical_speeds {
     size_t dimension, count; ///< of the state; of the speeds

@@ -93,6 +93,19 @@ whirl_status whirl_design_element(whirl_design *design, const char *kind, const 
 /// Frees a design; NULL is none.
 void whirl_design_free(whirl_design *design);
 
+/// What stands for the bearings of a design (bearing, film, ball_bearing).
+typedef enum whirl_bearings {
+    WHIRL_BEARINGS_GIVEN,   ///< they themselves
+    WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals and impellers out
+    WHIRL_BEARINGS_ALONE    ///< they themselves, and no other element: what their coefficients are derivatives of
+} whirl_bearings;
+
+/// Chooses it; stiffness: of every spring, N/m, >= 0.
+void whirl_design_bearings(whirl_design *design, whirl_bearings what, double stiffness);
+
+/// Whether elements of that kind are bearings.
+bool whirl_element_is_bearing(const char *kind);
+
 /// Is told of a value that is likely not meant, or beyond what the law of its element is for: of which element, of
 /// which key, and a sentence that begins behind these ("is 2 times the diameter: ..."). All borrowed for the call.
 typedef void whirl_design_tell(void *context, size_t element, const char *key, const char *sentence);

@@ -63,9 +63,10 @@ typedef struct whirl_batch {
     /// from which it was not started before, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. They end once no place lacks any.
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;
-    double speed;      ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
-    size_t start;      ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
-    whirl_carry carry; ///< whether points start where their neighbours end
+    double speed;          ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
+    whirl_variant variant; ///< of it; of the batch itself that which is studied
+    size_t start;          ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
+    whirl_carry carry;     ///< whether points start where their neighbours end
     /// Every motion is computed once more from the same start with errors of a step 16 times smaller (twice the steps
     /// of a fixed-step method), and its verdict is set beside the first: needs the analysis "regime".
     bool confirm;

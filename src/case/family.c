@@ -36,12 +36,21 @@ static size_t list_given(const whirl_batch *batch, double value, given_value giv
     return count;
 }
 
+/// The variant that is asked for.
+static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
+                          whirl_rotor **rotor) {
+    if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
+    if (batch->variant == WHIRL_AS_STUDIED && batch->record.bearings)
+        return machine_build_on_springs(machine, v, batch->speed, value, rotor);
+    return machine_build(machine, v, batch->speed, rotor);
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
     given_value given[3];
     const size_t count = list_given(batch, value, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, batch->speed, &m->rotor);
+    if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     valuation_close(&v);

@@ -276,12 +276,16 @@ static whirl_status add_parts(const named_list *parts, valuation *v, add_part_fn
     return status;
 }
 
-static whirl_status add_element(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
+/// Without inertia keys in kilograms are left out.
+static whirl_status add_element(const machine_parts *machine, size_t index, bool inertia, valuation *v,
+                                whirl_design *design) {
     whirl_setting values[SETTINGS_MAX];
     const setting_list *element = &machine->elements[index];
-    whirl_status status = evaluate(element, v, values);
-    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
-    return status;
+    const whirl_status status = evaluate(element, v, values);
+    size_t count = 0;
+    for (size_t i = 0; i < element->count && i < SETTINGS_MAX; i++)
+        if (inertia || strcmp(element->items[i].key->unit, "kg") != 0) values[count++] = values[i];
+    return status.code == WHIRL_OK ? whirl_design_element(design, element->name, values, count) : status;
 }
 
 static whirl_status make_design(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
@@ -290,17 +294,48 @@ static whirl_status make_design(const machine_parts *machine, valuation *v, doub
     if (status.code == WHIRL_OK) status = add_parts(&machine->shafts, v, whirl_design_shaft, *design);
     if (status.code == WHIRL_OK) status = add_parts(&machine->stations, v, whirl_design_station, *design);
     for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
-        status = add_element(machine, i, v, *design);
+        status = add_element(machine, i, true, v, *design);
+    return status;
+}
+
+/// Ends the design.
+static whirl_status build_and_free(whirl_status status, whirl_design *design, whirl_rotor **rotor) {
+    *rotor = NULL;
+    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    whirl_design_free(design);
     return status;
 }
 
 whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
     whirl_design *design;
-    *rotor = NULL;
-    whirl_status status = make_design(machine, v, speed, &design);
-    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
-    whirl_design_free(design);
+    const whirl_status status = make_design(machine, v, speed, &design);
+    return build_and_free(status, design, rotor);
+}
+
+whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
+                                      whirl_rotor **rotor) {
+    whirl_design *design;
+    const whirl_status status = make_design(machine, v, speed, &design);
+    if (status.code == WHIRL_OK) whirl_design_bearings(design, WHIRL_BEARINGS_SPRINGS, stiffness);
+    return build_and_free(status, design, rotor);
+}
+
+/// Its stations, of 1 kg, and nothing else.
+static whirl_status new_stations(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
+    const whirl_setting mass = {.key = "mass", .number = 1.0};
+    whirl_status status = new_design(machine, v, speed, design);
+    for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
+        status = whirl_design_station(*design, machine->stations.names[i], &mass, 1);
     return status;
+}
+
+whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
+    whirl_design *design;
+    whirl_status status = new_stations(machine, v, speed, &design);
+    for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
+        if (whirl_element_is_bearing(machine->elements[i].name)) status = add_element(machine, i, false, v, design);
+    if (status.code == WHIRL_OK) whirl_design_bearings(design, WHIRL_BEARINGS_ALONE, 0.0);
+    return build_and_free(status, design, rotor);
 }
 
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {
@@ -338,18 +373,13 @@ static whirl_status no_element(const machine_parts *machine, const char *element
 
 whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
                                    whirl_rotor **rotor) {
-    const whirl_setting mass = {.key = "mass", .number = 1.0};
     const size_t index = find_element(machine, element);
     whirl_design *design;
     *rotor = NULL;
     if (index == machine->element_count) return no_element(machine, element);
-    whirl_status status = new_design(machine, v, 0.0, &design);
-    for (size_t i = 0; i < machine->stations.count && status.code == WHIRL_OK; i++)
-        status = whirl_design_station(design, machine->stations.names[i], &mass, 1);
-    if (status.code == WHIRL_OK) status = add_element(machine, index, v, design);
-    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
-    whirl_design_free(design);
-    return status;
+    whirl_status status = new_stations(machine, v, 0.0, &design);
+    if (status.code == WHIRL_OK) status = add_element(machine, index, true, v, design);
+    return build_and_free(status, design, rotor);
 }
 
 whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count) {

@@ -15,6 +15,7 @@
 #include "support_check.h"
 #include "whirl/case.h"
 #include "whirl/linear.h"
+#include "whirl/rotor.h"
 
 enum { TEXT_SIZE = 4096, MOST = 32 };
 
@@ -237,6 +238,90 @@ static void free_shafts(void **unused) {
     whirl_case_free(object);
 }
 
+/// Springs stand in the place of bearings, whatever these are, and seals and impellers are left out: the map is that of
+/// springs. Laid over it is the stiffness of the bearings, here in proportion to the speed.
+static void springs_stand_for_bearings(void **unused) {
+    static const char table[] = "kxx: [2e5 N/m, 4e6 N/m], kyy: [1e5 N/m, 2e6 N/m], kxy: 1e5 N/m, cxx: 2 kN.s/m, "
+                                "mxx: 5 kg, speeds: [1 rad/s, 700 rad/s]}\n"
+                                "    - bearing: {at: two, role: impeller, kxy: 1e6 N/m, kyx: -1e6 N/m}\n"
+                                "    - seal: {at: one, clearance: 1 mm, stiffness: 1e5 N/m, ratio: 0.4}\n"
+                                "    - bearing: {at: one, role: seal, kxx: 1e6 N/m";
+    static const char on_springs[] =
+        "critical_speeds: {parameter: k, values: [1e5, 1e6, 1e8], bearings: yes, count: 8}";
+    (void)unused;
+    whirl_case *plain = friswell(6, "reduce: no", "kxx: = k", map), *own = friswell(6, "reduce: no", table, on_springs);
+    whirl_result *expected = run(plain), *found = run(own);
+    double worst = 0.0, speeds[2][MOST], errors = 0.0;
+    size_t looked = 0;
+    for (size_t point = 0; point < 3; point++) {
+        const size_t count = speeds_of(found, point, 0, speeds[1]);
+        speeds_of(expected, point, 0, speeds[0]);
+        for (size_t i = 0; i < count; i++) worst = fmax(worst, fabs(speeds[1][i] / speeds[0][i] - 1.0));
+        const double *laid = whirl_table_field(&found->tables[0], point, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, 0);
+        for (size_t i = 0; i < 6; i++) {
+            const double speed = speeds[1][i], kxx = 2e5 + (speed - 1.0) / 699.0 * 3.8e6;
+            const bool there = speed >= 1.0 && speed <= 700.0;
+            if (isfinite(laid[2 * i]) != there) errors = INFINITY;
+            if (!there) continue;
+            errors = fmax(errors, fmax(fabs(laid[2 * i] / kxx - 1.0), fabs(laid[2 * i + 1] / (0.5 * kxx) - 1.0)));
+            looked++;
+        }
+    }
+    check_within("CS", "5.9.1 on springs for its bearings: largest relative difference of 24 speeds", 0.0, worst, 1e-9);
+    check_within("CS", words("stiffness of tables at %zu of these speeds, largest relative difference", looked), 0.0,
+                 errors, 1e-9);
+    whirl_result_free(expected);
+    whirl_result_free(found);
+    whirl_case_free(plain);
+    whirl_case_free(own);
+}
+
+/// Where the film carries `load` of F0: Newton's method on whirl_film_force, by differences.
+static void rest_in_film(double load, double at[2]) {
+    const double h = 1e-6;
+    at[0] = 0.3, at[1] = -0.3;
+    for (int n = 0; n < 60; n++) {
+        double f[2], fx[2], fy[2];
+        whirl_film_force(at[0], at[1], 0.0, 0.0, f);
+        whirl_film_force(at[0] + h, at[1], 0.0, 0.0, fx);
+        whirl_film_force(at[0], at[1] + h, 0.0, 0.0, fy);
+        const double a = (fx[0] - f[0]) / h, b = (fy[0] - f[0]) / h, c = (fx[1] - f[1]) / h, d = (fy[1] - f[1]) / h;
+        const double r[2] = {f[0], f[1] - load}, det = a * d - b * c;
+        at[0] -= 0.5 * (d * r[0] - b * r[1]) / det;
+        at[1] -= 0.5 * (a * r[1] - c * r[0]) / det;
+    }
+}
+
+/// Of a film it is the derivative of its force where the journal rests at that very speed.
+static void stiffness_of_films(void **unused) {
+    (void)unused;
+    whirl_case *object =
+        parse("whirl: 1\nparameters: {k: 1e7 N/m}\nrotor:\n  speed: 100 rad/s\n  length_scale: 50 um\n"
+              "  stations: {a: {mass: 50 kg}}\n  elements:\n"
+              "    - film: {at: a, viscosity: 0.02 Pa s, radius: 25 mm, length: 20 mm, clearance: 50 um}\n"
+              "    - gravity: 9.81 m/s2\nstudy:\n  critical_speeds: {parameter: k, values: [1e6, 1e7], "
+              "bearings: yes}\n");
+    whirl_result *result = run(object);
+    for (size_t point = 0; point < 2; point++) {
+        const double speed = sqrt((point ? 1e7 : 1e6) / 50.0), scale = 0.02 * speed * 0.025 * 8e-6 / (4.0 * 25e-10);
+        const double *laid = whirl_table_field(&result->tables[0], point, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, 0);
+        double at[2], up[2], down[2], speeds[MOST], h = 1e-5;
+        rest_in_film(50.0 * 9.81 / scale, at);
+        assert_int_equal(speeds_of(result, point, 0, speeds), 2);
+        check_within("CS", words("mass on a spring for its film: critical speed %zu, rad/s", point + 1), speed,
+                     speeds[0], 1e-9 * speed);
+        for (size_t c = 0; c < 2; c++) {
+            whirl_film_force(at[0] + (c ? 0.0 : h), at[1] + (c ? h : 0.0), 0.0, 0.0, up);
+            whirl_film_force(at[0] - (c ? 0.0 : h), at[1] - (c ? h : 0.0), 0.0, 0.0, down);
+            const double expected = -scale / 50e-6 * (up[c] - down[c]) / (2.0 * h);
+            check_within("CS", words("film at %.4g rad/s: %s, N/m", speed, c ? "kyy" : "kxx"), expected, laid[c],
+                         1e-6 * fabs(expected));
+        }
+    }
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
 /// What such speeds are not of is refused, with the reason.
 static void refusals(void **unused) {
     static const struct {
@@ -270,6 +355,8 @@ int main(void) {
         cmocka_unit_test(masses_on_springs),
         cmocka_unit_test(a_disc_on_a_cantilever),
         cmocka_unit_test(free_shafts),
+        cmocka_unit_test(springs_stand_for_bearings),
+        cmocka_unit_test(stiffness_of_films),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

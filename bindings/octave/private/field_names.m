@@ -98,6 +98,7 @@ names.critical_speeds_speed = 'critical_speeds/speed';
 names.critical_speeds_direction = 'critical_speeds/direction';
 names.critical_speeds_rigid_body = 'critical_speeds/rigid_body';
 names.critical_speeds_shape = 'critical_speeds/shape';
+names.critical_speeds_bearings = 'critical_speeds/bearings';
 names.unbalance_speed = 'unbalance/speed';
 names.unbalance_rest = 'unbalance/rest';
 names.unbalance_amplitude = 'unbalance/amplitude';

@@ -100,6 +100,7 @@ class FIELD:
     CRITICAL_SPEEDS_DIRECTION = "critical_speeds/direction"
     CRITICAL_SPEEDS_RIGID_BODY = "critical_speeds/rigid_body"
     CRITICAL_SPEEDS_SHAPE = "critical_speeds/shape"
+    CRITICAL_SPEEDS_BEARINGS = "critical_speeds/bearings"
     UNBALANCE_SPEED = "unbalance/speed"
     UNBALANCE_REST = "unbalance/rest"
     UNBALANCE_AMPLITUDE = "unbalance/amplitude"

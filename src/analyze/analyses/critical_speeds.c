@@ -1,12 +1,20 @@
 // The critical speeds of a machine without damping, all at once: a point of a critical speed map.
 #include <math.h>
+#include <stdlib.h>
 
 #include "analysis.h"
 
-enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, FIELD_COUNT };
+enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, BEARINGS, FIELD_COUNT };
+
+/// Critical speeds, the lowest, at which the stiffness of bearings is looked up.
+enum { LOOKED_UP = 6 };
 
 static size_t kept(const block_shape *shape) {
     return (size_t)shape->options->modes;
+}
+
+static size_t looked_up(const block_shape *shape) {
+    return shape->options->bearings ? LOOKED_UP : 0;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -16,15 +24,81 @@ static const field_plan fields[FIELD_COUNT] = {
                    "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1, kept},
     [RIGID_BODY] = {WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, "1",
                     "number of rigid-body modes, which nothing holds: they are left out", WHIRL_PER_POINT, 1, NULL},
+    [BEARINGS] =
+        {WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, "N/m",
+         "kxx, kyy (of the bearings there, at the lowest of these speeds; missing without springs in their place)",
+         WHIRL_PER_STATION, 2, looked_up},
     [SHAPE] = {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1", "x_cos, x_sin, y_cos, y_sin", WHIRL_PER_STATION, 4, kept},
 };
+
+/// Where the machine as it is given rests at a speed, as far as the stations go: at [probe_count][2].
+static whirl_status find_rest(const whirl_resting *point, double speed, double *at) {
+    whirl_machine given;
+    whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, &given);
+    if (status.code != WHIRL_OK) return status;
+    double *x = calloc(given.system->dimension + 1, sizeof *x);
+    if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine at rest");
+    if (x) memcpy(x, given.start, given.system->dimension * sizeof *x);
+    if (x) status = whirl_equilibrium(given.system, x);
+    for (size_t p = 0; p < given.system->probe_count && status.code == WHIRL_OK; p++)
+        for (size_t c = 0; c < 2; c++) at[2 * p + c] = whirl_probe_value(&given.system->probes[p], x, c);
+    free(x);
+    if (given.release) given.release(given.owner);
+    return status;
+}
+
+/// Coefficients [probe_count][8] of bearings at a speed. They are of where the machine rests, which matters where they
+/// are not the same in the middle and beside it.
+static whirl_status look_up(const whirl_resting *point, double speed, double *numbers) {
+    const size_t probes = point->system->probe_count;
+    whirl_machine alone;
+    whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, &alone);
+    if (status.code != WHIRL_OK) return status;
+    double *x = calloc(alone.system->dimension + 10 * probes + 1, sizeof *x);
+    double *at = x ? x + alone.system->dimension : NULL, *beside = x ? at + 2 * probes : NULL;
+    if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
+    if (x) status = whirl_bearing_coefficients(&alone, x, numbers);
+    for (size_t p = 0; p < probes && x; p++) x[alone.system->probes[p].x] = 1e-3;
+    if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, beside);
+    if (status.code == WHIRL_OK && memcmp(numbers, beside, 8 * probes * sizeof *beside) != 0) {
+        status = find_rest(point, speed, at);
+        for (size_t p = 0; p < probes; p++) {
+            x[alone.system->probes[p].x] = at[2 * p];
+            x[alone.system->probes[p].y] = at[2 * p + 1];
+        }
+        if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
+    }
+    free(x);
+    if (alone.release) alone.release(alone.owner);
+    return status;
+}
+
+/// At speeds beyond a table, and where the machine rests nowhere, there are none.
+static whirl_status fill_bearings(const whirl_resting *point, const whirl_critical_speeds *found,
+                                  const block_view *view) {
+    const size_t probes = point->system->probe_count;
+    if (!view_numbers(view, BEARINGS, 0)) return whirl_ok();
+    double *numbers = malloc((8 * probes + 1) * sizeof *numbers);
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < found->count && i < LOOKED_UP && status.code != WHIRL_NO_MEMORY; i++) {
+        status = look_up(point, found->speeds[i], numbers);
+        for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++) {
+            double *out = view_numbers(view, BEARINGS, p) + 2 * i;
+            const double stiffness[] = {numbers[8 * p], numbers[8 * p + 3]};
+            for (size_t c = 0; c < 2; c++) out[c] = stiffness[c] != 0.0 ? stiffness[c] : NAN;
+        }
+    }
+    free(numbers);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
 
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     const whirl_machine own = {
         .system = point->system, .start = point->start, .clock = point->clock, .speed = point->speed};
     whirl_machine faster;
     whirl_critical_speeds *found = NULL;
-    whirl_status status = point->at_speed(point->context, 2.0 * point->speed, &faster);
+    whirl_status status = point->at_speed(point->context, 2.0 * point->speed, WHIRL_AS_STUDIED, &faster);
     if (status.code != WHIRL_OK) return status;
     status = whirl_critical_speeds_new(&own, &faster, &found);
     if (faster.release) faster.release(faster.owner);
@@ -35,6 +109,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         view_numbers(view, DIRECTION, 0)[i] = found->directions[i];
         fill_shape(point->system, found->vectors + 2 * i * found->dimension, i, SHAPE, view);
     }
+    status = fill_bearings(point, found, view);
     whirl_critical_speeds_free(found);
     return status;
 }

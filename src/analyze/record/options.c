@@ -30,6 +30,8 @@ static const whirl_member members[] = {
     WHOLE("modes", modes, "modes", "count", "16", 1, 512, false,
           "modes that are kept, those of the lowest frequencies"),
     WHOLE(NULL, modes, "critical_speeds", "count", "16", 1, 512, false, "critical speeds that are kept, the lowest"),
+    FLAG(bearings, "critical_speeds", "no",
+         "yes: the parameter is the stiffness of every bearing: springs stand in their place, seals are left out"),
     MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /// The status with the kind of the element that it is of.
 static whirl_status named(const building *b, size_t index, whirl_status status) {
@@ -48,6 +49,25 @@ void building_end(building *b) {
     free(b->between);
 }
 
+/// The value of a key of an element; NULL where it has no such key.
+static const key_value *value_of(const design_element *own, const char *key) {
+    for (size_t k = 0; k < own->type->group.key_count; k++)
+        if (strcmp(own->type->group.keys[k].name, key) == 0) return &own->values[k];
+    return NULL;
+}
+
+static bool is_bearing(const design_element *own) {
+    const key_value *role = value_of(own, "role");
+    return own->type->carries && !(role && role->choice);
+}
+
+/// Whether something else stands for an element, or nothing.
+static bool is_replaced(const building *b, const design_element *own) {
+    const whirl_bearings what = b->design->bearings;
+    return what == WHIRL_BEARINGS_SPRINGS ? own->type->carries || own->type->drags
+                                          : what == WHIRL_BEARINGS_ALONE && !is_bearing(own);
+}
+
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
 static whirl_status add_inertia(building *b) {
     const whirl_design *design = b->design;
@@ -58,6 +78,7 @@ static whirl_status add_inertia(building *b) {
     }
     for (size_t i = 0; i < design->element_count && status.code == WHIRL_OK; i++) {
         const design_element *own = &design->elements[i];
+        if (is_replaced(b, own)) continue;
         if (own->type->inertia) status = with_element(b, i, own->type->inertia(own->values, &b->assembly));
         const double rate = own->type->keyphasor ? own->type->keyphasor(own->values, b->assembly.speed) : 0.0;
         if (rate == 0.0 || status.code != WHIRL_OK) continue;
@@ -98,12 +119,27 @@ static whirl_status check_spin(const building *b, const design_element *own) {
     return whirl_ok();
 }
 
+/// A spring in the place of a bearing; nothing in that of other replaced ones.
+static whirl_status add_replaced(building *b, const design_element *own) {
+    const key_value nowhere = {.given = false}, *at = value_of(own, "at"), *from = value_of(own, "from");
+    element place = {.type = NULL};
+    if (b->design->bearings != WHIRL_BEARINGS_SPRINGS || !is_bearing(own) || !at) return whirl_ok();
+    const whirl_status status = element_in_housing(at, from ? from : &nowhere, &b->assembly, &place);
+    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++)
+        assembly_spring(&b->assembly, place.port[i], place.port[2 + i], b->design->stiffness);
+    return status;
+}
+
 /// Builds the elements of one type, in the order of the design.
 static whirl_status add_elements(building *b, const element_type *type) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < b->design->element_count && status.code == WHIRL_OK; i++) {
         element *own = &b->elements[b->element_count];
         if (b->design->elements[i].type != type) continue;
+        if (is_replaced(b, &b->design->elements[i])) {
+            status = with_element(b, i, add_replaced(b, &b->design->elements[i]));
+            continue;
+        }
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;

@@ -23,6 +23,17 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
     return whirl_ok();
 }
 
+void whirl_design_bearings(whirl_design *design, whirl_bearings what, double stiffness) {
+    design->bearings = what;
+    design->stiffness = stiffness;
+}
+
+bool whirl_element_is_bearing(const char *kind) {
+    for (const element_type *const *type = element_types; *type; type++)
+        if (strcmp((*type)->group.name, kind) == 0) return (*type)->carries;
+    return false;
+}
+
 void whirl_design_free(whirl_design *design) {
     if (!design) return;
     for (size_t i = 0; i < design->station_count; i++) free(design->stations[i].values);

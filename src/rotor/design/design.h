@@ -20,6 +20,8 @@ enum { MAX_TYPES = 64 };
 
 struct whirl_design {
     double speed, length;
+    whirl_bearings bearings; ///< what stands for them
+    double stiffness;        ///< of springs in their place
     size_t station_count, element_count, shaft_count, material_count;
     design_part stations[WHIRL_MAX_STATIONS], shafts[WHIRL_MAX_SHAFTS], materials[WHIRL_MAX_MATERIALS];
     design_element elements[WHIRL_MAX_ELEMENTS];

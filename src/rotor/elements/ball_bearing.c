@@ -117,6 +117,7 @@ const element_type ball_bearing_element = {
     .kinked = true,
     .kernels = kernels,
     .build = build,
+    .carries = true,
     .doubt = doubt,
 };
 #endif

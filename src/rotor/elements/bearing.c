@@ -5,7 +5,7 @@
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, KEY_COUNT };
+enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, ROLE, KEY_COUNT };
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
     { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
@@ -32,6 +32,10 @@ static const whirl_key keys[KEY_COUNT] = {
     [MXX] = INERTIA("mxx", "m_xx", "0", "inertia along x, as of a fluid; without weight or unbalance"),
     [MXY] = INERTIA("mxy", "m_xy", "0", "force along -x by an acceleration along y, and the other way round"),
     [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
+    [ROLE] =
+        CHOICE_KEY("role", DEFAULT("bearing"), "bearing|seal|impeller",
+                   "what its coefficients are of; critical speed maps have springs in the place of bearings, and leave "
+                   "the others out"),
 };
 
 /// The block of one kind, by `add`, between two places.
@@ -105,7 +109,7 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     double at[KEY_COUNT];
     whirl_status status = check_speeds(&values[SPEEDS], to->speed);
-    for (int key = KXX; key < KEY_COUNT && status.code == WHIRL_OK; key++)
+    for (int key = KXX; key <= MYY && status.code == WHIRL_OK; key++)
         status = find_at_speed(values, key, to->speed, &at[key]);
     if (status.code != WHIRL_OK) return status;
     const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
@@ -123,5 +127,6 @@ const element_type bearing_element = {
     .group = {"bearing", "a linear bearing or seal by its eight coefficients and inertia", "Lund 1964; ISO 7902", keys,
               KEY_COUNT, NULL, NULL},
     .build = build,
+    .carries = true,
 };
 #endif

@@ -133,6 +133,7 @@ const element_type film_element = {
     .number_count = FILM_NUMBERS,
     .kernels = kernels,
     .build = build,
+    .carries = true,
     .bearing_clearance = bearing_clearance,
     .doubt = doubt,
 };

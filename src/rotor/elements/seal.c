@@ -94,6 +94,7 @@ const element_type seal_element = {
     .kernels = kernels,
     .inertia = inertia,
     .build = build,
+    .drags = true,
     .bearing_clearance = bearing_clearance,
     .doubt = doubt,
 };

@@ -65,10 +65,11 @@ typedef struct place {
     double value;
 } place;
 
-static whirl_status at_speed(const void *context, double speed, whirl_machine *machine) {
+static whirl_status at_speed(const void *context, double speed, whirl_variant variant, whirl_machine *machine) {
     const place *at = context;
     whirl_batch batch = *at->batch;
     batch.speed = speed;
+    batch.variant = variant;
     return at->study->machine(at->study->family, &batch, at->value, machine);
 }
 
