@@ -71,6 +71,7 @@ typedef struct ross_bearing {
     const double *speeds; ///< rad/s, rising
     const double *values[COEFFICIENTS];
     bool varies[COEFFICIENTS]; ///< a value for every speed, else one for all
+    bool seal;
     field_section section;
 } ross_bearing;
 

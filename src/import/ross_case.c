@@ -288,6 +288,7 @@ static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *be
     char text[QUANTITY_SIZE];
     fprintf(out, "    - bearing:\n        at: %s\n", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, "        from: %s\n", ross_station_at(rotor, bearing->link)->name);
+    if (bearing->seal) fputs("        role: seal\n", out);
     put_list(out, "speeds", bearing->speeds, bearing->speed_count);
     for (int i = KXX; i < COEFFICIENTS; i++) {
         const ross_coefficient which = (ross_coefficient)i;
@@ -305,6 +306,7 @@ static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing 
     page_line line = page_open(out, 16, "    - bearing: {");
     page_item(&line, "at: %s", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) page_item(&line, "from: %s", ross_station_at(rotor, bearing->link)->name);
+    if (bearing->seal) page_item(&line, "role: seal");
     for (int i = KXX; i < COEFFICIENTS; i++) {
         page_quantity(bearing->values[i][0], ross_coefficient_units[i], text);
         if (is_said(bearing, (ross_coefficient)i)) page_item(&line, "%s: %s", ross_coefficient_names[i], text);

@@ -117,6 +117,7 @@ static void put_unequal(FILE *out, const ross_coupling *coupling, const char *co
     page_line line = page_open(out, 16, "    - bearing: {");
     page_item(&line, "at: %s", ends[1]);
     page_item(&line, "from: %s", ends[0]);
+    page_item(&line, "role: other");
     for (int axis = 0; axis < 2; axis++) {
         page_quantity(coupling->stiffness[axis], "N/m", text);
         page_item(&line, "%s: %s", stiffness[axis], text);

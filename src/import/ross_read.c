@@ -154,6 +154,12 @@ static void read_bearing(field_section *section, const char *tag, ross_rotor *ou
     if (!acts && field_good(section->reader)) note_of(&section->reader->notes, NOTE_NOTHING_LATERAL, tag);
 }
 
+static void read_seal(field_section *section, const char *tag, ross_rotor *out) {
+    const size_t before = out->bearing_count;
+    read_bearing(section, tag, out);
+    for (size_t i = before; i < out->bearing_count; i++) out->bearings[i].seal = true;
+}
+
 static void read_coupling(field_section *section, const char *tag, ross_rotor *out) {
     ross_read_coupling(section, tag, &out->couplings[out->coupling_count++]);
 }
@@ -172,7 +178,7 @@ static const ross_class classes[] = {
     {"ShaftElement", read_piece, NULL},
     {"DiskElement", read_disc, NULL},
     {"BearingElement", read_bearing, NULL},
-    {"SealElement", read_bearing, NULL},
+    {"SealElement", read_seal, NULL},
     {"PointMass", read_point, NULL},
     {"CouplingElement", read_coupling, NULL},
     {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},

@@ -1,6 +1,7 @@
 // The critical speed map: critical speeds without damping over a parameter, such as the stiffness of the bearings.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "figure_kinds.h"
 #include "symbols.h"
@@ -50,6 +51,39 @@ static void add_direction(whirl_figure *figure, whirl_panel *panel, const drawin
     }
 }
 
+typedef struct laid {
+    double stiffness, speed;
+} laid;
+
+static int by_speed(const void *a, const void *b) {
+    const laid *one = a, *other = b;
+    return (one->speed > other->speed) - (one->speed < other->speed);
+}
+
+/// The stiffness kxx or kyy of the bearings at a station over the speed, wherever critical speeds were found.
+static void add_bearings(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
+                         size_t station, size_t column, double unit) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS);
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    laid *found = field ? malloc((table->count * field->rows + 1) * sizeof *found) : NULL;
+    size_t count = 0;
+    for (size_t point = 0; point < table->count && found; point++) {
+        const double *speeds = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
+        const double *bearings = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, station);
+        for (size_t i = 0; whirl_table_done(table, point) && i < field->rows; i++)
+            if (bearings[2 * i + column] > 0.0) found[count++] = (laid){bearings[2 * i + column], speeds[i]};
+    }
+    if (count > 1) {
+        char name[2 * WHIRL_NAME_SIZE];
+        qsort(found, count, sizeof *found, by_speed);
+        snprintf(name, sizeof name, "%s of %s", column ? "kyy" : "kxx", of->result->stations[station].name);
+        whirl_series *line = panel_named(figure, panel, WHIRL_LINE, name, line_colour(2 + station), 0.8);
+        if (line) line->dashed = column == 1;
+        for (size_t i = 0; i < count; i++) series_add(figure, line, found[i].stiffness / size, found[i].speed / unit);
+    }
+    free(found);
+}
+
 /// Whether the values have equal ratios: the axis is logarithmic then, and that of the speeds.
 static bool has_ratios(const whirl_table *table) {
     const double *v = table->values;
@@ -69,10 +103,17 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     panel->x.logarithmic = panel->y.logarithmic = has_ratios(table);
     for (int direction = 1; direction >= -1; direction--)
         add_direction(figure, panel, of, table, direction, speed.size);
+    const bool springs = table_has(table, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS);
+    for (size_t k = 0; k < 2 * of->result->station_count && springs; k++)
+        add_bearings(figure, panel, of, table, k / 2, k % 2, speed.size);
     snprintf(figure->caption, sizeof figure->caption,
              "Critical speeds of the machine without damping over %s: speeds at which a mode goes round once a "
-             "revolution, with the rotation (blue) or against it (orange, dashed).",
-             table->parameter);
+             "revolution, with the rotation (blue) or against it (orange, dashed).%s",
+             table->parameter,
+             springs
+                 ? " Springs of that stiffness stand in the place of all bearings, whose own stiffness over the speed "
+                   "is laid over it."
+                 : "");
 }
 
 const figure_kind critical_speeds_figure = {.list = list, .describe = describe};

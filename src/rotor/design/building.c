@@ -56,16 +56,23 @@ static const key_value *value_of(const design_element *own, const char *key) {
     return NULL;
 }
 
-static bool is_bearing(const design_element *own) {
-    const key_value *role = value_of(own, "role");
-    return own->type->carries && !(role && role->choice);
+/// What an element is to the rotor. One of a bearing's kind has a key for it (bearing.c), and without stiffness is
+/// none.
+typedef enum role { ROLE_BEARING, ROLE_DRAG, ROLE_OTHER } role;
+
+static role role_of(const design_element *own) {
+    enum { BEARING, SEAL, IMPELLER };
+    const key_value *said = value_of(own, "role"), *kxx = value_of(own, "kxx"), *kyy = value_of(own, "kyy");
+    if (!own->type->carries || (said && (said->choice == SEAL || said->choice == IMPELLER)))
+        return own->type->carries || own->type->drags ? ROLE_DRAG : ROLE_OTHER;
+    return said && (said->choice != BEARING || !(kxx->given || kyy->given)) ? ROLE_OTHER : ROLE_BEARING;
 }
 
 /// Whether something else stands for an element, or nothing.
 static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
-    return what == WHIRL_BEARINGS_SPRINGS ? own->type->carries || own->type->drags
-                                          : what == WHIRL_BEARINGS_ALONE && !is_bearing(own);
+    return what == WHIRL_BEARINGS_SPRINGS ? role_of(own) != ROLE_OTHER
+                                          : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
 }
 
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
@@ -123,7 +130,7 @@ static whirl_status check_spin(const building *b, const design_element *own) {
 static whirl_status add_replaced(building *b, const design_element *own) {
     const key_value nowhere = {.given = false}, *at = value_of(own, "at"), *from = value_of(own, "from");
     element place = {.type = NULL};
-    if (b->design->bearings != WHIRL_BEARINGS_SPRINGS || !is_bearing(own) || !at) return whirl_ok();
+    if (b->design->bearings != WHIRL_BEARINGS_SPRINGS || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
     const whirl_status status = element_in_housing(at, from ? from : &nowhere, &b->assembly, &place);
     for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++)
         assembly_spring(&b->assembly, place.port[i], place.port[2 + i], b->design->stiffness);

@@ -32,10 +32,10 @@ static const whirl_key keys[KEY_COUNT] = {
     [MXX] = INERTIA("mxx", "m_xx", "0", "inertia along x, as of a fluid; without weight or unbalance"),
     [MXY] = INERTIA("mxy", "m_xy", "0", "force along -x by an acceleration along y, and the other way round"),
     [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
-    [ROLE] =
-        CHOICE_KEY("role", DEFAULT("bearing"), "bearing|seal|impeller",
-                   "what its coefficients are of; critical speed maps have springs in the place of bearings, and leave "
-                   "the others out"),
+    [ROLE] = CHOICE_KEY(
+        "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
+        "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
+        "and impellers out, and keep others"),
 };
 
 /// The block of one kind, by `add`, between two places.

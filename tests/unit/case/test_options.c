@@ -37,9 +37,13 @@ static bool is_beside(const char *part) {
 static void with_key(const char *part, const char *key, const char *value, whirl_case **object, whirl_study *study) {
     char text[1024], line[256];
     const bool of_study = strcmp(part, "study") == 0;
-    snprintf(line, sizeof line, of_study ? "  %s%s: %s" : "  %s: {%s: %s}", of_study ? "" : part, key, value);
+    const char *axis = is_study(part) ? "parameter: q, values: [1, 2], " : "";
+    if (of_study)
+        snprintf(line, sizeof line, "  %s: %s", key, value);
+    else
+        snprintf(line, sizeof line, "  %s: {%s%s: %s}", part, axis, key, value);
     snprintf(text, sizeof text,
-             "whirl: 1\nparameters: {w: 100 rad/s}\nrotor:\n  speed: = w\n  length_scale: 1 mm\n"
+             "whirl: 1\nparameters: {w: 100 rad/s, q: 1}\nrotor:\n  speed: = w\n  length_scale: 1 mm\n"
              "  stations: {disc: {mass: 1 kg}}\n  elements: [spring: {between: [disc, ground], stiffness: 1 kN/m}]\n"
              "study:\n%s%s\n",
              is_study(part) ? "" : "  sweep: {parameter: w, from: 100 rad/s, to: 200 rad/s, points: 3}\n", line);

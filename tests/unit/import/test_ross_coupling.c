@@ -100,13 +100,13 @@ static void test_unequal(void **state) {
     (void)state;
     expect_line("kt_y = 4e6", "kt_y = 3e6", sum);
     expect_line("kt_y = 4e6", "kt_y = 3e6",
-                "    - bearing: {at: hub_right, from: hub_left, kxx: 4000000 N/m, kyy: 3000000 N/m, cxx: 60 N s/m,\n"
-                "                cyy: 60 N s/m}\n");
+                "    - bearing: {at: hub_right, from: hub_left, role: other, kxx: 4000000 N/m, kyy: 3000000 N/m,\n"
+                "                cxx: 60 N s/m, cyy: 60 N s/m}\n");
     expect_none("kt_y = 4e6", "kt_y = 3e6", "radial_damping");
     expect_line("ct_x = 60\n", "", sum);
-    expect_line("ct_x = 60\n", "", "kyy: 4000000 N/m, cxx: 0 N s/m,\n                cyy: 60 N s/m}\n");
+    expect_line("ct_x = 60\n", "", "kyy: 4000000 N/m,\n                cxx: 0 N s/m, cyy: 60 N s/m}\n");
     expect_line(LATERAL, "kt_x = 4e6\n",
-                "    - bearing: {at: hub_right, from: hub_left, kxx: 4000000 N/m, kyy: 0 N/m}\n");
+                "    - bearing: {at: hub_right, from: hub_left, role: other, kxx: 4000000 N/m, kyy: 0 N/m}\n");
     expect_none(LATERAL, "kt_x = 4e6\n", "coupling:");
 }
 
