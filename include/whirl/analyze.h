@@ -74,10 +74,11 @@ typedef struct whirl_record_options {
     bool bearings; ///< of critical speed maps: the parameter is the stiffness of springs in the place of bearings, N/m
     /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
     bool settle;
-    int modes;          ///< modes that are kept, >= 1
-    double probe_angle; ///< of the first probe of every station, rad from the x axis towards y
-    bool spectra;       ///< keep whole spectra, not only their peaks
-    bool waveform;      ///< waveforms are needed (for spectra or to be kept)
+    int modes;                        ///< modes that are kept, >= 1
+    double running_low, running_high; ///< rad/s, between which the machine runs; 0: not said
+    double probe_angle;               ///< of the first probe of every station, rad from the x axis towards y
+    bool spectra;                     ///< keep whole spectra, not only their peaks
+    bool waveform;                    ///< waveforms are needed (for spectra or to be kept)
     /// Look for the orbits of motions that have come to rest, by Newton's method; with `settle` also before they have,
     /// and end the transient where the motion cannot but come to rest on one.
     bool orbits;
@@ -471,6 +472,34 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
 
 /// Frees a spectrum; NULL is none.
 void whirl_spectrum_free(whirl_spectrum *spectrum);
+
+// ---------------------------------------------------------------- peaks of responses
+
+/// How an amplification factor was found.
+typedef enum whirl_amplification_way {
+    WHIRL_BY_HALF_POWER, ///< speed/(high - low)
+    WHIRL_BY_ONE_SIDE,   ///< speed over twice the distance of the one point of half power that there is
+    WHIRL_BY_PHASE_SLOPE ///< half of the speed times the slope of the lag: there is no such point
+} whirl_amplification_way;
+
+/// A peak of a response over the speed.
+typedef struct whirl_response_peak {
+    double speed, amplitude;     ///< of its top, by cubic interpolation
+    double low, high;            ///< speeds at which the amplitude is 1/sqrt(2) of the top's; NaN where it rises before
+    double amplification;        ///< factor
+    whirl_amplification_way way; ///< it was found
+} whirl_response_peak;
+
+/// The peaks of a response [count] at rising speeds, by rising speed, at most `most` of them; how many. lags: degrees
+/// by which its phase is behind. Ends count as no peaks. (Amplification by half power: API 617, API 684; closed form of
+/// a damped rotor: docs/theory.md.)
+size_t whirl_response_peaks(size_t count, const double *speeds, const double *amplitudes, const double *lags,
+                            size_t most, whirl_response_peak *peaks);
+
+/// The separation margin, in percent of the lowest (or, `above`, the highest) running speed, that a peak of that
+/// amplification asks for: 17 (1 - 1/(A - 1.5)), and 10 more above; 0 below A = 2.5. After API 617; which edition
+/// counts, and what it caps, is the user's to check.
+double whirl_margin_required(double amplification, bool above);
 
 // ---------------------------------------------------------------- analyses by name, and their fields
 

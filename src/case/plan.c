@@ -58,6 +58,13 @@ static const file_node *place_of(const setting_list *settings, const char *key) 
     return given ? given->place : settings->place;
 }
 
+static void check_running(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
+    const setting *to = settings_find(&parts->sweep.keys, "running_to");
+    if (to && options->running_high < options->running_low)
+        problem_at(reader->problems, to->place, "is %.10g rad/s, expected at least running_from (%.10g rad/s)",
+                   options->running_high, options->running_low);
+}
+
 static void check_record(case_reader *reader, const plan_parts *parts, const whirl_record_options *options, int steps) {
     if (options->samples_per_revolution > steps)
         problem_at(reader->problems, place_of(&parts->keep, "samples"),
@@ -544,6 +551,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     const whirl_integrate_options integrate = integrate_options(v, parts);
     const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
+    if (parts->resting) check_running(reader, parts, &record);
     check_analyses(reader, parts, &record);
     result->unit = parts->sweep.written;
     result->second_unit = parts->across.written;

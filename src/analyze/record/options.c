@@ -12,6 +12,10 @@
     MEMBER(whirl_record_options, FLAG, #field, field, part, false, #field, "", "", WHIRL_KEY_CHOICE, false, fallback,  \
            WHIRL_ANY, "yes|no|true|false", meaning, "")
 
+#define RUNNING(field, key, meaning)                                                                                   \
+    MEMBER(whirl_record_options, NUMBER, #field, field, "unbalance", false, key, "", "rad/s", WHIRL_KEY_NUMBER, false, \
+           "0", WHIRL_NOT_NEGATIVE, NULL, meaning, "")
+
 static const whirl_member members[] = {
     WHOLE("transient", transient, "integrate", "transient", "1100", 0, WHIRL_MAX_TRANSIENT, true,
           "revolutions before the record"),
@@ -37,6 +41,9 @@ static const whirl_member members[] = {
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "
            "further on",
            ""),
+    RUNNING(running_low, "running_from",
+            "lowest speed at which the machine runs, which margins are counted from; without it the highest"),
+    RUNNING(running_high, "running_to", "highest such speed; without it the lowest"),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),

@@ -1,0 +1,100 @@
+// Peaks of a response over the speed: amplification factors, and the margins that they ask for.
+#include <math.h>
+
+#include "whirl/analyze.h"
+
+/// A response at rising speeds.
+typedef struct curve {
+    size_t count;
+    const double *x, *y;
+} curve;
+
+/// Between points i and i + 1, by the cubic through these and one to either side (the parabola at the ends).
+static double between(const curve *c, size_t i, double at) {
+    const size_t first = i > 0 ? i - 1 : 0, after = i + 3 < c->count ? i + 3 : c->count;
+    double sum = 0.0;
+    for (size_t j = first; j < after; j++) {
+        double weight = 1.0;
+        for (size_t k = first; k < after; k++)
+            if (k != j) weight *= (at - c->x[k]) / (c->x[j] - c->x[k]);
+        sum += weight * c->y[j];
+    }
+    return sum;
+}
+
+enum { HALVINGS = 60 };
+
+/// The place of the largest value between points i - 1 and i + 1, by thirds.
+static double top_of(const curve *c, size_t i) {
+    double low = c->x[i - 1], high = c->x[i + 1];
+    for (int n = 0; n < HALVINGS; n++) {
+        const double one = low + (high - low) / 3.0, other = high - (high - low) / 3.0;
+        const double below = between(c, one < c->x[i] ? i - 1 : i, one);
+        const double above = between(c, other < c->x[i] ? i - 1 : i, other);
+        if (below < above)
+            low = one;
+        else
+            high = other;
+    }
+    return 0.5 * (low + high);
+}
+
+/// Where the response falls to `level` on a side (-1, 1) of peak i, before it rises again; NaN where it does not.
+static double side_of(const curve *c, size_t i, int side, double level) {
+    size_t from = i;
+    while ((side < 0 ? from > 0 : from + 1 < c->count) && c->y[from] > level) {
+        const size_t next = side < 0 ? from - 1 : from + 1;
+        if (c->y[next] > c->y[from]) return NAN;
+        from = next;
+    }
+    if (c->y[from] > level) return NAN;
+    const size_t left = side < 0 ? from : from - 1;
+    double low = c->x[left], high = c->x[left + 1];
+    for (int n = 0; n < HALVINGS; n++) {
+        const double middle = 0.5 * (low + high);
+        if ((between(c, left, middle) > level) == (side < 0))
+            high = middle;
+        else
+            low = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// rad by rad/s, by differences across peak i.
+static double phase_slope(const curve *c, const double *lags, size_t i) {
+    const double degrees = remainder(lags[i + 1] - lags[i - 1], 360.0);
+    return degrees / 180.0 * 3.14159265358979323846 / (c->x[i + 1] - c->x[i - 1]);
+}
+
+static whirl_response_peak peak_at(const curve *c, const double *lags, size_t i) {
+    whirl_response_peak peak = {.speed = top_of(c, i)};
+    peak.amplitude = between(c, peak.speed < c->x[i] ? i - 1 : i, peak.speed);
+    const double level = peak.amplitude / 1.41421356237309504880;
+    peak.low = side_of(c, i, -1, level);
+    peak.high = side_of(c, i, 1, level);
+    if (!isnan(peak.low) && !isnan(peak.high)) {
+        peak.amplification = peak.speed / (peak.high - peak.low);
+    } else if (isnan(peak.low) && isnan(peak.high)) {
+        peak.way = WHIRL_BY_PHASE_SLOPE;
+        peak.amplification = 0.5 * peak.speed * fabs(phase_slope(c, lags, i));
+    } else {
+        peak.way = WHIRL_BY_ONE_SIDE;
+        peak.amplification = peak.speed / (2.0 * fabs(peak.speed - (isnan(peak.low) ? peak.high : peak.low)));
+    }
+    return peak;
+}
+
+size_t whirl_response_peaks(size_t count, const double *speeds, const double *amplitudes, const double *lags,
+                            size_t most, whirl_response_peak *peaks) {
+    const curve c = {count, speeds, amplitudes};
+    size_t found = 0;
+    for (size_t i = 1; i + 1 < count && found < most; i++)
+        if (amplitudes[i] > amplitudes[i - 1] && amplitudes[i] >= amplitudes[i + 1])
+            peaks[found++] = peak_at(&c, lags, i);
+    return found;
+}
+
+double whirl_margin_required(double amplification, bool above) {
+    if (!(amplification >= 2.5)) return 0.0;
+    return (above ? 10.0 : 0.0) + 17.0 * (1.0 - 1.0 / (amplification - 1.5));
+}

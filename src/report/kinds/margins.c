@@ -1,0 +1,55 @@
+#include "margins.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/// Speed, amplitude and lag of all points; how many.
+static size_t take(const whirl_table *table, size_t station, size_t probe, double *speeds, double *sizes,
+                   double *lags) {
+    size_t count = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
+        const double speed = whirl_table_number(table, i, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+        if (count > 0 && !(speed > speeds[count - 1])) return 0;
+        speeds[count] = speed;
+        sizes[count] = whirl_table_field(table, i, WHIRL_FIELD_UNBALANCE_PROBE, station)[probe];
+        lags[count++] = whirl_table_field(table, i, WHIRL_FIELD_UNBALANCE_PROBE_LAG, station)[probe];
+    }
+    return count;
+}
+
+size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whirl_response_peak peaks[MARGIN_PEAKS]) {
+    double *speeds = malloc((3 * table->count + 1) * sizeof *speeds);
+    if (!speeds || table->length_scales) { // amplitudes in scales that change are no curve
+        free(speeds);
+        return 0;
+    }
+    double *sizes = speeds + table->count, *lags = sizes + table->count;
+    const size_t count = take(table, station, probe, speeds, sizes, lags);
+    const size_t found = whirl_response_peaks(count, speeds, sizes, lags, MARGIN_PEAKS, peaks);
+    free(speeds);
+    return found;
+}
+
+const char *margin_way(const whirl_response_peak *peak) {
+    static const char *const ways[] = {"half power", "half power on one side", "phase slope"};
+    return ways[peak->way];
+}
+
+void margin_text(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
+    const double from = table->record.running_low, to = table->record.running_high;
+    const double low = from > 0.0 ? from : to, high = to > 0.0 ? to : from; // one alone: it runs at that speed
+    *text = '\0';
+    if (!(low > 0.0)) return;
+    const bool above = peak->speed > high, below = peak->speed < low;
+    const double asked = whirl_margin_required(peak->amplification, above);
+    const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
+    if (asked == 0.0)
+        snprintf(text, MARGIN_TEXT, "no margin asked for (amplification below 2.5)");
+    else if (!above && !below)
+        snprintf(text, MARGIN_TEXT, "within the running speeds: fails");
+    else
+        snprintf(text, MARGIN_TEXT, "margin %.3g %% %s, %.3g %% asked for: %s", had, above ? "above" : "below", asked,
+                 had >= asked ? "holds" : "fails");
+}
