@@ -488,6 +488,7 @@ typedef struct whirl_response_peak {
     double low, high;            ///< speeds at which the amplitude is 1/sqrt(2) of the top's; NaN where it rises before
     double amplification;        ///< factor
     whirl_amplification_way way; ///< it was found
+    double points;               ///< of the response in the width speed/amplification: few tell it roughly
 } whirl_response_peak;
 
 /// The peaks of a response [count] at rising speeds, by rising speed, at most `most` of them; how many. lags: degrees

@@ -81,11 +81,34 @@ static void other_ways(void **unused) {
                 isnan(peaks[0].high) && isnan(peaks[1].low) && !isnan(peaks[0].low) && !isnan(peaks[1].high));
 }
 
+/// With 8 points in the width of half power, wherever they lie, the factor is right to 1 %.
+static void few_points(void **unused) {
+    static const double z = 0.01;
+    double worst = 0.0, widest = 0.0, r[200], size[200], lag[200];
+    (void)unused;
+    for (int shift = 0; shift < 10; shift++) {
+        whirl_response_peak peaks[MOST];
+        const double step = 0.02 / 8.0;
+        for (size_t i = 0; i < 200; i++) {
+            r[i] = 0.75 + step * ((double)i + shift / 10.0);
+            const double a = 1.0 - r[i] * r[i], b = 2.0 * z * r[i];
+            size[i] = r[i] * r[i] / hypot(a, b);
+            lag[i] = atan2(b, a) * 180.0 / 3.14159265358979323846;
+        }
+        assert_int_equal(whirl_response_peaks(200, r, size, lag, MOST, peaks), 1);
+        worst = fmax(worst, fabs(peaks[0].amplification / 49.97 - 1.0));
+        widest = fmax(widest, peaks[0].points);
+    }
+    check_within("B13", "8 points in the width: largest relative error of the amplification", 0.0, worst, 0.01);
+    check_within("B13", "8 points in the width: points told", 8.0, widest, 0.1);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(amplification_of_one_degree_of_freedom),
         cmocka_unit_test(margins),
         cmocka_unit_test(other_ways),
+        cmocka_unit_test(few_points),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,6 +81,7 @@ static whirl_response_peak peak_at(const curve *c, const double *lags, size_t i)
         peak.way = WHIRL_BY_ONE_SIDE;
         peak.amplification = peak.speed / (2.0 * fabs(peak.speed - (isnan(peak.low) ? peak.high : peak.low)));
     }
+    peak.points = 2.0 * peak.speed / peak.amplification / (c->x[i + 1] - c->x[i - 1]);
     return peak;
 }
 

@@ -32,9 +32,13 @@ size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whir
     return found;
 }
 
-const char *margin_way(const whirl_response_peak *peak) {
+void margin_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
     static const char *const ways[] = {"half power", "half power on one side", "phase slope"};
-    return ways[peak->way];
+    const double enough = 8.0; // the closed form's factor comes out to 1 % (test_margins.c)
+    if (peak->points < enough)
+        snprintf(text, MARGIN_TEXT, "%s, of %.2g points: compute more there", ways[peak->way], peak->points);
+    else
+        snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
 void margin_text(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]) {

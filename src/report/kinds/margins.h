@@ -14,7 +14,7 @@ size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whir
 /// "margin 31.2 % above, 24.5 % asked for: holds"; "" where the running speeds are not said.
 void margin_text(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]);
 
-/// "half power", ...
-const char *margin_way(const whirl_response_peak *peak);
+/// "half power", ...; "half power, of 1.2 points: compute more there".
+void margin_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]);
 
 #endif

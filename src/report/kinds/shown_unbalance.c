@@ -16,12 +16,13 @@ static void print_peaks(FILE *out, const whirl_result *result, const whirl_table
     for (size_t probe = 0; probe < 2; probe++) {
         const size_t count = margin_peaks(table, station, probe, peaks);
         for (size_t i = 0; i < count; i++) {
-            char margin[MARGIN_TEXT];
+            char margin[MARGIN_TEXT], way[MARGIN_TEXT];
             margin_text(table, &peaks[i], margin);
+            margin_way(&peaks[i], way);
             fprintf(out, "    %.4g deg: peak at %.6g rpm, %.4g %s %s, amplification %.4g (%s)%s%s\n",
                     table->record.probe_angle / degree + (probe ? 90.0 : 0.0), peaks[i].speed / rpm,
                     units.amplitude * peaks[i].amplitude * result->length_scale / length.size, length.name,
-                    units.amplitude_name, peaks[i].amplification, margin_way(&peaks[i]), *margin ? "; " : "", margin);
+                    units.amplitude_name, peaks[i].amplification, way, *margin ? "; " : "", margin);
         }
     }
 }
@@ -71,14 +72,15 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     for (size_t k = 0; k < 2 * result->station_count; k++) {
         const size_t count = margin_peaks(table, k / 2, k % 2, peaks);
         for (size_t i = 0; i < count; i++) {
-            char margin[MARGIN_TEXT];
+            char margin[MARGIN_TEXT], way[MARGIN_TEXT];
             margin_text(table, &peaks[i], margin);
+            margin_way(&peaks[i], way);
             fputs("<tr><th>", to->stream);
             html_text(to->stream, result->stations[k / 2].name);
             fprintf(to->stream, "</th><td>%.4g</td><td>%.6g</td><td>%.4g</td><td>%.4g</td><td>%s</td>",
                     table->record.probe_angle / degree + (k % 2 ? 90.0 : 0.0), peaks[i].speed / rpm,
                     units->amplitude * peaks[i].amplitude * result->length_scale / length.size, peaks[i].amplification,
-                    margin_way(&peaks[i]));
+                    way);
             fprintf(to->stream, running ? "<td>%s</td></tr>\n" : "%s</tr>\n", running ? margin : "");
         }
     }
