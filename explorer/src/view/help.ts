@@ -56,9 +56,9 @@ const POINTS: readonly (readonly [string, string])[] = [
   ],
   [
     'Orbit',
-    'Seen along the shaft; it turns counter-clockwise, from x to y, unless the case says otherwise. The dot is the once-per-revolution mark ' +
-      '(keyphasor); the trace pauses just before it, so blank to bright is the way the shaft moves. Forward ' +
-      'means with the rotation.',
+    'Seen along the shaft; it turns counter-clockwise, from x to y, unless the case says otherwise. The dot is ' +
+      'the once-per-revolution mark (keyphasor); the trace pauses just before it, so blank to bright is the way ' +
+      'the shaft moves. Forward means with the rotation.',
   ],
   [
     'Full spectrum',
