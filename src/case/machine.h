@@ -32,7 +32,8 @@ void machine_settle(valuation *v, machine_parts *machine);
 /// Builds a rotor with the values of `valuation`, which turns at `speed` (rad/s) or, with 0, at that of the case.
 whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
-/// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1 kg.
+/// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1
+/// kg.
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
                                       whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);

@@ -122,8 +122,8 @@ typedef struct whirl_element_type {
     double (*contact_gap)(const element *own);
     bool (*contact_damped)(const element *own); ///< whether the force depends on the velocity
 
-    /// What carries the rotor, and what drags it besides (seals, impellers). A key `role`, where there is one, says it of
-    /// a single element: bearing, or another word.
+    /// What carries the rotor, and what drags it besides (seals, impellers). A key `role`, where there is one, says it
+    /// of a single element: bearing, or another word.
     bool carries, drags;
 
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
