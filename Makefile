@@ -191,7 +191,7 @@ changed-steps:
 	@$(PHASE) "lint of what has changed" scripts/lint.sh $(BUILD)
 
 packages: all   ## Debian packages of HEAD in build/package, with lintian; scripts/package-check.sh tries them
-	@$(INSTALL) build package explorer
+	@$(INSTALL) build package explorer python
 	$(EXPLORER)
 	JOBS=$(JOBS) scripts/package.sh $(BUILD)/package $$(find $(BUILD)/explorer -name template.html)
 
