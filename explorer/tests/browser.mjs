@@ -14,6 +14,24 @@ const program = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 export const CASE = readFileSync(new URL('./rub.yaml', import.meta.url), 'utf8');
 
+/// A wheel at the end of a shaft, in two bearings with these keys, and a study about where it rests.
+export const fan = (rear, wheel, study, parameters = '') => `whirl: 1
+title: A fan
+parameters: {omega: 1500 rpm${parameters}}
+rotor:
+  speed: = omega
+  length_scale: 0.1 mm
+  stations:
+    rear:  {position: 0 m}
+    wheel: {position: 0.9 m, mass: 40 kg, diametral: 1.1 kg m2, polar: 2 kg m2, eccentricity: 20 um}
+  elements:
+    - segment: {length: 0.9 m, outer: 60 mm}
+    - bearing: {at: rear, ${rear}}
+    - bearing: {at: wheel, ${wheel}}
+study:
+  ${study}
+`;
+
 /// A folder that goes away with the process.
 export const folder = mkdtempSync(join(tmpdir(), 'whirl-explorer-'));
 process.on('exit', () => rmSync(folder, { recursive: true, force: true }));

@@ -1,25 +1,11 @@
 // Results without a view of their own: their figures as the library describes them, drawn by the page.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { closeBrowser, command, folder, makePage, open, saved } from './browser.mjs';
+import { closeBrowser, command, fan, folder, makePage, open, saved } from './browser.mjs';
 import { join } from 'node:path';
 
-const FAN = `whirl: 1
-title: A fan
-parameters: {omega: 1500 rpm, k: 1 MN/m}
-rotor:
-  speed: = omega
-  length_scale: 0.1 mm
-  stations:
-    rear:  {position: 0 m}
-    wheel: {position: 0.9 m, mass: 40 kg, diametral: 1.1 kg m2, polar: 2 kg m2, eccentricity: 20 um}
-  elements:
-    - segment: {length: 0.9 m, outer: 60 mm}
-    - bearing: {at: rear, kxx: = k}
-    - bearing: {at: wheel, kxx: = k}
-study:
-  critical_speeds: {parameter: k, from: 0.1 MN/m, to: 100 MN/m, points: 13, scale: log}
-`;
+const STUDY = 'critical_speeds: {parameter: k, from: 0.1 MN/m, to: 100 MN/m, points: 13, scale: log}';
+const FAN = fan('kxx: = k', 'kxx: = k', STUDY, ', k: 1 MN/m');
 const CARD = '.figures .card';
 
 let page, figure;

@@ -1,30 +1,16 @@
 // Heights of the charts over a parameter: enlarged by wheel, rectangle, keys and fingers; the axis says which.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, makePage, open, saved, settled } from './browser.mjs';
+import { CASE, closeBrowser, fan, makePage, open, saved, settled } from './browser.mjs';
 
-const FAN = `whirl: 1
-title: A fan
-parameters: {omega: 1500 rpm}
-rotor:
-  speed: = omega
-  length_scale: 0.1 mm
-  stations:
-    rear:  {position: 0 m}
-    wheel: {position: 0.9 m, mass: 40 kg, diametral: 1.1 kg m2, polar: 2 kg m2, eccentricity: 20 um}
-  elements:
-    - segment: {length: 0.9 m, outer: 60 mm}
-    - bearing: {at: rear, kxx: 50 MN/m, cxx: 2 kN s/m}
-    - bearing: {at: wheel, kxx: 30 MN/m, cxx: 2 kN s/m}
-study:
-  unbalance: {parameter: omega, from: 100 rpm, to: 6100 rpm, points: 61}
-`;
+const STUDY = 'unbalance: {parameter: omega, from: 100 rpm, to: 6100 rpm, points: 61}';
+const FAN = fan('kxx: 50 MN/m, cxx: 2 kN s/m', 'kxx: 30 MN/m, cxx: 2 kN s/m', STUDY);
 const CARD = '.rest .map-card:not([hidden])';
 
-let rub, fan;
+let rub, still;
 before(() => {
   rub = makePage('rub', CASE.replace('points: 61', 'points: 13'));
-  fan = makePage('fan', FAN);
+  still = makePage('fan', FAN);
 });
 after(closeBrowser);
 
@@ -69,7 +55,7 @@ function near(found, expected, most, what) {
 const pixel = (at, { height }) => Math.abs(at(0) - at(height)) / height;
 
 async function fanPage(options) {
-  const made = await open(fan, options);
+  const made = await open(still, options);
   await made.page.waitForSelector('.rest .numbers tbody td');
   return made;
 }
