@@ -35,11 +35,12 @@ def measured(log):
 
 def quarters_of(costs, sanitized):
     """The quarter of every test, 0: always, and, of units and commands in one, the third of it."""
+    again = {name: sanitized.get(name, SANITIZED * seconds) for name, seconds in costs.items()
+             if name.startswith(("unit.", "cli."))}
     groups = {}
     for name, seconds in costs.items():
         group = TOGETHER.match(name)
-        again = sanitized.get(name, SANITIZED * seconds) if name.startswith(("unit.", "cli.")) else 0
-        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again))
+        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again.get(name, 0)))
     load, release, quarters = [0.0] * 5, [0.0] * 5, {}
     for tests in sorted(groups.values(), key=lambda tests: -sum(weight for _, _, weight in tests)):
         names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
@@ -51,11 +52,11 @@ def quarters_of(costs, sanitized):
         release[quarter] += total
         quarters.update({name: quarter for name in names})
     thirds, parts = {}, {}
-    for name in sorted(quarters, key=lambda name: -sanitized.get(name, SANITIZED * costs[name])):
-        if quarters[name] and name.startswith(("unit.", "cli.")):
+    for name in sorted(again, key=lambda name: -again[name]):
+        if quarters[name]:
             sums = parts.setdefault(quarters[name], [0.0] * 3)
             third = min(range(3), key=lambda t: sums[t])
-            sums[third] += sanitized.get(name, SANITIZED * costs[name])
+            sums[third] += again[name]
             thirds[name] = third + 1
     for quarter, sums in sorted(parts.items()):
         print(f"seconds of the thirds of quarter {quarter} with the sanitizers:", *(round(x) for x in sums))
@@ -74,8 +75,8 @@ def main():
     sanitized = measured(again) if again.exists() else {}
     quarters, thirds = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
     head = [line for line in lines if line.startswith("#")]
-    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]}" + (f" {thirds[name]}" if name in thirds else "") for name in sorted(quarters)
-            if costs[name] >= 1 or quarters[name]]
+    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]} {thirds.get(name, '')}".rstrip()
+            for name in sorted(quarters) if costs[name] >= 1 or quarters[name]]
     COSTS.write_text("\n".join(head + told) + "\n")
 
 

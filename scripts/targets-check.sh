@@ -32,7 +32,8 @@ for target in "${targets[@]}"; do
     begun=$SECONDS
     # shellcheck disable=SC2016 # $1 is the folder of the system, which mmdebstrap says.
     if mmdebstrap --quiet --variant=apt --include=make,git,ca-certificates \
-        ${certificates:+--customize-hook="copy-in $certificates /root"} --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \
+        ${certificates:+--customize-hook="copy-in $certificates /root"} \
+        --customize-hook="copy-in $bundle /root" --customize-hook="copy-in $out/$target.sh /root" \
         --customize-hook='chroot "$1" bash /root/'"$target.sh >'$out/$target.log' 2>&1" \
         bookworm /dev/null ${MIRROR:+"$MIRROR"} 2>>"$out/$target.log"; then
         echo "make $target: works, $((SECONDS - begun)) s"
