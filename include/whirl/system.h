@@ -48,6 +48,9 @@ bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 /// x, y, vx or vy (nth: 0 to 3) out of numbers that lie as those of a state do; 0 along an axis that it does not see.
 double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth);
 
+/// Which way its rotor turns: 1, or -1 clockwise.
+double whirl_probe_way(const whirl_probe *probe);
+
 /// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");
 /// static, ended by one without a part.
 const whirl_member *whirl_probe_members(void);

@@ -40,12 +40,12 @@ static size_t list_given(const whirl_batch *batch, double value, given_value giv
 static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
                           whirl_rotor **rotor) {
     if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
-    if (batch->variant == WHIRL_AS_STUDIED && batch->record.bearings && value < 0.0)
+    if (batch->variant == WHIRL_AS_GIVEN || !batch->record.bearings)
+        return machine_build(machine, v, batch->speed, rotor);
+    if (value < 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the stiffness of bearings is %.10g N/m, expected 0 or a number above",
                           value);
-    if (batch->variant == WHIRL_AS_STUDIED && batch->record.bearings)
-        return machine_build_on_springs(machine, v, batch->speed, value, rotor);
-    return machine_build(machine, v, batch->speed, rotor);
+    return machine_build_on_springs(machine, v, batch->speed, value, rotor);
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {

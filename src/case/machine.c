@@ -276,16 +276,12 @@ static whirl_status add_parts(const named_list *parts, valuation *v, add_part_fn
     return status;
 }
 
-/// Without inertia keys in kilograms are left out.
-static whirl_status add_element(const machine_parts *machine, size_t index, bool inertia, valuation *v,
-                                whirl_design *design) {
+static whirl_status add_element(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
     whirl_setting values[SETTINGS_MAX];
     const setting_list *element = &machine->elements[index];
-    const whirl_status status = evaluate(element, v, values);
-    size_t count = 0;
-    for (size_t i = 0; i < element->count && i < SETTINGS_MAX; i++)
-        if (inertia || strcmp(element->items[i].key->unit, "kg") != 0) values[count++] = values[i];
-    return status.code == WHIRL_OK ? whirl_design_element(design, element->name, values, count) : status;
+    whirl_status status = evaluate(element, v, values);
+    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
+    return status;
 }
 
 static whirl_status make_design(const machine_parts *machine, valuation *v, double speed, whirl_design **design) {
@@ -294,7 +290,7 @@ static whirl_status make_design(const machine_parts *machine, valuation *v, doub
     if (status.code == WHIRL_OK) status = add_parts(&machine->shafts, v, whirl_design_shaft, *design);
     if (status.code == WHIRL_OK) status = add_parts(&machine->stations, v, whirl_design_station, *design);
     for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
-        status = add_element(machine, i, true, v, *design);
+        status = add_element(machine, i, v, *design);
     return status;
 }
 
@@ -333,7 +329,7 @@ whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, 
     whirl_design *design;
     whirl_status status = new_stations(machine, v, speed, &design);
     for (size_t i = 0; i < machine->element_count && status.code == WHIRL_OK; i++)
-        if (whirl_element_is_bearing(machine->elements[i].name)) status = add_element(machine, i, false, v, design);
+        if (whirl_element_is_bearing(machine->elements[i].name)) status = add_element(machine, i, v, design);
     if (status.code == WHIRL_OK) whirl_design_bearings(design, WHIRL_BEARINGS_ALONE, 0.0);
     return build_and_free(status, design, rotor);
 }
@@ -378,7 +374,7 @@ whirl_status machine_build_element(const machine_parts *machine, valuation *v, c
     *rotor = NULL;
     if (index == machine->element_count) return no_element(machine, element);
     whirl_status status = new_stations(machine, v, 0.0, &design);
-    if (status.code == WHIRL_OK) status = add_element(machine, index, true, v, design);
+    if (status.code == WHIRL_OK) status = add_element(machine, index, v, design);
     return build_and_free(status, design, rotor);
 }
 

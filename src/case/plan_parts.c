@@ -185,14 +185,18 @@ static void check_lone_keys(case_reader *reader, const plan_parts *parts, const 
     }
 }
 
-/// Where the parameter is a stiffness it is one in N/m.
-static void check_stiffness(case_reader *reader, const axis_parts *axis) {
+/// Where bearings are springs the parameter is their stiffness, in N/m.
+static void check_bearings(case_reader *reader, const axis_parts *axis) {
     char shown[SHOWN_SIZE];
-    if (!settings_find(&axis->keys, "bearings") || !settings_yes(&axis->keys, "bearings") || !axis->parameter) return;
-    if (!*axis->unit || strcmp(axis->unit, "1") == 0 || strcmp(axis->unit, "N/m") == 0) return;
-    problem_at(reader->problems, settings_find(&axis->keys, "parameter")->place,
-               "is %s, in %s, expected a stiffness in N/m, which bearings: yes makes of it",
-               text_shown(axis->parameter->name, shown), axis->unit);
+    const setting *bearings = settings_find(&axis->keys, "bearings"), *name = settings_find(&axis->keys, "parameter");
+    if (!bearings || !settings_yes(&axis->keys, "bearings")) return;
+    if (!name)
+        problem_at(reader->problems, bearings->place,
+                   "is yes, but there is no parameter that their stiffness would be");
+    else if (axis->parameter && *axis->unit && strcmp(axis->unit, "1") != 0 && strcmp(axis->unit, "N/m") != 0)
+        problem_at(reader->problems, name->place,
+                   "is %s, in %s, expected a stiffness in N/m, which bearings: yes makes of it",
+                   text_shown(axis->parameter->name, shown), axis->unit);
 }
 
 static void read_resting(case_reader *reader, const setting *kind, const whirl_group *group, plan_parts *parts) {
@@ -202,16 +206,10 @@ static void read_resting(case_reader *reader, const setting *kind, const whirl_g
     whirl_analysis_add(&parts->analyses, group->name);
     check_lone_keys(reader, parts, parts->resting, false);
     read_part(reader, &parts->study, group->name, group, &parts->sweep.keys);
-    if (settings_find(&parts->sweep.keys, "parameter")) {
-        read_axis(reader, &parts->sweep);
-        check_stiffness(reader, &parts->sweep);
-        return;
-    }
-    const setting *bearings = settings_find(&parts->sweep.keys, "bearings");
-    if (bearings && settings_yes(&parts->sweep.keys, "bearings"))
-        problem_at(reader->problems, bearings->place,
-                   "is yes, but there is no parameter that their stiffness would be");
-    for (size_t i = 0; i < sizeof axis / sizeof *axis; i++) {
+    const bool varies = settings_find(&parts->sweep.keys, "parameter") != NULL;
+    if (varies) read_axis(reader, &parts->sweep);
+    check_bearings(reader, &parts->sweep);
+    for (size_t i = 0; i < sizeof axis / sizeof *axis && !varies; i++) {
         const setting *given = settings_find(&parts->sweep.keys, axis[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
     }

@@ -13,6 +13,10 @@ double whirl_probe_value(const whirl_probe *probe, const double *state, size_t n
     return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
 }
 
+double whirl_probe_way(const whirl_probe *probe) {
+    return probe->clockwise ? -1.0 : 1.0;
+}
+
 // The range comes last: some tools expand it to its parts before they count arguments.
 #define PROBE(TYPE, field, symbol, unit, part, fallback, meaning, ...)                                                 \
     MEMBER(whirl_probe, TYPE, #field, field, part, false, #field, symbol, unit, WHIRL_KEY_NUMBER, false, fallback,     \

@@ -6,18 +6,16 @@
 
 /// Of a station of 1 kg: the forces on it are its accelerations.
 static void take(const mean_system *m, const double *jacobian, double clock, const whirl_probe *probe, double *out) {
-    const size_t rows[] = {probe->vx, probe->vy}, columns[] = {probe->x, probe->y, probe->vx, probe->vy};
-    size_t place[4] = {0}, row[2] = {0};
-    for (size_t i = 0; i < m->count; i++) {
+    const size_t columns[] = {probe->x, probe->y, probe->vx, probe->vy};
+    size_t place[4] = {0};
+    for (size_t i = 0; i < m->count; i++)
         for (size_t c = 0; c < 4; c++)
             if (m->kept[i] == columns[c]) place[c] = i;
-        for (size_t r = 0; r < 2; r++)
-            if (m->kept[i] == rows[r]) row[r] = i;
-    }
     for (size_t r = 0; r < 2; r++)
         for (size_t c = 0; c < 2; c++) {
-            out[2 * r + c] = -clock * clock * jacobian[row[r] * m->count + place[c]];
-            out[4 + 2 * r + c] = -clock * jacobian[row[r] * m->count + place[2 + c]];
+            const double *row = jacobian + place[2 + r] * m->count;
+            out[2 * r + c] = -clock * clock * row[place[c]];
+            out[4 + 2 * r + c] = -clock * row[place[2 + c]];
         }
 }
 

@@ -234,21 +234,6 @@ static void spread(const matrices *of, const double *v, double *out) {
     for (size_t i = 0; i < of->count; i++) memcpy(out + 2 * of->places[i], v + 2 * i, 2 * sizeof *out);
 }
 
-/// Twice the signed area that two shapes share, a Hermitian form: that of a shape with itself is its direction, but for
-/// its size.
-static void share_area(const whirl_system *system, const double *a, const double *b, double out[2]) {
-    out[0] = out[1] = 0.0;
-    for (size_t p = 0; p < system->probe_count; p++) {
-        const whirl_probe *probe = &system->probes[p];
-        const double *ax = a + 2 * probe->x, *ay = a + 2 * probe->y, *bx = b + 2 * probe->x, *by = b + 2 * probe->y;
-        if (probe->x == probe->y) continue;
-        // i (conj(ax) by - conj(ay) bx)
-        const double way = probe->clockwise ? -1.0 : 1.0;
-        out[0] += way * (-(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]));
-        out[1] += way * ((ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]));
-    }
-}
-
 /// Shapes [m] of one speed, any mixture of which is one: those that whirl most clearly in one direction each, forward
 /// first. work: 8 m m + 2 m + 4 m n numbers.
 static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
@@ -259,7 +244,7 @@ static bool sort_directions(const whirl_system *system, size_t m, double *shapes
     for (size_t i = 0; i < m; i++)
         for (size_t k = 0; k < m; k++) {
             double area[2];
-            share_area(system, shapes + 2 * d * i, shapes + 2 * d * k, area);
+            direction_area(system, shapes + 2 * d * i, shapes + 2 * d * k, area);
             form[i * all + k] = form[(m + i) * all + m + k] = area[0];
             form[(m + i) * all + k] = area[1];
             form[i * all + m + k] = -area[1];

@@ -27,7 +27,7 @@ static void look(const double *x, const double *y, double c, double s, double *a
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
 }
 
-/// way: -1 where the shaft turns clockwise, else 1.
+/// way: of its probe.
 static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle,
                          double way) {
     double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);
@@ -60,7 +60,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, rest, c);
         fill_station(view, p, whirl_probe_sees(probe, 0) ? response + 2 * probe->x : nothing,
                      whirl_probe_sees(probe, 1) ? response + 2 * probe->y : nothing, options->probe_angle,
-                     probe->clockwise ? -1.0 : 1.0);
+                     whirl_probe_way(probe));
     }
     free(rest);
     return status;

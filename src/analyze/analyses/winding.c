@@ -29,7 +29,7 @@ static const double least_motion = 1e-6;
 /// The path of one station.
 typedef struct path {
     size_t count;
-    double way; ///< -1 where the shaft turns clockwise, else 1
+    double way; ///< of its probe
     const double *x, *y;
     double centre[2];
     double reach;     ///< square of the largest distance from the centre of the path
@@ -38,7 +38,7 @@ typedef struct path {
 
 static path path_of(const whirl_record *record, size_t station) {
     path p = {.count = record->sample_count, .x = record->waveform + 2 * station * record->sample_count};
-    p.way = record->probes[station].clockwise ? -1.0 : 1.0;
+    p.way = whirl_probe_way(&record->probes[station]);
     p.y = p.x + p.count;
     for (size_t j = 0; j < p.count; j++) {
         p.centre[0] += p.x[j] / (double)p.count;

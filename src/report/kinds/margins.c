@@ -4,6 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "summary.h"
+#include "whirl/analyze.h"
+
 /// Speed, amplitude and lag of all points; how many.
 static size_t take(const whirl_table *table, size_t station, size_t probe, double *speeds, double *sizes,
                    double *lags) {
@@ -19,7 +22,9 @@ static size_t take(const whirl_table *table, size_t station, size_t probe, doubl
     return count;
 }
 
-size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whirl_response_peak peaks[MARGIN_PEAKS]) {
+/// Those that probe 0 or 1 of a station sees, in the case's length scale.
+static size_t find_peaks(const whirl_table *table, size_t station, size_t probe,
+                         whirl_response_peak peaks[MARGIN_PEAKS]) {
     double *speeds = malloc((3 * table->count + 1) * sizeof *speeds);
     if (!speeds || table->length_scales) { // amplitudes in scales that change are no curve
         free(speeds);
@@ -32,7 +37,7 @@ size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whir
     return found;
 }
 
-void margin_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
+static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
     static const char *const ways[] = {"half power", "half power on one side", "phase slope"};
     const double enough = 8.0; // the closed form's factor comes out to 1 % (test_margins.c)
     if (peak->points < enough)
@@ -41,7 +46,7 @@ void margin_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-void margin_text(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
+static void tell_margin(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
     const double from = table->record.running_low, to = table->record.running_high;
     const double low = from > 0.0 ? from : to, high = to > 0.0 ? to : from; // one alone: it runs at that speed
     *text = '\0';
@@ -56,4 +61,25 @@ void margin_text(const whirl_table *table, const whirl_response_peak *peak, char
     else
         snprintf(text, MARGIN_TEXT, "margin %.3g %% %s, %.3g %% asked for: %s", had, above ? "above" : "below", asked,
                  had >= asked ? "holds" : "fails");
+}
+
+size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
+                   margin_row rows[2 * MARGIN_PEAKS]) {
+    static const double rpm = 0.104719755119659774, degree = 3.14159265358979323846 / 180.0;
+    const double size = units->amplitude * result->length_scale / summary_length_unit(units).size;
+    whirl_response_peak peaks[MARGIN_PEAKS];
+    size_t told = 0;
+    for (size_t probe = 0; probe < 2; probe++) {
+        const size_t count = find_peaks(table, station, probe, peaks);
+        for (size_t i = 0; i < count; i++) {
+            margin_row *row = &rows[told++];
+            *row = (margin_row){.probe = table->record.probe_angle / degree + (probe ? 90.0 : 0.0),
+                                .speed = peaks[i].speed / rpm,
+                                .amplitude = size * peaks[i].amplitude,
+                                .amplification = peaks[i].amplification};
+            tell_way(&peaks[i], row->way);
+            tell_margin(table, &peaks[i], row->text);
+        }
+    }
+    return told;
 }

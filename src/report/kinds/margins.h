@@ -2,19 +2,24 @@
 #ifndef REPORT_MARGINS_H
 #define REPORT_MARGINS_H
 
-#include "whirl/analyze.h"
 #include "whirl/result.h"
+#include "whirl/shown.h"
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 
-/// The peaks that probe 0 or 1 of a station sees, in the case's length scale; 0 where speeds do not rise along the
-/// table, or too few points are there.
-size_t margin_peaks(const whirl_table *table, size_t station, size_t probe, whirl_response_peak peaks[MARGIN_PEAKS]);
+/// A peak as it is told.
+typedef struct margin_row {
+    double probe;           ///< its angle, degrees
+    double speed;           ///< rpm
+    double amplitude;       ///< in the unit of lengths and the kind of amplitude that are shown
+    double amplification;   ///< factor
+    char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
+    char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
+} margin_row;
 
-/// "margin 31.2 % above, 24.5 % asked for: holds"; "" where the running speeds are not said.
-void margin_text(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]);
-
-/// "half power", ...; "half power, of 1.2 points: compute more there".
-void margin_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]);
+/// The peaks that both probes of a station see; none where speeds do not rise along the table, or too few points are
+/// there.
+size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
+                   margin_row rows[2 * MARGIN_PEAKS]);
 
 #endif

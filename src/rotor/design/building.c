@@ -172,6 +172,8 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    // Of bearings alone the forces are asked for, on the stations' own masses.
+    if (design->bearings == WHIRL_BEARINGS_ALONE) b->assembly.mass_count = 0;
     return status.code == WHIRL_OK ? check_aside(b) : status;
 }
 

@@ -25,7 +25,8 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 // clang-format off
 #define HARMONIC_KEYPHASOR                                                                                             \
     CHOICE_KEY("keyphasor", DEFAULT("no"), "no|yes", \
-     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, and not once a turn of the shaft")
+     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, " \
+     "and not once a turn of the shaft")
 // clang-format on
 
 /// Turns of the phase in a revolution.
