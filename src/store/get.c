@@ -152,7 +152,7 @@ void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *
 // ---------------------------------------------------------------- groups and datasets
 
 /// Follows `path` ("rub/share") link by link: only links to objects of this very group count.
-bool get_is_there(hid_t parent, const char *path) {
+static bool only_hard_links(hid_t parent, const char *path) {
     char part[200];
     const size_t length = strlen(path);
     if (length == 0 || length >= sizeof part) return false;
@@ -170,7 +170,7 @@ bool get_is_there(hid_t parent, const char *path) {
 
 static hid_t open_object(whirl_status *status, hid_t parent, const char *name, H5I_type_t kind) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
-    if (!get_is_there(parent, name)) {
+    if (!only_hard_links(parent, name)) {
         fail_get(status, parent, name, "is missing");
         return H5I_INVALID_HID;
     }

@@ -82,8 +82,6 @@ size_t get_texts_attribute(whirl_status *status, hid_t object, const char *name,
 size_t get_attribute_count(whirl_status *status, hid_t object, size_t most);
 void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *name, size_t size);
 
-/// Whether the group itself has what is called so.
-bool get_is_there(hid_t parent, const char *name);
 hid_t get_group(whirl_status *status, hid_t parent, const char *name);
 hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 

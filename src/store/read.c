@@ -60,13 +60,12 @@ static void get_parameters(whirl_status *status, hid_t file, whirl_result *resul
 }
 
 /// Numbers of all stations. Coordinates are indices of the state; a rotor has four a station, other systems may have
-/// more. Results of earlier versions have no flags.
+/// more.
 static void get_station_numbers(whirl_status *status, hid_t group, const whirl_member *member, whirl_probe *stations,
                                 size_t count) {
     double numbers[WHIRL_MAX_PROBES];
     int64_t wholes[WHIRL_MAX_PROBES];
     const bool index = member->type != WHIRL_MEMBER_NUMBER;
-    if (member->type == WHIRL_MEMBER_FLAG && !get_is_there(group, member->name)) return;
     if (index)
         get_wholes(status, group, member->name, wholes, list_of(count));
     else

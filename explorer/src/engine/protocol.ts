@@ -76,8 +76,8 @@ export interface StationInfo {
   /// Number of the shaft of finite elements that it lies on, from 1, and its place along that, m; 0: on none.
   readonly shaft: number;
   readonly position: number;
-  /// The rotor turns from y to x; results of earlier versions do not say.
-  readonly clockwise?: boolean;
+  /// The rotor turns from y to x.
+  readonly clockwise: boolean;
 }
 
 /// How points are computed, by the names that results have: all that is in the tables of src/integrate/options.c and

@@ -10,7 +10,7 @@ import { Panel, type Subject, type Table } from './panel';
 import { FIELD } from '../data/fields';
 
 /// Angle of the line of centres from the load (downwards), in the sense of rotation, degrees from -180 to 180.
-export function attitude(x: number, y: number, clockwise: boolean | undefined): number {
+export function attitude(x: number, y: number, clockwise: boolean): number {
   return (Math.atan2(clockwise ? -x : x, -y) * 180) / Math.PI;
 }
 
