@@ -168,14 +168,15 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
 /// Says how far a study goes, where the steps of a sweep do not meet its end, and what a result of the case would warn
 /// of.
 static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study) {
-    const whirl_batch *const batch = &study->batches[0];
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     whirl_status status = whirl_case_describe_result(object, told);
-    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
-        status = tell_extent(told, study, &study->batches[i]);
-    if (status.code == WHIRL_OK && batch->values)
-        whirl_result_write_end(told, batch->parameter, batch->values[0], stdout);
+    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++) {
+        const whirl_batch *batch = &study->batches[i];
+        status = tell_extent(told, study, batch);
+        if (status.code == WHIRL_OK && batch->values)
+            whirl_result_write_end(told, batch->name, batch->parameter, batch->values[0], stdout);
+    }
     for (size_t i = 0; *whirl_result_warning(told, i); i++)
         fprintf(stderr, "%s: warning: %s\n", path, whirl_result_warning(told, i));
     whirl_result_free(told);

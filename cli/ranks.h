@@ -34,7 +34,7 @@ int ranks_agree(int outcome);
 void ranks_share(void *bytes, size_t size);
 
 /// Numbers that all ranks see at any time, 0 at the beginning; any thread may ask.
-enum { RANKS_WORDS = 32 };
+enum { RANKS_WORDS = 96 };
 
 /// Adds to a number; gives what it was before. Of a rank but the first a question takes a millisecond or two.
 int64_t ranks_add(size_t word, int64_t amount);

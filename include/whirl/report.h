@@ -40,8 +40,9 @@ whirl_status whirl_explorer_write(const char *template_path, const whirl_result 
 /// of a long one, what was located along branches and modes. WHIRL_NO_MEMORY where there is none to tell all of it.
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *stream);
 
-/// Its line where the steps of a sweep do not meet its end (the fact "sweep ends at"); `first` is its first value.
-void whirl_result_write_end(const whirl_result *result, const char *parameter, double first, FILE *stream);
+/// Its line where the steps of a table do not meet its end (the fact "sweep ends at"); `first` is its first value.
+void whirl_result_write_end(const whirl_result *result, const char *table, const char *parameter, double first,
+                            FILE *stream);
 
 /// Its line on the phase that sections are taken by, where it is not the shaft's: "sections: once a turn of the force
 /// at disc (31 Hz), which counts as a revolution here"; rate in rad/s.

@@ -26,6 +26,15 @@ typedef enum whirl_carry {
     WHIRL_CARRY_BOTH      ///< both, as two branches: hysteresis shows
 } whirl_carry;
 
+/// A parameter that has another value than the case says.
+typedef struct whirl_given {
+    const char *name; ///< borrowed
+    double value;     ///< in SI
+} whirl_given;
+
+/// The most parameters that all points of a batch have at other values, beside those that vary.
+enum { WHIRL_MAX_GIVEN = 8 };
+
 /// Points that are computed alike.
 ///
 /// A batch with the analysis "trace" traces branches of orbits between bounds of its parameter, from `values` on: how
@@ -52,9 +61,11 @@ typedef struct whirl_batch {
     /// and one plane only.
     /// 0: all points are computed.
     size_t refine;
-    double second_bounds[2]; ///< of the second parameter of curves
-    double second_value;     ///< of the machine that is asked for; of the batch itself that of the case
-    double third_value;      ///< the same of the third parameter of a map
+    double second_bounds[2];  ///< of the second parameter of curves
+    size_t given_count;       ///< of them
+    const whirl_given *given; ///< [given_count] parameters that all machines have at these values; borrowed
+    double second_value;      ///< of the machine that is asked for; of the batch itself that of the case
+    double third_value;       ///< the same of the third parameter of a map
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
     /// all from the next. Not of carried batches, nor of branches and machines at rest.
     size_t starts;
@@ -84,7 +95,7 @@ const double *whirl_batch_values(const whirl_batch *batch, size_t axis, const ch
 const whirl_member *whirl_batch_members(void);
 
 /// The most batches of a study.
-enum { WHIRL_MAX_BATCHES = 5 };
+enum { WHIRL_MAX_BATCHES = 32 };
 
 /// Bounds of refined maps.
 enum {

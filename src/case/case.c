@@ -9,6 +9,7 @@
 #include "excerpt.h"
 #include "exhausted.h"
 #include "path.h"
+#include "plan_resting.h"
 #include "problem.h"
 #include "schema.h"
 #include "source.h"
@@ -26,11 +27,8 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     valuation v;
     whirl_rotor *rotor = NULL;
     const whirl_batch *batch = &content->plan.batches[index];
-    const double *const values[] = {batch->values, batch->second_values, batch->third_values};
-    const char *const names[] = {batch->parameter, batch->second, batch->third};
-    given_value given[3];
-    size_t count = 0;
-    for (; count < 3 && values[count]; count++) given[count] = (given_value){names[count], values[count][point]};
+    whirl_given given[PLAN_MAX_GIVEN];
+    const size_t count = plan_given_at(batch, point, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, 0.0, &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
@@ -39,7 +37,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     valuation_close(&v);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
     if (status.code == WHIRL_OK) return;
-    char at[3 * (WHIRL_NAME_SIZE + 32)] = "";
+    char at[PLAN_GIVEN_TEXT];
     given_text(given, count, at, sizeof at);
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
@@ -51,22 +49,23 @@ static void check_ends(case_reader *reader, case_content *content) {
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const study_plan *plan = &content->plan;
         const whirl_batch *batch = &plan->batches[b];
-        const file_node *const *places = plan->places[b];
+        const plan_origin *origin = &plan->origins[b];
         if (!batch->values) continue;
-        if (!places) {
+        if (!origin->each) {
             const size_t row = batch->row > 0 ? batch->row : batch->count;
-            check_machine_at(reader, content, b, plan->first_place, 0);
-            check_machine_at(reader, content, b, plan->last_place, row - 1);
+            check_machine_at(reader, content, b, origin->first, 0);
+            check_machine_at(reader, content, b, origin->last, row - 1);
             if (batch->row == 0 || reader->problems->count > 0) continue;
             const size_t plane = batch->plane > 0 ? batch->plane : batch->count;
-            check_machine_at(reader, content, b, plan->across_place, plane - row);
-            check_machine_at(reader, content, b, plan->across_place, plane - 1);
+            check_machine_at(reader, content, b, origin->across, plane - row);
+            check_machine_at(reader, content, b, origin->across, plane - 1);
             if (batch->plane == 0) continue;
-            check_machine_at(reader, content, b, plan->planes_place, batch->count - plane);
-            check_machine_at(reader, content, b, plan->planes_place, batch->count - 1);
+            check_machine_at(reader, content, b, origin->planes, batch->count - plane);
+            check_machine_at(reader, content, b, origin->planes, batch->count - 1);
             continue;
         }
-        for (size_t i = 0; i < batch->count && i < affordable; i++) check_machine_at(reader, content, b, places[i], i);
+        for (size_t i = 0; i < batch->count && i < affordable; i++)
+            check_machine_at(reader, content, b, origin->each[i], i);
     }
 }
 
@@ -97,7 +96,7 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
-        if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.values_place[b], "%s", status.message);
+        if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
     }
     whirl_rotor_free(rotor);
@@ -110,6 +109,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
     if (status.code == WHIRL_OK) {
         machine_check(reader, &v, &content->machine);
         plan_make(reader, &v, parts, &content->plan);
+        resting_make(reader, &v, parts, &content->plan);
         check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);
@@ -176,6 +176,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
     const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, may_stand_still(study), &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
+    if (study && !reader->no_memory) resting_read(reader, &parts);
     if (study && !reader->no_memory) read_units(reader, &parts.study, content);
     if (reader->no_memory) return;
     if (reader->problems->count == 0)
@@ -441,7 +442,7 @@ whirl_status whirl_case_element(const whirl_case *object, const char *element, w
 }
 
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
-    const given_value given = {name, value};
+    const whirl_given given = {name, value};
     valuation v;
     *rotor = NULL;
     const int before = exhausted_watch();

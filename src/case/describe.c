@@ -62,8 +62,8 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
 /// "unit of gap" is "mm = 0.001 m": how the study writes a parameter's values, where the parameter has another unit.
 static whirl_status describe_unit(const char *of, whirl_unit written, const char *unit, whirl_result *result) {
     char name[2 * WHIRL_NAME_SIZE], text[4 * WHIRL_NAME_SIZE];
-    if (!(written.size > 0.0)) return whirl_ok();
     snprintf(name, sizeof name, "unit of %s", of);
+    if (!(written.size > 0.0) || *whirl_result_fact(result, name)) return whirl_ok();
     snprintf(text, sizeof text, "%s = %.17g%s%s", written.name, written.size, *unit ? " " : "", unit);
     return whirl_result_add_fact(result, name, text);
 }
@@ -74,56 +74,73 @@ static const char *known_unit(const case_content *content, size_t index) {
     return strcmp(known, "1") == 0 ? "" : known;
 }
 
-/// What the result cannot know of the sweep from its values: units, and that it "ends at" "0.0018 m, short of 0.002
-/// m".
-static whirl_status describe_sweep(const case_content *content, whirl_result *result) {
-    const study_plan *const plan = &content->plan;
-    const whirl_batch *const sweep = &plan->batches[0];
-    const size_t index = parameters_find(&content->parameters, sweep->parameter);
-    if (index == content->parameters.count) return whirl_ok();
-    const size_t other = parameters_find(&content->parameters, sweep->second);
-    const size_t third = parameters_find(&content->parameters, sweep->third);
-    const char *const unit = known_unit(content, index), *const gap = *unit ? " " : "";
-    char text[4 * WHIRL_NAME_SIZE];
-    whirl_status status = describe_unit(sweep->parameter, plan->unit, unit, result);
-    if (status.code == WHIRL_OK && other < content->parameters.count)
-        status = describe_unit(sweep->second, plan->second_unit, known_unit(content, other), result);
-    if (status.code == WHIRL_OK && third < content->parameters.count)
-        status = describe_unit(sweep->third, plan->third_unit, known_unit(content, third), result);
-    if (isnan(plan->end) || status.code != WHIRL_OK) return status;
-    snprintf(text, sizeof text, "%.17g%s%s, short of %.17g%s%s", sweep->values[sweep->count - 1], gap, unit, plan->end,
-             gap, unit);
-    return whirl_result_add_fact(result, "sweep ends at", text);
+/// What the result cannot know of a batch from its values: units, and that its "sweep ends at" "0.0018 m, short of
+/// 0.002 m".
+static whirl_status describe_axes(const case_content *content, const whirl_batch *batch, const plan_origin *origin,
+                                  whirl_result *result) {
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    char text[4 * WHIRL_NAME_SIZE], name[2 * WHIRL_NAME_SIZE];
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++) {
+        const size_t index = parameters_find(&content->parameters, names[i]);
+        if (index < content->parameters.count)
+            status = describe_unit(names[i], origin->units[i], known_unit(content, index), result);
+    }
+    if (isnan(origin->end) || status.code != WHIRL_OK) return status;
+    const char *const unit = known_unit(content, parameters_find(&content->parameters, batch->parameter));
+    const char *const gap = *unit ? " " : "";
+    snprintf(name, sizeof name, "%s ends at", batch->name);
+    snprintf(text, sizeof text, "%.17g%s%s, short of %.17g%s%s", batch->values[batch->count - 1], gap, unit,
+             origin->end, gap, unit);
+    return whirl_result_add_fact(result, name, text);
 }
 
-/// The length scale at a point of a table, which may have a second parameter, and a third; that of the case as it
-/// stands where the point is not there yet.
-static whirl_status scale_at(const case_content *content, const whirl_table *table, const char *second, size_t point,
-                             double *scale) {
+/// At which values a batch has the parameters of its condition: "unbalance_minimum with" "clearance = 9e-05 m".
+static whirl_status describe_given(const case_content *content, const whirl_batch *batch, whirl_result *result) {
+    char name[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE] = "";
+    if (batch->given_count == 0) return whirl_ok();
+    snprintf(name, sizeof name, "%s with", batch->name);
+    for (size_t i = 0; i < batch->given_count; i++) {
+        const size_t used = strlen(text);
+        const char *unit = known_unit(content, parameters_find(&content->parameters, batch->given[i].name));
+        snprintf(text + used, sizeof text - used, "%s%s = %.10g%s%s", i ? ", " : "", batch->given[i].name,
+                 batch->given[i].value, *unit ? " " : "", unit);
+    }
+    return whirl_result_add_fact(result, name, text);
+}
+
+/// The length scale at a point of a table of a batch; that of the case as it stands where the point is not there yet.
+static whirl_status scale_at(const case_content *content, const whirl_batch *batch, const whirl_table *table,
+                             size_t point, double *scale) {
     const number_formula *formula = &settings_find(&content->machine.rotor, "length_scale")->value;
-    const given_value given[] = {{table->parameter, table->values[point]},
-                                 {second, whirl_table_second(table, point)},
-                                 {table->third, whirl_table_third(table, point)}};
+    whirl_given given[PLAN_MAX_GIVEN];
     valuation v;
-    size_t count = 0;
-    while (count < 3 && !isnan(given[count].value)) count++;
-    if (count == 0) return whirl_ok();
+    if (*table->parameter && isnan(table->values[point])) return whirl_ok();
+    const size_t count = plan_given(batch, *table->parameter ? table->values[point] : (double)NAN,
+                                    whirl_table_second(table, point), whirl_table_third(table, point), given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = valuation_number(&v, formula, scale);
     valuation_close(&v);
     return status;
 }
 
+/// Whether an expression depends on what a batch varies, or gives.
+static bool depends_on_batch(const case_content *content, const char *expression, const whirl_batch *batch) {
+    const char *const names[] = {batch->parameter, batch->second, batch->third};
+    for (size_t i = 0; i < 3; i++)
+        if (*names[i] && case_depends(content, expression, names[i])) return true;
+    for (size_t i = 0; i < batch->given_count; i++)
+        if (case_depends(content, expression, batch->given[i].name)) return true;
+    return false;
+}
+
 /// The length scale of every point of a table, where a parameter changes it.
 static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
     const setting *given = settings_find(&content->machine.rotor, "length_scale");
     const char *expression = given ? given->value.expression : NULL;
-    const size_t batch = plan_batch(&content->plan, table->name);
-    const char *second = batch < content->plan.batch_count ? content->plan.batches[batch].second : "";
-    if (!*table->parameter || !expression ||
-        !(case_depends(content, expression, table->parameter) ||
-          (*second && case_depends(content, expression, second)) ||
-          (*table->third && case_depends(content, expression, table->third))))
+    const size_t index = plan_batch(&content->plan, table->name);
+    const whirl_batch *batch = &content->plan.batches[index < content->plan.batch_count ? index : 0];
+    if (index == content->plan.batch_count || !expression || !depends_on_batch(content, expression, batch))
         return whirl_ok();
     double *scales = malloc((table->count + 1) * sizeof *scales);
     whirl_status status =
@@ -131,7 +148,7 @@ static whirl_status describe_scales(const case_content *content, const whirl_res
     bool changes = false;
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
         scales[i] = result->length_scale;
-        status = scale_at(content, table, second, i, &scales[i]);
+        status = scale_at(content, batch, table, i, &scales[i]);
         changes = changes || (status.code == WHIRL_OK && scales[i] != result->length_scale);
     }
     if (status.code == WHIRL_OK && changes)
@@ -149,20 +166,22 @@ typedef struct axis_values {
 } axis_values;
 
 /// Whether the speed of the shaft is the value of the axis times one factor, whatever that value is.
-static whirl_status find_factor(const case_content *content, const axis_values *axis, double *factor, bool *found) {
+static whirl_status find_factor(const case_content *content, const whirl_batch *batch, const axis_values *axis,
+                                double *factor, bool *found) {
     const number_formula *formula = &settings_find(&content->machine.rotor, "speed")->value;
     *found = axis->count > 0;
     *factor = (double)NAN;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < axis->count && *found && status.code == WHIRL_OK; i++) {
-        const given_value given = {axis->name, axis->values[i]};
+        whirl_given given[WHIRL_MAX_GIVEN + 1] = {{axis->name, axis->values[i]}};
         double speed = 0.0;
         valuation v;
-        status = valuation_open(&v, &content->parameters, &given, 1);
+        for (size_t k = 0; k < batch->given_count; k++) given[k + 1] = batch->given[k];
+        status = valuation_open(&v, &content->parameters, given, batch->given_count + 1);
         if (status.code == WHIRL_OK) status = valuation_number(&v, formula, &speed);
         valuation_close(&v);
-        if (isnan(*factor) && given.value != 0.0) *factor = speed / given.value;
-        *found = fabs(speed - (isnan(*factor) ? 0.0 : *factor) * given.value) <= 1e-12 * fabs(speed);
+        if (isnan(*factor) && given->value != 0.0) *factor = speed / given->value;
+        *found = fabs(speed - (isnan(*factor) ? 0.0 : *factor) * given->value) <= 1e-12 * fabs(speed);
     }
     *found = *found && isfinite(*factor);
     return status;
@@ -210,7 +229,7 @@ static whirl_status describe_clock(const whirl_case *object, const whirl_result 
     if (status.code != WHIRL_OK || table->clock_of == 0 || table->clock_of == WHIRL_CLOCK_UNKNOWN) return status;
     const axis_values *axis = &axes[table->clock_of - 1];
     bool found = strcmp(expression, axis->name) == 0; // the usual case, also of maps with a million points
-    if (!found) status = find_factor(content, axis, &table->clock_factor, &found);
+    if (!found) status = find_factor(content, batch, axis, &table->clock_factor, &found);
     if (!found) {
         table->clock_of = WHIRL_CLOCK_UNKNOWN;
         table->clock_factor = 1.0;
@@ -258,7 +277,11 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
         status = describe_scales(&object->content, result, &result->tables[i]);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_clock(object, result, &result->tables[i]);
-    if (status.code == WHIRL_OK) status = describe_sweep(&object->content, result);
+    for (size_t i = 0; i < object->content.plan.batch_count && status.code == WHIRL_OK; i++) {
+        const whirl_batch *batch = &object->content.plan.batches[i];
+        status = describe_axes(&object->content, batch, &object->content.plan.origins[i], result);
+        if (status.code == WHIRL_OK) status = describe_given(&object->content, batch, result);
+    }
     if (status.code == WHIRL_OK && *object->content.units)
         status = whirl_result_add_fact(result, "units", object->content.units);
     if (status.code == WHIRL_OK) status = case_warn(&object->content, result);

@@ -26,16 +26,6 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
                             m->start);
 }
 
-/// The values that a batch gives to parameters; how many.
-static size_t list_given(const whirl_batch *batch, double value, given_value given[3]) {
-    given[0] = (given_value){batch->parameter, value};
-    given[1] = (given_value){batch->second, batch->second_value};
-    given[2] = (given_value){batch->third, batch->third_value};
-    size_t count = 0;
-    while (count < 3 && *given[count].name) count++;
-    return count;
-}
-
 /// The variant that is asked for.
 static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
                           whirl_rotor **rotor) {
@@ -50,8 +40,8 @@ static whirl_status build(const machine_parts *machine, const whirl_batch *batch
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
-    given_value given[3];
-    const size_t count = list_given(batch, value, given);
+    whirl_given given[PLAN_MAX_GIVEN];
+    const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
@@ -69,10 +59,11 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     if (status.code != WHIRL_OK) {
         release(m);
-        if (status.code == WHIRL_NO_MEMORY || !batch->parameter[0]) return status;
-        char at[3 * (WHIRL_NAME_SIZE + 32)];
-        given_value given[3];
-        given_text(given, list_given(batch, value, given), at, sizeof at);
+        char at[PLAN_GIVEN_TEXT];
+        whirl_given given[PLAN_MAX_GIVEN];
+        const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
+        if (status.code == WHIRL_NO_MEMORY || count == 0) return status;
+        given_text(given, count, at, sizeof at);
         return whirl_fail(status.code, "at %s: %.300s", at, status.message);
     }
     *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),

@@ -20,7 +20,6 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     whirl_record_options options = whirl_record_default();
     settings_take(v, &parts->integrate, whirl_record_members(), &options);
     settings_take(v, &parts->keep, whirl_record_members(), &options);
-    if (parts->resting) settings_take(v, &parts->sweep.keys, whirl_record_members(), &options);
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
         options.samples_per_revolution = steps;
     return options;
@@ -35,8 +34,7 @@ static whirl_record_options detail_options(valuation *v, const plan_parts *parts
     return options;
 }
 
-/// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
-static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
+void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra) {
     whirl_record_options *record = &batch->record;
     const whirl_kind *kind = whirl_analysis_kind(chosen);
     batch->analyses = kind->moves ? whirl_analysis_fit(chosen, record) : chosen;
@@ -56,13 +54,6 @@ static void choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool 
 static const file_node *place_of(const setting_list *settings, const char *key) {
     const setting *given = settings_find(settings, key);
     return given ? given->place : settings->place;
-}
-
-static void check_running(case_reader *reader, const plan_parts *parts, const whirl_record_options *options) {
-    const setting *to = settings_find(&parts->sweep.keys, "running_to");
-    if (to && options->running_high < options->running_low)
-        problem_at(reader->problems, to->place, "is %.10g rad/s, expected at least running_from (%.10g rad/s)",
-                   options->running_high, options->running_low);
 }
 
 static void check_record(case_reader *reader, const plan_parts *parts, const whirl_record_options *options, int steps) {
@@ -111,9 +102,13 @@ static void check_detail(case_reader *reader, const plan_parts *parts, const whi
 
 // ---------------------------------------------------------------- batches
 
-static whirl_batch *add_batch(study_plan *result, const char *name, const file_node *place) {
+plan_origin *plan_next_origin(study_plan *result) {
+    return &result->origins[result->batch_count];
+}
+
+whirl_batch *plan_add_batch(study_plan *result, const char *name, const file_node *place) {
     whirl_batch *batch = &result->batches[result->batch_count];
-    result->values_place[result->batch_count++] = place;
+    result->origins[result->batch_count++].place = place;
     *batch = (whirl_batch){.count = 1};
     snprintf(batch->name, sizeof batch->name, "%s", name);
     return batch;
@@ -149,8 +144,8 @@ static whirl_carry carry_of(const setting_list *sweep, bool rising) {
     return (strcmp(direction, "up") == 0) == rising ? WHIRL_CARRY_FORWARD : WHIRL_CARRY_REVERSE;
 }
 
-static bool formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
-                          double *value) {
+bool plan_formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
+                        double *value) {
     const whirl_status status = valuation_number(v, formula, value);
     if (status.code != WHIRL_OK) problem_at(reader->problems, where, "%s", status.message);
     return status.code == WHIRL_OK;
@@ -178,9 +173,9 @@ static double *range_values(case_reader *reader, valuation *v, const axis_parts 
     const setting_list *sweep = &axis->keys;
     const setting *step = settings_find(sweep, "step");
     const bool ratios = strcmp(settings_word(sweep, "scale"), "log") == 0;
-    bool good = formula_value(reader, v, place_of(sweep, "from"), &axis->from, &from);
-    good = formula_value(reader, v, place_of(sweep, "to"), &axis->to, &to) && good;
-    if (step) good = formula_value(reader, v, step->place, &axis->step, &distance) && good;
+    bool good = plan_formula_value(reader, v, place_of(sweep, "from"), &axis->from, &from);
+    good = plan_formula_value(reader, v, place_of(sweep, "to"), &axis->to, &to) && good;
+    if (step) good = plan_formula_value(reader, v, step->place, &axis->step, &distance) && good;
     if (!good) return NULL;
     if (ratios && !(to / from > 0.0 && isfinite(to / from))) {
         problem_at(reader->problems, place_of(sweep, "scale"),
@@ -208,7 +203,7 @@ static double *list_values(case_reader *reader, valuation *v, const formula_list
     bool good = values != NULL;
     reader->no_memory = reader->no_memory || !values;
     for (size_t i = 0; i < list->count && values; i++)
-        good = formula_value(reader, v, list->places[i], &list->items[i], &values[i]) && good;
+        good = plan_formula_value(reader, v, list->places[i], &list->items[i], &values[i]) && good;
     return good ? values : NULL;
 }
 
@@ -247,20 +242,32 @@ static double missed_end(valuation *v, const axis_parts *axis, double last) {
     return to;
 }
 
+/// The origin of the next batch, whose points lie along an axis.
+static void note_axis(valuation *v, const axis_parts *axis, double last, study_plan *result) {
+    plan_origin *origin = plan_next_origin(result);
+    origin->first = end_place(axis, false);
+    origin->last = end_place(axis, true);
+    origin->units[0] = axis->written;
+    origin->end = missed_end(v, axis, last);
+}
+
+whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, study_plan *result) {
+    size_t count;
+    double *values = axis_values(reader, v, axis, &count);
+    if (!values) return NULL;
+    note_axis(v, axis, values[count - 1], result);
+    whirl_batch *batch = plan_add_batch(result, axis->keys.group->name, axis->keys.place);
+    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", axis->parameter->name);
+    batch->count = count;
+    batch->values = values;
+    return batch;
+}
+
 static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const setting_list *sweep = &parts->sweep.keys;
-    size_t count;
-    double *values = axis_values(reader, v, &parts->sweep, &count);
-    if (!values) return;
-    result->rest[result->batch_count] = !parts->resting && strcmp(settings_word(sweep, "start"), "rest") == 0;
-    result->first_place = end_place(&parts->sweep, false);
-    result->last_place = end_place(&parts->sweep, true);
-    result->end = missed_end(v, &parts->sweep, values[count - 1]);
-    whirl_batch *batch = add_batch(result, sweep->group->name, sweep->place);
-    snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
-    batch->count = count;
-    batch->carry = parts->resting ? WHIRL_CARRY_NONE : carry_of(sweep, values[0] <= values[count - 1]);
-    batch->values = values;
+    plan_next_origin(result)->rest = strcmp(settings_word(sweep, "start"), "rest") == 0;
+    whirl_batch *batch = plan_make_axis(reader, v, &parts->sweep, result);
+    if (batch) batch->carry = carry_of(sweep, batch->values[0] <= batch->values[batch->count - 1]);
 }
 
 /// An axis of a map, with its values. One without a parameter has one place.
@@ -323,12 +330,13 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     for (size_t i = 0, step = 1; i < axes; step *= sides[i++].count)
         fill_side(&sides[i], step, values + i * count, count);
     room_rest(reader->arena->room);
-    result->rest[result->batch_count] = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
-    result->first_place = end_place(&parts->sweep, false);
-    result->last_place = end_place(&parts->sweep, true);
-    result->across_place = end_place(&parts->across, true);
-    result->end = missed_end(v, &parts->sweep, sides[0].values[sides[0].count - 1]);
-    whirl_batch *batch = add_batch(result, parts->map.group->name, parts->map.place);
+    note_axis(v, &parts->sweep, sides[0].values[sides[0].count - 1], result);
+    plan_origin *origin = plan_next_origin(result);
+    origin->rest = strcmp(settings_word(&parts->map, "start"), "rest") == 0;
+    origin->across = end_place(&parts->across, true);
+    origin->units[1] = parts->across.written;
+    origin->units[2] = parts->planes.written;
+    whirl_batch *batch = plan_add_batch(result, parts->map.group->name, parts->map.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->across.parameter->name);
     batch->count = count;
@@ -337,7 +345,7 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     batch->values = values;
     batch->second_values = values + count;
     if (axes < 3) return;
-    result->planes_place = end_place(&parts->planes, true);
+    origin->planes = end_place(&parts->planes, true);
     snprintf(batch->third, sizeof batch->third, "%.63s", parts->planes.parameter->name);
     batch->plane = sides[0].count * sides[1].count;
     batch->third_values = values + 2 * count;
@@ -346,8 +354,8 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
 static void make_detail(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     double *values = list_values(reader, v, &parts->at);
     if (!values) return;
-    result->places[result->batch_count] = parts->at.places;
-    whirl_batch *batch = add_batch(result, "detail", parts->detail.place);
+    plan_next_origin(result)->each = parts->at.places;
+    whirl_batch *batch = plan_add_batch(result, "detail", parts->detail.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = parts->at.count;
     batch->values = values;
@@ -362,10 +370,10 @@ static bool branch_bound(case_reader *reader, valuation *v, const plan_parts *pa
     const setting *given = settings_find(&parts->branch, key);
     if (given) {
         *place = given->place;
-        return formula_value(reader, v, given->place, which == 0 ? &parts->low : &parts->high, value);
+        return plan_formula_value(reader, v, given->place, which == 0 ? &parts->low : &parts->high, value);
     }
     const whirl_batch *sweep = &result->batches[0];
-    *place = which == 0 ? result->first_place : result->last_place;
+    *place = which == 0 ? result->origins[0].first : result->origins[0].last;
     *value = sweep->values[which == 0 ? 0 : sweep->count - 1];
     return true;
 }
@@ -408,8 +416,8 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
     const whirl_batch branch = result->batches[result->batch_count - 1];
     const setting_list *curves = &parts->curves;
     double low, high;
-    bool good = formula_value(reader, v, place_of(curves, "from"), &parts->second_low, &low);
-    good = formula_value(reader, v, place_of(curves, "to"), &parts->second_high, &high) && good;
+    bool good = plan_formula_value(reader, v, place_of(curves, "from"), &parts->second_low, &low);
+    good = plan_formula_value(reader, v, place_of(curves, "to"), &parts->second_high, &high) && good;
     if (!good) return;
     const double own = v->values[parts->second - v->parameters->items];
     if (!(own >= fmin(low, high) && own <= fmax(low, high) && low != high)) {
@@ -418,9 +426,8 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
                    own, parts->second->name);
         return;
     }
-    const file_node *const *places = result->places[result->batch_count - 1];
-    result->places[result->batch_count] = places;
-    whirl_batch *batch = add_batch(result, "curves", curves->place);
+    *plan_next_origin(result) = result->origins[result->batch_count - 1];
+    whirl_batch *batch = plan_add_batch(result, "curves", curves->place);
     *batch = branch;
     snprintf(batch->name, sizeof batch->name, "curves");
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->second->name);
@@ -431,8 +438,8 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
 
 /// Tori of the branches, which stand at `branch`.
 static void make_tori(const plan_parts *parts, size_t branch, study_plan *result) {
-    result->places[result->batch_count] = result->places[branch];
-    whirl_batch *batch = add_batch(result, "tori", parts->branch.place);
+    *plan_next_origin(result) = result->origins[branch];
+    whirl_batch *batch = plan_add_batch(result, "tori", parts->branch.place);
     *batch = result->batches[branch];
     snprintf(batch->name, sizeof batch->name, "tori");
     batch->analyses = 0;
@@ -453,12 +460,9 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     size_t count;
     const double *values = begin_values(reader, v, parts, bounds, &count);
     if (!values) return;
-    result->places[result->batch_count] = begin_places(reader, parts, first);
-    if (!parts->swept_too) {
-        result->first_place = first;
-        result->last_place = last;
-    }
-    whirl_batch *batch = add_batch(result, "branch", parts->branch.place);
+    *plan_next_origin(result) =
+        (plan_origin){.each = begin_places(reader, parts, first), .units = {parts->sweep.written}};
+    whirl_batch *batch = plan_add_batch(result, "branch", parts->branch.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = count;
     batch->values = values;
@@ -467,6 +471,22 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     const size_t own = result->batch_count - 1;
     if (parts->second) make_curves(reader, v, parts, result);
     if (settings_yes(&parts->branch, "tori")) make_tori(parts, own, result);
+}
+
+size_t plan_given(const whirl_batch *batch, double value, double second, double third,
+                  whirl_given given[PLAN_MAX_GIVEN]) {
+    const whirl_given varied[] = {{batch->parameter, value}, {batch->second, second}, {batch->third, third}};
+    size_t count = 0;
+    for (size_t i = 0; i < 3 && *varied[i].name && !isnan(varied[i].value); i++) given[count++] = varied[i];
+    for (size_t i = 0; i < batch->given_count; i++) given[count++] = batch->given[i];
+    return count;
+}
+
+size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]) {
+    const double *const axes[] = {batch->values, batch->second_values, batch->third_values};
+    double values[3];
+    for (size_t i = 0; i < 3; i++) values[i] = axes[i] ? axes[i][point] : (double)NAN;
+    return plan_given(batch, values[0], values[1], values[2], given);
 }
 
 size_t plan_batch(const study_plan *plan, const char *name) {
@@ -497,7 +517,7 @@ static bool check_all(case_reader *reader, valuation *v, const plan_parts *parts
 
 static void finish_found(valuation *v, const plan_parts *parts, whirl_batch *batch) {
     settings_take(v, &parts->branch, whirl_trace_members(), &batch->record.trace);
-    choose_analyses(batch, batch->analyses, false);
+    plan_choose_analyses(batch, batch->analyses, false);
 }
 
 /// The initial state, and all combinations of the values of a grid; more than WHIRL_MAX_STARTS where there are too
@@ -543,26 +563,22 @@ static void finish_points(case_reader *reader, valuation *v, const plan_parts *p
         batch->record = detail_options(v, parts, &batch->record);
         check_detail(reader, parts, &batch->record);
     }
-    choose_analyses(batch, parts->analyses, !batch->values || strcmp(batch->name, "detail") == 0);
+    plan_choose_analyses(batch, parts->analyses, !batch->values || strcmp(batch->name, "detail") == 0);
 }
 
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     if (!check_all(reader, v, parts, result)) return;
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) result->origins[i].end = NAN;
     const whirl_integrate_options integrate = integrate_options(v, parts);
     const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
-    if (parts->resting) check_running(reader, parts, &record);
     check_analyses(reader, parts, &record);
-    result->unit = parts->sweep.written;
-    result->second_unit = parts->across.written;
-    result->third_unit = parts->planes.written;
-    result->end = NAN;
     if (parts->across.parameter)
         make_map(reader, v, parts, result);
-    else if (parts->sweep.parameter && (parts->swept_too || !parts->branches))
+    else if (parts->moves && parts->sweep.parameter)
         make_sweep(reader, v, parts, result);
-    else if (!parts->branches)
-        add_batch(result, parts->resting ? parts->resting : "response", parts->study.place);
+    else if (parts->moves)
+        plan_add_batch(result, schema_response.name, parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {
@@ -653,7 +669,7 @@ static whirl_status start_in_ranges(const study_plan *plan, size_t start, valuat
 whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
                               const whirl_rotor *rotor, double *state) {
     memset(state, 0, whirl_rotor_system(rotor)->dimension * sizeof *state);
-    const bool rest = batch < plan->batch_count && plan->rest[batch];
+    const bool rest = batch < plan->batch_count && plan->origins[batch].rest;
     whirl_status status = rest ? whirl_ok() : initial_state(plan, v, rotor, state);
     if (status.code == WHIRL_OK && start > 0) status = start_in_ranges(plan, start, v, rotor, state);
     whirl_rotor_complete(rotor, state);
@@ -702,7 +718,7 @@ static void check_range(case_reader *reader, valuation *v, const machine_parts *
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
                       const machine_parts *machine, const whirl_rotor *rotor) {
     const whirl_system *const system = whirl_rotor_system(rotor);
-    for (size_t i = 0; i < plan->start_count && !plan->rest[batch]; i++) {
+    for (size_t i = 0; i < plan->start_count && !plan->origins[batch].rest; i++) {
         const plan_start *start = &plan->starts[i];
         check_axes(reader, machine, start->station, &start->state);
         const double clearance = system->probes[start->station].clearance;
@@ -715,7 +731,7 @@ void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch,
     }
     for (size_t i = 0; i < plan->range_count && plan->batches[batch].starts > 1; i++) {
         const setting_list *initial = NULL;
-        for (size_t k = 0; k < plan->start_count && !plan->rest[batch]; k++)
+        for (size_t k = 0; k < plan->start_count && !plan->origins[batch].rest; k++)
             if (plan->starts[k].station == plan->ranges[i].station) initial = &plan->starts[k].state;
         check_range(reader, v, machine, rotor, &plan->ranges[i], initial);
     }

@@ -3,6 +3,7 @@
 #define CASE_PLAN_H
 
 #include "machine.h"
+#include "schema.h"
 #include "whirl/study.h"
 
 /// The state that one station starts from.
@@ -18,20 +19,22 @@ typedef struct plan_range {
     size_t *points; ///< [low.count] values of a grid in each, 0 where none was read; NULL: starts fill them evenly
 } plan_range;
 
+/// How a batch stands in the case.
+typedef struct plan_origin {
+    const file_node *place;        ///< of the whole
+    const file_node *const *each;  ///< [count] of every value, where each has one; NULL: the ends have
+    const file_node *first, *last; ///< of the ends of the sweep
+    const file_node *across;       ///< of the last value from row to row of a map
+    const file_node *planes;       ///< ... from plane to plane
+    whirl_unit units[3]; ///< in which values are written, where their parameter has another unit, size 0: none
+    double end;          ///< that the steps of the sweep do not meet, NaN where they do
+    bool rest;           ///< it starts from zero instead of the initial state
+} plan_origin;
+
 typedef struct study_plan {
     size_t batch_count;
     whirl_batch batches[WHIRL_MAX_BATCHES]; ///< values are the arena's
-    bool rest[WHIRL_MAX_BATCHES];           ///< the batch starts from zero instead of the initial state
-    const file_node *values_place[WHIRL_MAX_BATCHES];
-    /// [count] of every value, where each has one; NULL: of a sweep, whose ends have.
-    const file_node *const *places[WHIRL_MAX_BATCHES];
-    const file_node *first_place, *last_place; ///< of the ends of the sweep
-    const file_node *across_place;             ///< of the last value from row to row of a map
-    const file_node *planes_place;             ///< ... from plane to plane
-    whirl_unit unit;        ///< in which the sweep writes its values, where the parameter has another one; size 0: none
-    whirl_unit second_unit; ///< the same of the second parameter of a map
-    whirl_unit third_unit;  ///< ... and of the third
-    double end;             ///< that the steps of the sweep do not meet, NaN where they do
+    plan_origin origins[WHIRL_MAX_BATCHES];
     size_t start_count;
     plan_start *starts;
     size_t range_count;
@@ -55,10 +58,30 @@ typedef struct axis_parts {
     formula_list values; ///< in their place, empty where there is none
 } axis_parts;
 
+/// A study of machines at rest.
+typedef struct resting_parts {
+    char name[WHIRL_NAME_SIZE]; ///< of its table
+    axis_parts axis;            ///< with the group that it is of; without a parameter: there is one point
+} resting_parts;
+
+/// A condition of the machine, such as its least clearance, at which studies at rest are done: parameters at values.
+typedef struct condition_parts {
+    const file_node *place;
+    size_t count;
+    const parameter *parameters[WHIRL_MAX_GIVEN];
+    const file_node *places[WHIRL_MAX_GIVEN];
+    number_formula values[WHIRL_MAX_GIVEN];
+} condition_parts;
+
+enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
+
 /// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
-    const char *resting;      ///< a study of machines at rest, of which `sweep` is then; NULL: motions are followed
+    size_t resting_count, condition_count;
+    resting_parts resting[PLAN_MAX_RESTING]; ///< of machines at rest, in the order of the registry and of the file
+    condition_parts conditions[PLAN_MAX_CONDITIONS];
+    bool moves;               ///< motions are followed: a response, a sweep or a map
     bool branches, swept_too; ///< branches are traced; and there is a sweep
     axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
     axis_parts across;        ///< what varies from row to row of a map, else without a parameter
@@ -68,7 +91,7 @@ typedef struct plan_parts {
     formula_list begins;      ///< values at which branches begin, empty: at the first bound
     const parameter *second;  ///< of curves
     number_formula second_low, second_high;
-    whirl_analysis_set analyses;
+    whirl_analysis_set analyses; ///< of motions
 } plan_parts;
 
 void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
@@ -82,6 +105,15 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
 whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
                               const whirl_rotor *rotor, double *state);
 
+/// The values of parameters at which a batch has its machines: of those that vary (NaN: none) and of those that it is
+/// given; how many.
+enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (WHIRL_NAME_SIZE + 32) };
+size_t plan_given(const whirl_batch *batch, double value, double second, double third,
+                  whirl_given given[PLAN_MAX_GIVEN]);
+
+/// The same of one of its points, by its index among the values of its axes.
+size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]);
+
 /// The index of the batch of that name, `batch_count` where there is none.
 size_t plan_batch(const study_plan *plan, const char *name);
 
@@ -91,5 +123,33 @@ whirl_status plan_check_speed(const whirl_batch *batch, double speed);
 /// Refuses an initial state that lies outside a bearing of the machine `rotor`: there is no oil film.
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
                       const machine_parts *machine, const whirl_rotor *rotor);
+
+// ---------------------------------------------------------------- for those who read and make parts of a study
+
+/// A part of the study; an empty one where it is absent.
+void plan_read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
+                    setting_list *part);
+
+/// The parameter that a key names, NULL after a problem.
+const parameter *plan_find_parameter(case_reader *reader, const setting *given);
+
+/// The parameter and the values that it takes, from the keys of an axis.
+void plan_read_axis(case_reader *reader, axis_parts *axis);
+
+/// The value of a formula; false after a problem.
+bool plan_formula_value(case_reader *reader, valuation *v, const file_node *where, const number_formula *formula,
+                        double *value);
+
+/// The origin of the batch that is added next.
+plan_origin *plan_next_origin(study_plan *result);
+
+/// One more batch, of one point.
+whirl_batch *plan_add_batch(study_plan *result, const char *name, const file_node *place);
+
+/// A batch along an axis, by the name of its group; NULL after a problem.
+whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, study_plan *result);
+
+/// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
+void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);
 
 #endif

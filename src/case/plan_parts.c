@@ -9,9 +9,8 @@
 #include "whirl/analyze.h"
 #include "whirl/integrate.h"
 
-/// A part of the study; an empty one where it is absent.
-static void read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
-                      setting_list *part) {
+void plan_read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
+                    setting_list *part) {
     const setting *given = settings_find(study, key);
     *part = (setting_list){.name = group->name, .group = group, .place = study->place};
     if (given) settings_read(reader, given->place, group, part);
@@ -19,7 +18,7 @@ static void read_part(case_reader *reader, const setting_list *study, const char
 
 // ---------------------------------------------------------------- sweep
 
-static const parameter *find_swept(case_reader *reader, const setting *given) {
+const parameter *plan_find_parameter(case_reader *reader, const setting *given) {
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     const parameter_table *parameters = reader->parameters;
     if (given->place->kind != NODE_TEXT) {
@@ -116,8 +115,7 @@ static void note_unit(case_reader *reader, axis_parts *axis, const setting *cons
     if (strcmp(axis->written.name, own.name) == 0) axis->written = (whirl_unit){.size = 0.0};
 }
 
-/// The parameter and the values that it takes.
-static void read_axis(case_reader *reader, axis_parts *axis) {
+void plan_read_axis(case_reader *reader, axis_parts *axis) {
     const setting_list *sweep = &axis->keys;
     const setting *name = settings_find(sweep, "parameter"), *values = settings_find(sweep, "values");
     const setting *from = settings_find(sweep, "from"), *to = settings_find(sweep, "to");
@@ -126,7 +124,7 @@ static void read_axis(case_reader *reader, axis_parts *axis) {
         check_list_keys(reader, sweep);
     else
         check_range_keys(reader, sweep);
-    if (name) axis->parameter = find_swept(reader, name);
+    if (name) axis->parameter = plan_find_parameter(reader, name);
     if (axis->parameter) axis->unit = parameter_expected_unit(axis->parameter);
     if (axis->parameter && from) read_swept_value(reader, from->place, axis, &axis->from);
     if (axis->parameter && to) read_swept_value(reader, to->place, axis, &axis->to);
@@ -136,8 +134,8 @@ static void read_axis(case_reader *reader, axis_parts *axis) {
 }
 
 static void read_sweep(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep.keys);
-    read_axis(reader, &parts->sweep);
+    plan_read_part(reader, &parts->study, "sweep", &schema_sweep, &parts->sweep.keys);
+    plan_read_axis(reader, &parts->sweep);
     const setting *direction = settings_find(&parts->sweep.keys, "direction");
     if (direction && strcmp(settings_word(&parts->sweep.keys, "start"), "carry") != 0)
         problem_at_key(reader->problems, direction->place, "has a meaning only with start: carry");
@@ -150,7 +148,7 @@ static void read_map_axis(case_reader *reader, const setting_list *map, const ch
     if (!given) return; // said already, or there is one plane
     if (given->place->kind == NODE_MAPPING) {
         settings_read(reader, given->place, &schema_axis, &axis->keys);
-        read_axis(reader, axis);
+        plan_read_axis(reader, axis);
     } else {
         problem_at(reader->problems, given->place, "is %s, expected {parameter: ..., from: ..., to: ..., points: ...}",
                    node_shown(given->place, shown));
@@ -166,7 +164,7 @@ static void check_other_axis(case_reader *reader, const axis_parts *axis, const 
 
 static void read_map(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     (void)given;
-    read_part(reader, &parts->study, group->name, group, &parts->map);
+    plan_read_part(reader, &parts->study, group->name, group, &parts->map);
     read_map_axis(reader, &parts->map, "x", &parts->sweep);
     read_map_axis(reader, &parts->map, "y", &parts->across);
     read_map_axis(reader, &parts->map, "z", &parts->planes);
@@ -185,36 +183,6 @@ static void check_lone_keys(case_reader *reader, const plan_parts *parts, const 
     }
 }
 
-/// Where bearings are springs the parameter is their stiffness, in N/m.
-static void check_bearings(case_reader *reader, const axis_parts *axis) {
-    char shown[SHOWN_SIZE];
-    const setting *bearings = settings_find(&axis->keys, "bearings"), *name = settings_find(&axis->keys, "parameter");
-    if (!bearings || !settings_yes(&axis->keys, "bearings")) return;
-    if (!name)
-        problem_at(reader->problems, bearings->place,
-                   "is yes, but there is no parameter that their stiffness would be");
-    else if (axis->parameter && *axis->unit && strcmp(axis->unit, "1") != 0 && strcmp(axis->unit, "N/m") != 0)
-        problem_at(reader->problems, name->place,
-                   "is %s, in %s, expected a stiffness in N/m, which bearings: yes makes of it",
-                   text_shown(axis->parameter->name, shown), axis->unit);
-}
-
-static void read_resting(case_reader *reader, const setting *kind, const whirl_group *group, plan_parts *parts) {
-    static const char *const axis[] = {"from", "to", "points", "step", "scale", "values"};
-    (void)kind;
-    parts->resting = group->name;
-    whirl_analysis_add(&parts->analyses, group->name);
-    check_lone_keys(reader, parts, parts->resting, false);
-    read_part(reader, &parts->study, group->name, group, &parts->sweep.keys);
-    const bool varies = settings_find(&parts->sweep.keys, "parameter") != NULL;
-    if (varies) read_axis(reader, &parts->sweep);
-    check_bearings(reader, &parts->sweep);
-    for (size_t i = 0; i < sizeof axis / sizeof *axis && !varies; i++) {
-        const setting *given = settings_find(&parts->sweep.keys, axis[i]);
-        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
-    }
-}
-
 // ---------------------------------------------------------------- branches
 
 /// The parameter along which branches go: that of the sweep, where there is one.
@@ -222,7 +190,7 @@ static void read_branch_parameter(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *name = settings_find(&parts->branch, "parameter");
     if (!parts->swept_too) {
-        if (name) parts->sweep.parameter = find_swept(reader, name);
+        if (name) parts->sweep.parameter = plan_find_parameter(reader, name);
         if (parts->sweep.parameter) parts->sweep.unit = parameter_expected_unit(parts->sweep.parameter);
         if (!name && !settings_misspelt(&parts->branch, "parameter"))
             problem_missing(reader->problems, parts->branch.place, "parameter",
@@ -251,14 +219,14 @@ static void read_branch_values(case_reader *reader, plan_parts *parts) {
 
 /// The second parameter of curves and its bounds.
 static void read_curves(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "curves", &schema_curves, &parts->curves);
+    plan_read_part(reader, &parts->study, "curves", &schema_curves, &parts->curves);
     const setting *given = settings_find(&parts->study, "curves");
     const setting *name = settings_find(&parts->curves, "parameter");
     const setting *from = settings_find(&parts->curves, "from"), *to = settings_find(&parts->curves, "to");
     if (given && !parts->branches)
         problem_at_key(reader->problems, given->place, "needs branch, whose special points it follows");
     if (!given || !name || !from || !to) return; // said already
-    parts->second = find_swept(reader, name);
+    parts->second = plan_find_parameter(reader, name);
     if (!parts->second) return;
     if (parts->second == parts->sweep.parameter)
         problem_at(reader->problems, name->place, "is %s, along which the branches go, expected another parameter",
@@ -279,10 +247,10 @@ static void check_tori(case_reader *reader, const plan_parts *parts) {
 }
 
 static void read_branch(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "branch", &schema_branch, &parts->branch);
+    plan_read_part(reader, &parts->study, "branch", &schema_branch, &parts->branch);
     parts->branches = settings_find(&parts->study, "branch") != NULL;
     parts->swept_too = parts->branches && settings_find(&parts->study, "sweep");
-    if (parts->branches && !parts->swept_too) check_lone_keys(reader, parts, "branch", true);
+    if (parts->branches && !parts->moves) check_lone_keys(reader, parts, "branch", true);
     if (parts->branches) {
         read_branch_parameter(reader, parts);
         read_branch_values(reader, parts);
@@ -302,7 +270,7 @@ typedef struct kind_of_study {
 static void read_response(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     setting_list nothing;
     (void)given;
-    read_part(reader, &parts->study, group->name, group, &nothing);
+    plan_read_part(reader, &parts->study, group->name, group, &nothing);
 }
 
 static void read_sweep_alone(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
@@ -318,54 +286,63 @@ static void read_sweep_alone(case_reader *reader, const setting *given, const wh
 /// Branches alone; read_branch reads what they are.
 static void read_no_sweep(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     (void)given, (void)group;
-    read_part(reader, &parts->study, schema_sweep.name, &schema_sweep, &parts->sweep.keys);
+    plan_read_part(reader, &parts->study, schema_sweep.name, &schema_sweep, &parts->sweep.keys);
 }
 
 /// In the order in which they are named; those of machines at rest follow.
-static const kind_of_study kinds[] = {{&schema_response, read_response}, {&schema_sweep, read_sweep_alone},
-                                      {&schema_map, read_map},           {&schema_basin, read_map},
-                                      {&schema_branch, read_no_sweep},   {&schema_at_rest[0], read_resting}};
-enum { NAMED_KINDS = sizeof kinds / sizeof *kinds - 1 };
-
-/// By index from 0; false past the last.
-static bool kind_at(size_t index, kind_of_study *kind) {
-    const bool resting = index >= NAMED_KINDS;
-    *kind = kinds[resting ? NAMED_KINDS : index];
-    if (resting) kind->group += index - NAMED_KINDS;
-    return kind->group->name != NULL;
-}
+static const kind_of_study kinds[] = {{&schema_response, read_response},
+                                      {&schema_sweep, read_sweep_alone},
+                                      {&schema_map, read_map},
+                                      {&schema_basin, read_map},
+                                      {&schema_branch, read_no_sweep}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /// The list of kinds is that of the message.
 static void tell_kinds(case_reader *reader, const file_node *study) {
     char names[WHY_SIZE] = "";
-    kind_of_study kind, next;
-    for (size_t i = 0, used = 0; kind_at(i, &kind); i++)
+    for (size_t i = 0, used = 0; i < KINDS + SCHEMA_AT_REST; i++)
         used += (size_t)snprintf(names + used, sizeof names - used, "%s%s",
-                                 i == 0                  ? ""
-                                 : kind_at(i + 1, &next) ? ", "
-                                                         : " and ",
-                                 kind.group->name);
+                                 i == 0                           ? ""
+                                 : i + 1 < KINDS + SCHEMA_AT_REST ? ", "
+                                                                  : " and ",
+                                 i < KINDS ? kinds[i].group->name : schema_at_rest[i - KINDS].name);
     problem_at(reader->problems, study, "has none of %s, expected one of them", names);
 }
 
-/// What a study is of: the first kind that is given counts; only branches stand beside a sweep.
-static void read_kind(case_reader *reader, plan_parts *parts) {
+/// What is said of motions: the first kind that is given counts; only branches stand beside a sweep.
+static void read_kind_of_motions(case_reader *reader, plan_parts *parts) {
     const setting *found = NULL;
-    kind_of_study kind, chosen = {NULL, NULL};
-    for (size_t i = 0; kind_at(i, &kind); i++) {
-        const setting *given = settings_find(&parts->study, kind.group->name);
-        const bool swept = chosen.group == &schema_sweep;
-        if (!given || (swept && kind.group == &schema_branch)) continue;
+    size_t chosen = 0;
+    for (size_t i = 0; i < KINDS; i++) {
+        const setting *given = settings_find(&parts->study, kinds[i].group->name);
+        if (!given || (found && kinds[chosen].group == &schema_sweep && kinds[i].group == &schema_branch)) continue;
         // A response is what a study has that is not said otherwise: that is what is too much.
-        const bool first = found && kind.group == &schema_sweep;
+        const bool first = found && kinds[i].group == &schema_sweep;
         if (found)
             problem_at_key(reader->problems, (first ? found : given)->place,
                            "stands beside %s, expected one of the two", (first ? given : found)->key->name);
         else
-            found = given, chosen = kind;
+            found = given, chosen = i;
     }
-    if (found)
-        chosen.read(reader, found, chosen.group, parts);
+    if (!found) return;
+    parts->moves = kinds[chosen].group != &schema_branch;
+    kinds[chosen].read(reader, found, kinds[chosen].group, parts);
+}
+
+/// The first study of machines at rest that is there; NULL where none is.
+static const whirl_group *find_resting(const plan_parts *parts) {
+    for (const whirl_group *group = schema_at_rest; group->name; group++)
+        if (settings_find(&parts->study, group->name)) return group;
+    return NULL;
+}
+
+/// What a study is of: motions, or machines at rest, which plan_resting.c reads, or both.
+static void read_kinds(case_reader *reader, plan_parts *parts) {
+    const whirl_group *resting = find_resting(parts);
+    read_kind_of_motions(reader, parts);
+    if (parts->moves || settings_find(&parts->study, schema_branch.name)) return;
+    if (resting)
+        check_lone_keys(reader, parts, resting->name, false);
     else
         tell_kinds(reader, parts->study.place);
 }
@@ -373,7 +350,7 @@ static void read_kind(case_reader *reader, plan_parts *parts) {
 // ---------------------------------------------------------------- detail
 
 static void read_detail(case_reader *reader, plan_parts *parts) {
-    read_part(reader, &parts->study, "detail", &schema_detail, &parts->detail);
+    plan_read_part(reader, &parts->study, "detail", &schema_detail, &parts->detail);
     const setting *given = settings_find(&parts->study, "detail");
     if (!given) return;
     if (!settings_find(&parts->study, "sweep"))
@@ -515,7 +492,7 @@ static void check_number_of_starts(case_reader *reader, const plan_parts *parts)
 
 static void read_starts(case_reader *reader, const machine_parts *machine, plan_parts *parts, study_plan *result) {
     const setting *given = settings_find(&parts->study, "starts");
-    read_part(reader, &parts->study, "starts", &schema_starts, &parts->starts);
+    plan_read_part(reader, &parts->study, "starts", &schema_starts, &parts->starts);
     if (!given) return;
     check_starts(reader, parts, given);
     const setting *within = settings_find(&parts->starts, "within"), *grid = settings_find(&parts->starts, "grid");
@@ -539,7 +516,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
 static void read_analyses(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
-    if (parts->resting || (parts->branches && !parts->swept_too)) return;
+    if (!parts->moves) return;
     if (!given) {
         parts->analyses = whirl_analysis_usual();
         return;
@@ -560,7 +537,7 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
         else if (!whirl_analysis_kind(one)->moves)
             problem_at(reader->problems, item,
                        "is %s, which is a study of its own, expected %s: {...} in place of "
-                       "response or sweep",
+                       "response or sweep, or beside it",
                        item->text, item->text);
         parts->analyses |= one;
     }
@@ -589,11 +566,11 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
     if (where->kind != NODE_MAPPING && !node_is_null(where)) return;  // said already
     const setting *initial = settings_find(&parts->study, "initial"); // first: what is swept may be used here
     if (initial) read_initial(reader, initial->place, machine, result);
-    read_kind(reader, parts);
+    read_kinds(reader, parts);
     read_branch(reader, parts);
     read_starts(reader, machine, parts, result);
-    read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
-    read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
+    plan_read_part(reader, &parts->study, "integrate", &schema_integrate, &parts->integrate);
+    plan_read_part(reader, &parts->study, "keep", &schema_keep, &parts->keep);
     read_analyses(reader, parts);
     check_method(reader, parts);
     read_detail(reader, parts);

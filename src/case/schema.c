@@ -42,13 +42,15 @@ static const whirl_key case_keys[] = {
 static const whirl_key rotor_keys[] = {ROTOR_KEYS(WHIRL_POSITIVE)};
 static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 
-#define OR_NAME(name, ...) ", " #name
+#define AND_NAME(name, ...) " " #name
 #define KEY_AT_REST(name, meaning, ...)                                                                                \
-    CHOICE_KEY(#name, OPTIONAL, "", meaning ", along one parameter or at one point: see " #name),
+    CHOICE_KEY(#name, OPTIONAL, "", meaning ", along one parameter or at one point, or a list of such: see " #name),
 
 static const whirl_key study_keys[] = {
-    CHOICE_KEY("response", OPTIONAL, "",
-               "one point; a study has this or one of sweep, map, basin, branch" WHIRL_STUDIES_AT_REST(OR_NAME)),
+    CHOICE_KEY(
+        "response", OPTIONAL, "",
+        "one point; a study has this or one of sweep, map, basin, branch, or studies of machines at rest, alone or "
+        "beside it:" WHIRL_STUDIES_AT_REST(AND_NAME)),
     CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
     CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
     CHOICE_KEY(
@@ -59,8 +61,11 @@ static const whirl_key study_keys[] = {
                "branch"),
     CHOICE_KEY("curves", OPTIONAL, "",
                "curves over a second parameter, through the special points of the branches: see curves"),
-    WHIRL_STUDIES_AT_REST(KEY_AT_REST)
-        CHOICE_KEY("initial", OPTIONAL, "", "names of stations with the state they start from; zero where absent"),
+    WHIRL_STUDIES_AT_REST(KEY_AT_REST) CHOICE_KEY(
+        "conditions", OPTIONAL, "",
+        "names, such as minimum and maximum, with values of parameters: every study of machines at rest is done "
+        "at each of these, as NAME_CONDITION"),
+    CHOICE_KEY("initial", OPTIONAL, "", "names of stations with the state they start from; zero where absent"),
     CHOICE_KEY("starts", OPTIONAL, "",
                "several starts of every point of a response, sweep or map, to see which motions exist side by side: "
                "see starts"),
@@ -114,7 +119,10 @@ static const whirl_key map_keys[] = {
 };
 
 // Without a parameter there is one point, of the machine as it stands.
-static const whirl_key resting_keys[] = {AXIS_KEYS(false)};
+static const whirl_key resting_keys[] = {
+    AXIS_KEYS(false),
+    CHOICE_KEY("name", OPTIONAL, "", "what it is called beside others of its kind, behind the kind and '_'"),
+};
 
 static const whirl_key branch_keys[] = {
     CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; that of the sweep where there is one"),
@@ -171,8 +179,7 @@ const whirl_group schema_basin =
     GROUP("basin", "starts in a plane, and the motions that they come to rest on", map_keys, NULL);
 const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along x or y of a map", axis_keys, NULL);
 #define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
-#define INDEX_AT_REST(name, ...) AT_REST_##name,
-#define ADDRESS_AT_REST(name, ...) &schema_at_rest[AT_REST_##name],
+#define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
 const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
@@ -188,8 +195,6 @@ const char *schema_scaled_unit(const whirl_key *key) {
         if (key == &member->key) return key->name[0] == 'v' ? "m/s" : "m";
     return "";
 }
-
-enum { WHIRL_STUDIES_AT_REST(INDEX_AT_REST) };
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {

@@ -12,7 +12,7 @@ typedef struct warner {
     const case_content *content;
     whirl_result *result;
     size_t count; ///< of warnings so far
-    const given_value *given;
+    const whirl_given *given;
     size_t given_count;
     whirl_status status;
 } warner;
@@ -48,7 +48,7 @@ static bool varies(const warner *w, const setting_list *element) {
 static void take_doubt(void *context, size_t index, const char *key, const char *sentence) {
     warner *w = context;
     const setting_list *element = &w->content->machine.elements[index];
-    char path[160], text[WHIRL_MESSAGE_SIZE], at[3 * (WHIRL_NAME_SIZE + 32)] = "";
+    char path[160], text[WHIRL_MESSAGE_SIZE], at[PLAN_GIVEN_TEXT] = "";
     node_path(element->place, path, sizeof path);
     snprintf(path + strlen(path), sizeof path - strlen(path), ".%s", key);
     if (varies(w, element)) given_text(w->given, w->given_count, at, sizeof at);
@@ -56,7 +56,7 @@ static void take_doubt(void *context, size_t index, const char *key, const char 
     warn(w, path, text);
 }
 
-static void warn_of_machine(warner *w, const given_value *given, size_t count) {
+static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
     valuation v;
     w->given = given;
     w->given_count = count;
@@ -71,13 +71,8 @@ static void warn_of_machine(warner *w, const given_value *given, size_t count) {
 
 /// A point of a batch, by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
-    given_value given[3];
-    const char *name;
-    const double *values;
-    size_t count, axes = 0;
-    for (; (values = whirl_batch_values(batch, axes, &name, &count)) != NULL; axes++)
-        given[axes] = (given_value){name, values[point]};
-    warn_of_machine(w, given, axes);
+    whirl_given given[PLAN_MAX_GIVEN];
+    warn_of_machine(w, given, plan_given_at(batch, point, given));
 }
 
 // ---------------------------------------------------------------- ranges
@@ -115,7 +110,7 @@ whirl_status case_warn(const case_content *content, whirl_result *result) {
         const char *name;
         size_t count;
         if (!whirl_batch_values(batch, 0, &name, &count)) {
-            warn_of_machine(&w, NULL, 0);
+            warn_of_point(&w, batch, 0);
             continue;
         }
         const size_t row = batch->row > 0 ? batch->row : count, corners[] = {0, row - 1, count - row, count - 1};

@@ -439,7 +439,7 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
 
 // ---------------------------------------------------------------- values
 
-static whirl_status take_given(valuation *v, const given_value *given, size_t count) {
+static whirl_status take_given(valuation *v, const whirl_given *given, size_t count) {
     for (size_t i = 0; i < count; i++) {
         const size_t index = parameters_find(v->parameters, given[i].name);
         if (index == v->parameters->count)
@@ -450,7 +450,7 @@ static whirl_status take_given(valuation *v, const given_value *given, size_t co
     return whirl_ok();
 }
 
-void given_text(const given_value *given, size_t count, char *text, size_t size) {
+void given_text(const whirl_given *given, size_t count, char *text, size_t size) {
     *text = '\0';
     for (size_t i = 0, used = 0; i < count && used < size; i++) {
         const char *before = i == 0 ? "" : i + 1 == count ? " and " : ", ";
@@ -459,7 +459,7 @@ void given_text(const given_value *given, size_t count, char *text, size_t size)
     }
 }
 
-whirl_status valuation_open(valuation *v, const parameter_table *parameters, const given_value *given, size_t count) {
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const whirl_given *given, size_t count) {
     *v = (valuation){.parameters = parameters, .culprit = PARAMETERS_MAX};
     whirl_status status = take_given(v, given, count);
     const parameter_set taken = v->changed;

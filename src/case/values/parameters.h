@@ -117,19 +117,13 @@ typedef struct valuation {
     size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
-/// A parameter that has another value than the case says.
-typedef struct given_value {
-    const char *name;
-    double value;
-} given_value;
-
 /// "a = 1, b = 2 and c = 3", of any that are given.
-void given_text(const given_value *given, size_t count, char *text, size_t size);
+void given_text(const whirl_given *given, size_t count, char *text, size_t size);
 
 /// Evaluates all parameters with those `given` [count] at their values, the others as the case has them.
 /// WHIRL_BAD_INPUT when there is none of such a name, or one has no finite value. Closed by valuation_close, after a
 /// failure too.
-whirl_status valuation_open(valuation *v, const parameter_table *parameters, const given_value *given, size_t count);
+whirl_status valuation_open(valuation *v, const parameter_table *parameters, const whirl_given *given, size_t count);
 void valuation_close(valuation *v);
 
 /// The value of a formula.

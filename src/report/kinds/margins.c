@@ -7,31 +7,29 @@
 #include "summary.h"
 #include "whirl/analyze.h"
 
-/// Speed, amplitude and lag of all points; how many.
-static size_t take(const whirl_table *table, size_t station, size_t probe, double *speeds, double *sizes,
-                   double *lags) {
+/// Speed, amplitude in m and lag of all points; how many.
+static size_t take(const whirl_result *result, const whirl_table *table, size_t station, size_t probe, double *speeds,
+                   double *sizes, double *lags) {
     size_t count = 0;
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         const double speed = whirl_table_number(table, i, WHIRL_FIELD_UNBALANCE_SPEED, 0);
         if (count > 0 && !(speed > speeds[count - 1])) return 0;
         speeds[count] = speed;
-        sizes[count] = whirl_table_field(table, i, WHIRL_FIELD_UNBALANCE_PROBE, station)[probe];
+        sizes[count] = whirl_table_field(table, i, WHIRL_FIELD_UNBALANCE_PROBE, station)[probe] *
+                       whirl_result_length_scale(result, table, i);
         lags[count++] = whirl_table_field(table, i, WHIRL_FIELD_UNBALANCE_PROBE_LAG, station)[probe];
     }
     return count;
 }
 
-/// Those that probe 0 or 1 of a station sees, in the case's length scale.
-static size_t find_peaks(const whirl_table *table, size_t station, size_t probe,
+/// Those that probe 0 or 1 of a station sees.
+static size_t find_peaks(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                          whirl_response_peak peaks[MARGIN_PEAKS]) {
     double *speeds = malloc((3 * table->count + 1) * sizeof *speeds);
-    if (!speeds || table->length_scales) { // amplitudes in scales that change are no curve
-        free(speeds);
-        return 0;
-    }
+    if (!speeds) return 0;
     double *sizes = speeds + table->count, *lags = sizes + table->count;
-    const size_t count = take(table, station, probe, speeds, sizes, lags);
+    const size_t count = take(result, table, station, probe, speeds, sizes, lags);
     const size_t found = whirl_response_peaks(count, speeds, sizes, lags, MARGIN_PEAKS, peaks);
     free(speeds);
     return found;
@@ -66,11 +64,11 @@ static void tell_margin(const whirl_table *table, const whirl_response_peak *pea
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]) {
     static const double rpm = 0.104719755119659774, degree = 3.14159265358979323846 / 180.0;
-    const double size = units->amplitude * result->length_scale / summary_length_unit(units).size;
+    const double size = units->amplitude / summary_length_unit(units).size;
     whirl_response_peak peaks[MARGIN_PEAKS];
     size_t told = 0;
     for (size_t probe = 0; probe < 2; probe++) {
-        const size_t count = find_peaks(table, station, probe, peaks);
+        const size_t count = find_peaks(result, table, station, probe, peaks);
         for (size_t i = 0; i < count; i++) {
             margin_row *row = &rows[told++];
             *row = (margin_row){.probe = table->record.probe_angle / degree + (probe ? 90.0 : 0.0),

@@ -38,6 +38,13 @@ static void print_heading(FILE *out, const whirl_table *table) {
     fputc('\n', out);
 }
 
+/// The values of parameters at the condition of a table: "  with clearance = 9e-05 m".
+static void print_given(FILE *out, const whirl_result *result, const whirl_table *table) {
+    char name[2 * WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "%s with", table->name);
+    if (*whirl_result_fact(result, name)) fprintf(out, "  with %s\n", whirl_result_fact(result, name));
+}
+
 static whirl_status print_table(FILE *out, const whirl_result *result, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
@@ -51,6 +58,9 @@ static whirl_status print_table(FILE *out, const whirl_result *result, const whi
         print_heading(out, table);
     else
         fprintf(out, "%s:\n", table->name);
+    print_given(out, result, table);
+    if (table->count > 0 && table->row == 0)
+        whirl_result_write_end(result, table->name, table->parameter, table->values[0], out);
     if (!kind) return summarize_points(out, result, table);
     kind->summarize(out, result, table);
     return whirl_ok();

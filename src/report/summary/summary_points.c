@@ -214,8 +214,6 @@ static void print_jumps(FILE *out, const whirl_result *result, const whirl_table
 whirl_status summarize_points(FILE *out, const whirl_result *result, const whirl_table *table) {
     const size_t planned = whirl_table_planned(table);
     print_grid(out, table);
-    if (strcmp(table->name, "sweep") == 0 && table->count > 0)
-        whirl_result_write_end(result, table->parameter, table->values[0], out);
     if (planned <= LONGEST_LIST && table->row == 0)
         print_list(out, result, table);
     else

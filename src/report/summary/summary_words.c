@@ -32,8 +32,11 @@ void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *out) {
             rate / 6.283185307179586);
 }
 
-void whirl_result_write_end(const whirl_result *result, const char *parameter, double first, FILE *out) {
-    const char *const said = whirl_result_fact(result, "sweep ends at"), *const missed = strstr(said, "short of ");
+void whirl_result_write_end(const whirl_result *result, const char *table, const char *parameter, double first,
+                            FILE *out) {
+    char name[WHIRL_NAME_SIZE + 16];
+    snprintf(name, sizeof name, "%.63s ends at", table);
+    const char *const said = whirl_result_fact(result, name), *const missed = strstr(said, "short of ");
     if (!missed) return;
     const whirl_unit unit = whirl_result_unit(result, parameter);
     const char *const gap = *unit.name ? " " : "";

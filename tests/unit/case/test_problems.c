@@ -309,9 +309,24 @@ static void structure(void **state) {
                    "t:19:57: study.sweep.direction: has a meaning only with start: carry");
     expect_problem("analyze: [poincare, regime, spectrum]", "analyze: [modes]",
                    "t:22:13: study.analyze[1]: is modes, which is a study of its own, expected modes: {...} in place "
-                   "of response or sweep");
-    expect_problem("  sweep: {", "  modes: {}\n  sweep: {",
-                   "t:19:3: study.modes: stands beside sweep, expected one of the two");
+                   "of response or sweep, or beside it");
+    expect_problem("  sweep: {", "  modes: [{}, {}]\n  sweep: {",
+                   "t:19:15: study.modes[2]: is another modes of the same name, expected a name of its own: {name: "
+                   "..., ...}");
+    expect_problem("  sweep: {", "  modes: []\n  sweep: {",
+                   "t:19:3: study.modes: is an empty list, expected one study or a list of some");
+    expect_problem("  sweep: {", "  modes: {name: a-b}\n  sweep: {",
+                   "t:19:17: study.modes.name: is a-b, expected at most 21 letters, digits and '_'");
+    expect_problem("  sweep: {", "  conditions: {a: {}}\n  sweep: {",
+                   "t:19:3: study.conditions: needs a study of machines at rest, which is done at each");
+    expect_problem("  sweep: {", "  modes: {}\n  conditions: {a: {kapa: 2}}\n  sweep: {",
+                   "t:20:20: study.conditions.a.kapa: is no parameter, did you mean kappa?");
+    expect_problem("  sweep: {",
+                   "  modes: {parameter: kappa, values: [1, 2]}\n  conditions: {a: {kappa: 2}}\n  sweep: {",
+                   "t:20:20: study.conditions.a.kappa: is what varies in modes, expected another parameter");
+    expect_problem("  sweep: {", "  modes: {}\n  conditions: [a]\n  sweep: {",
+                   "t:20:3: study.conditions: is a list, expected 1 to 8 names of conditions with values of "
+                   "parameters");
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
                    "t:19:3: study.response: stands beside sweep, expected one of the two");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",

@@ -1,0 +1,218 @@
+// Studies of machines at rest: any number of them, each at every condition that the study names.
+#include "plan_resting.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "problem.h"
+#include "schema.h"
+#include "whirl/analyze.h"
+
+// ---------------------------------------------------------------- reading
+
+/// Where bearings are springs the parameter is their stiffness, in N/m.
+static void check_bearings(case_reader *reader, const axis_parts *axis) {
+    char shown[SHOWN_SIZE];
+    const setting *bearings = settings_find(&axis->keys, "bearings"), *name = settings_find(&axis->keys, "parameter");
+    if (!bearings || !settings_yes(&axis->keys, "bearings")) return;
+    if (!name)
+        problem_at(reader->problems, bearings->place,
+                   "is yes, but there is no parameter that their stiffness would be");
+    else if (axis->parameter && *axis->unit && strcmp(axis->unit, "1") != 0 && strcmp(axis->unit, "N/m") != 0)
+        problem_at(reader->problems, name->place,
+                   "is %s, in %s, expected a stiffness in N/m, which bearings: yes makes of it",
+                   text_shown(axis->parameter->name, shown), axis->unit);
+}
+
+/// Names of tables are names in Python, Octave and file systems, too.
+static bool is_name_of_table(const char *name) {
+    for (const char *c = name; *c; c++)
+        if (!isalnum((unsigned char)*c) && *c != '_') return false;
+    return *name && strlen(name) <= WHIRL_NAME_SIZE / 3;
+}
+
+/// "unbalance", or "unbalance_NAME".
+static void read_name(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(&resting->axis.keys, "name");
+    const char *group = resting->axis.keys.group->name, *own = given ? given->place->text : NULL;
+    snprintf(resting->name, sizeof resting->name, "%.20s", group);
+    if (given && (given->place->kind != NODE_TEXT || !is_name_of_table(own)))
+        problem_at(reader->problems, given->place, "is %s, expected at most %d letters, digits and '_'",
+                   node_shown(given->place, shown), WHIRL_NAME_SIZE / 3);
+    else if (given)
+        snprintf(resting->name, sizeof resting->name, "%.20s_%.21s", group, own);
+    for (const resting_parts *other = parts->resting; other < resting; other++)
+        if (strcmp(other->name, resting->name) == 0)
+            problem_at(reader->problems, given ? given->place : resting->axis.keys.place,
+                       "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
+}
+
+static void read_one(case_reader *reader, const file_node *where, const whirl_group *group, plan_parts *parts) {
+    static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
+    if (parts->resting_count == PLAN_MAX_RESTING) {
+        problem_at(reader->problems, where, "is one study too many of machines at rest, expected at most %d",
+                   PLAN_MAX_RESTING);
+        return;
+    }
+    resting_parts *resting = &parts->resting[parts->resting_count++];
+    axis_parts *axis = &resting->axis;
+    axis->keys = (setting_list){.name = group->name, .group = group, .place = where};
+    settings_read(reader, where, group, &axis->keys);
+    read_name(reader, parts, resting);
+    const bool varies = settings_find(&axis->keys, "parameter") != NULL;
+    if (varies) plan_read_axis(reader, axis);
+    check_bearings(reader, axis);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
+        const setting *given = settings_find(&axis->keys, keys[i]);
+        if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
+    }
+}
+
+/// A value that a condition gives to a parameter.
+static void read_given(case_reader *reader, const file_node *where, condition_parts *condition) {
+    char advice[WHY_SIZE];
+    const parameter_table *parameters = reader->parameters;
+    const size_t index = parameters_find(parameters, where->key);
+    if (index == parameters->count) {
+        describe_names(where->key, parameters->names, parameters->count, advice);
+        problem_at_key(reader->problems, where, "is no parameter, %s", advice);
+        return;
+    }
+    const parameter *own = &parameters->items[index];
+    const whirl_key key = {.name = own->name, .unit = parameter_expected_unit(own), .range = WHIRL_ANY};
+    if (!formula_read(reader, where, &key, &condition->values[condition->count])) return;
+    condition->parameters[condition->count] = own;
+    condition->places[condition->count++] = where;
+}
+
+static void read_condition(case_reader *reader, const file_node *where, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    if (!is_name_of_table(where->key))
+        problem_at_key(reader->problems, where, "is no name for a condition, expected letters, digits and '_'");
+    if (where->kind != NODE_MAPPING && !node_is_null(where)) {
+        problem_at(reader->problems, where, "is %s, expected parameters with their values there",
+                   node_shown(where, shown));
+        return;
+    }
+    if (where->count > WHIRL_MAX_GIVEN)
+        problem_at(reader->problems, where, "has %zu parameters, expected at most %d", where->count, WHIRL_MAX_GIVEN);
+    condition_parts *condition = &parts->conditions[parts->condition_count++];
+    condition->place = where;
+    for (const file_node *one = where->first; one && condition->count < WHIRL_MAX_GIVEN; one = one->next)
+        read_given(reader, one, condition);
+}
+
+static void read_conditions(case_reader *reader, plan_parts *parts) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(&parts->study, "conditions");
+    if (!given) return;
+    const file_node *where = given->place;
+    if (where->kind != NODE_MAPPING || where->count == 0 || where->count > PLAN_MAX_CONDITIONS) {
+        problem_at(reader->problems, where, "is %s, expected 1 to %d names of conditions with values of parameters",
+                   where->kind == NODE_MAPPING ? where->count ? "a longer list" : "empty" : node_shown(where, shown),
+                   PLAN_MAX_CONDITIONS);
+        return;
+    }
+    if (parts->resting_count == 0)
+        problem_at_key(reader->problems, where, "needs a study of machines at rest, which is done at each");
+    for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
+}
+
+void resting_read(case_reader *reader, plan_parts *parts) {
+    for (const whirl_group *group = schema_at_rest; group->name; group++) {
+        const setting *given = settings_find(&parts->study, group->name);
+        if (!given) continue;
+        if (given->place->kind != NODE_LIST) read_one(reader, given->place, group, parts);
+        if (given->place->kind == NODE_LIST && given->place->count == 0)
+            problem_at(reader->problems, given->place, "is an empty list, expected one study or a list of some");
+        const file_node *first = given->place->kind == NODE_LIST ? given->place->first : NULL;
+        for (const file_node *one = first; one; one = one->next) read_one(reader, one, group, parts);
+    }
+    read_conditions(reader, parts);
+}
+
+// ---------------------------------------------------------------- batches
+
+/// Of machines at rest, which do not move.
+static whirl_record_options resting_options(valuation *v, const resting_parts *resting,
+                                            const whirl_integrate_options *integrate) {
+    whirl_record_options options = whirl_record_default();
+    if (options.samples_per_revolution > integrate->steps_per_revolution)
+        options.samples_per_revolution = integrate->steps_per_revolution;
+    settings_take(v, &resting->axis.keys, whirl_record_members(), &options);
+    return options;
+}
+
+static void check_running(case_reader *reader, const resting_parts *resting, const whirl_record_options *options) {
+    const setting *to = settings_find(&resting->axis.keys, "running_to");
+    if (to && options->running_high < options->running_low)
+        problem_at(reader->problems, to->place, "is %.10g rad/s, expected at least running_from (%.10g rad/s)",
+                   options->running_high, options->running_low);
+}
+
+/// The values that a condition gives, once for all studies; NULL after a problem.
+static const whirl_given *condition_values(case_reader *reader, valuation *v, const condition_parts *condition) {
+    whirl_given *given = arena_take(reader->arena, (condition->count + 1) * sizeof *given);
+    reader->no_memory = reader->no_memory || !given;
+    for (size_t i = 0; given && i < condition->count; i++) {
+        given[i].name = condition->parameters[i]->name;
+        if (!plan_formula_value(reader, v, condition->places[i], &condition->values[i], &given[i].value)) return NULL;
+    }
+    return given;
+}
+
+/// What varies has no value of a condition.
+static void check_varied(case_reader *reader, const condition_parts *condition, const resting_parts *resting) {
+    for (size_t i = 0; i < condition->count; i++)
+        if (condition->parameters[i] == resting->axis.parameter &&
+            reader_reports(reader, "condition", condition->parameters[i]->name))
+            problem_at_key(reader->problems, condition->places[i], "is what varies in %s, expected another parameter",
+                           resting->name);
+}
+
+static void make_one(case_reader *reader, valuation *v, const resting_parts *resting, const condition_parts *condition,
+                     const whirl_given *given, study_plan *result) {
+    const setting_list *keys = &resting->axis.keys;
+    whirl_analysis_set own = 0;
+    if (result->batch_count == WHIRL_MAX_BATCHES) {
+        problem_at_key(reader->problems, keys->place, "at all conditions makes more than %d parts of a study",
+                       WHIRL_MAX_BATCHES);
+        return;
+    }
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "%.38s%s%.21s", resting->name, condition ? "_" : "",
+             condition ? condition->place->key : "");
+    if (plan_batch(result, name) < result->batch_count)
+        problem_at_key(reader->problems, keys->place, "makes a second %s, expected another name", name);
+    whirl_batch *batch = resting->axis.parameter ? plan_make_axis(reader, v, &resting->axis, result)
+                                                 : plan_add_batch(result, resting->name, keys->place);
+    if (!batch) return;
+    memcpy(batch->name, name, sizeof batch->name);
+    whirl_analysis_add(&own, keys->group->name);
+    batch->given = given;
+    batch->given_count = condition ? condition->count : 0;
+    batch->integrate = whirl_integrate_default();
+    batch->record = resting_options(v, resting, &batch->integrate);
+    check_running(reader, resting, &batch->record);
+    plan_choose_analyses(batch, own, false);
+}
+
+void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
+    const whirl_given *given[PLAN_MAX_CONDITIONS];
+    for (size_t i = 0; i < parts->resting_count; i++)
+        if (!settings_check(reader, v, &parts->resting[i].axis.keys)) return;
+    for (size_t c = 0; c < parts->condition_count; c++) {
+        given[c] = condition_values(reader, v, &parts->conditions[c]);
+        if (!given[c]) return;
+    }
+    for (size_t i = 0; i < parts->resting_count; i++) {
+        if (parts->condition_count == 0) make_one(reader, v, &parts->resting[i], NULL, NULL, result);
+        for (size_t c = 0; c < parts->condition_count; c++) {
+            check_varied(reader, &parts->conditions[c], &parts->resting[i]);
+            make_one(reader, v, &parts->resting[i], &parts->conditions[c], given[c], result);
+        }
+    }
+}
