@@ -77,6 +77,11 @@ typedef struct whirl_record_options {
     int modes;                        ///< modes that are kept, >= 1
     double running_low, running_high; ///< rad/s, between which the machine runs; 0: not said
     double probe_angle;               ///< of the first probe of every station, rad from the x axis towards y
+    int antinodes_of;                 ///< number of the forward mode whose antinodes have unbalances by rule; 0: none
+    char placed_at[WHIRL_NAME_SIZE];  ///< station that has an unbalance by rule, or ""
+    char probes_at[WHIRL_NAME_SIZE];  ///< stations whose probes scale responses, or ""
+    double placed_weight;             ///< kg that it goes by; 0: what hangs over there
+    char coupling[WHIRL_NAME_SIZE];   ///< of statics: stations that carry neither moment nor shear, or ""
     bool spectra;                     ///< keep whole spectra, not only their peaks
     bool waveform;                    ///< waveforms are needed (for spectra or to be kept)
     /// Look for the orbits of motions that have come to rest, by Newton's method; with `settle` also before they have,
@@ -517,7 +522,7 @@ typedef struct whirl_field {
 } whirl_field;
 
 /// The most fields of a block, and the most columns that have names.
-enum { WHIRL_MAX_FIELDS = 160, WHIRL_MAX_COLUMNS = 32 };
+enum { WHIRL_MAX_FIELDS = 192, WHIRL_MAX_COLUMNS = 32 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
@@ -552,7 +557,9 @@ typedef struct whirl_kind {
         study(unbalance, "synchronous response to unbalance about where the machine rests",                            \
               "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                           \
             study(critical_speeds, "critical speeds without damping, all at once, forward and backward",               \
-                  "Friswell, Penny, Garvey, Lees 2010", TURNING)
+                  "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                       \
+                study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings", \
+                      "Przemieniecki 1968", STILL)
 
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {
@@ -647,6 +654,7 @@ typedef enum whirl_variant {
     WHIRL_AS_STUDIED,     ///< with springs for its bearings, where the study says so
     WHIRL_AS_GIVEN,       ///< with its own bearings
     WHIRL_BEARINGS_OF_IT, ///< these alone, on stations of 1 kg
+    WHIRL_WITH_STATICS,   ///< as WHIRL_AS_GIVEN, with what its weight does to its shafts
 } whirl_variant;
 
 /// A machine at rest: what analyses of it are made of.
@@ -660,7 +668,13 @@ typedef struct whirl_resting {
     /// Makes the same machine at another speed (rad/s), to be released. Errors as those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, whirl_machine *machine);
     const void *context; ///< handed to at_speed
+    size_t placed_count;
+    const whirl_placed *placed; ///< [placed_count] unbalances that it has in the place of its own
 } whirl_resting;
+
+/// kxx, kxy, ... of the bearings at a speed (rad/s) about where the machine rests, coefficients [probe_count][8] as
+/// whirl_bearing_coefficients has them. Errors as these.
+whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *coefficients);
 
 /// Fills `block` [layout->size] with what the chosen analyses, all of machines at rest, say of one. Errors as
 /// whirl_forced_response.

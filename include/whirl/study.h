@@ -61,11 +61,13 @@ typedef struct whirl_batch {
     /// and one plane only.
     /// 0: all points are computed.
     size_t refine;
-    double second_bounds[2];  ///< of the second parameter of curves
-    size_t given_count;       ///< of them
-    const whirl_given *given; ///< [given_count] parameters that all machines have at these values; borrowed
-    double second_value;      ///< of the machine that is asked for; of the batch itself that of the case
-    double third_value;       ///< the same of the third parameter of a map
+    double second_bounds[2];    ///< of the second parameter of curves
+    size_t given_count;         ///< of them
+    const whirl_given *given;   ///< [given_count] parameters that all machines have at these values; borrowed
+    size_t placed_count;        ///< of them, which the run finds (whirl_placement)
+    const whirl_placed *placed; ///< [placed_count] unbalances in the place of the machine's own; borrowed
+    double second_value;        ///< of the machine that is asked for; of the batch itself that of the case
+    double third_value;         ///< the same of the third parameter of a map
     /// Starts of every point, 0 or 1 for that of its machine alone. The table has all points from the first start, then
     /// all from the next. Not of carried batches, nor of branches and machines at rest.
     size_t starts;

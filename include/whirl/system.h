@@ -137,6 +137,24 @@ typedef struct whirl_system {
     const double *angles;
 } whirl_system;
 
+/// An unbalance that turns with the rotor.
+typedef struct whirl_placed {
+    size_t station;       ///< index of its probe
+    double moment, angle; ///< kg m; rad from the x axis towards y at the mark
+} whirl_placed;
+
+/// What the weight of a shaft of finite elements does at a station, upwards where it has a sense. NaN where a station
+/// lies on no shaft, and loads and elevations of stations without a bearing.
+typedef struct whirl_station_statics {
+    double deflection; ///< of the shaft, m, from the straight line that bearings without elevations lie on
+    double slope;      ///< rad, > 0 where it rises along the shaft
+    double moment;     ///< N m, bending moment, > 0 where the shaft sags
+    double shear[2];   ///< N, all forces on the shaft to the left of it, this end and the other end of its own
+    double load;       ///< N, of the bearings here, that carry the shaft
+    double mass[2];    ///< kg of the shaft and what it carries to the left and to the right, without its own
+    double elevation;  ///< m, of the bearings here, with which couplings carry neither moment nor shear; 0 without them
+} whirl_station_statics;
+
 /// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.
 typedef struct whirl_machine {
     const whirl_system *system;   ///< how it moves
@@ -144,6 +162,11 @@ typedef struct whirl_machine {
     void *owner;                  ///< of the system and the start
     void (*release)(void *owner); ///< frees them; may be NULL
     double clock, speed; ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
+    double length;       ///< m of one unit of displacement
+    /// [probe_count] where they were asked for (WHIRL_STATICS), else NULL; with them
+    const whirl_station_statics *statics;
+    /// [probe_count][probe_count] N/m, the load of the bearings at the first by raising those at the second; 0: none.
+    const double *influence;
 } whirl_machine;
 
 #ifdef __cplusplus

@@ -84,6 +84,23 @@ static void check_basin(case_reader *reader, const case_content *content, const 
     }
 }
 
+/// What keeps the weight from being told.
+static void check_statics(case_reader *reader, case_content *content, size_t index, valuation *v) {
+    const size_t stations = content->machine.stations.count;
+    const whirl_batch *batch = &content->plan.batches[index];
+    double *influence = calloc(stations * stations + 1, sizeof *influence);
+    whirl_station_statics *statics = calloc(stations + 1, sizeof *statics);
+    reader->no_memory = reader->no_memory || !influence || !statics;
+    if (!reader->no_memory) {
+        const whirl_status status = machine_statics(&content->machine, v, batch->record.coupling, statics, influence);
+        reader->no_memory = status.code == WHIRL_NO_MEMORY;
+        if (status.code == WHIRL_BAD_INPUT)
+            problem_at(reader->problems, content->plan.origins[index].place, "%s", status.message);
+    }
+    free(influence);
+    free(statics);
+}
+
 /// What the analyses refuse (too many fields, a record that lacks what they need).
 static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
     whirl_rotor *rotor;
@@ -98,6 +115,7 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
+        if (whirl_analysis_has(batch->analyses, "statics")) check_statics(reader, content, b, v);
     }
     whirl_rotor_free(rotor);
 }

@@ -7,13 +7,17 @@
 
 typedef struct member {
     whirl_rotor *rotor;
-    double *start; ///< [dimension]
+    double *start;                  ///< [dimension]
+    whirl_station_statics *statics; ///< [stations] where they are asked for
+    double *influence;              ///< [stations][stations]
 } member;
 
 static void release(void *owner) {
     member *m = owner;
     whirl_rotor_free(m->rotor);
     free(m->start);
+    free(m->statics);
+    free(m->influence);
     free(m);
 }
 
@@ -30,12 +34,22 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
 static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
                           whirl_rotor **rotor) {
     if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
-    if (batch->variant == WHIRL_AS_GIVEN || !batch->record.bearings)
-        return machine_build(machine, v, batch->speed, rotor);
+    if (batch->variant == WHIRL_AS_GIVEN || batch->variant == WHIRL_WITH_STATICS || !batch->record.bearings)
+        return machine_build_with(machine, v, batch->speed, batch->placed_count, batch->placed, rotor);
     if (value < 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the stiffness of bearings is %.10g N/m, expected 0 or a number above",
                           value);
     return machine_build_on_springs(machine, v, batch->speed, value, rotor);
+}
+
+/// What the weight does, where that is asked for.
+static whirl_status make_statics(const case_content *content, const whirl_batch *batch, valuation *v, member *m) {
+    const size_t stations = content->machine.stations.count;
+    if (batch->variant != WHIRL_WITH_STATICS) return whirl_ok();
+    m->statics = calloc(stations + 1, sizeof *m->statics);
+    m->influence = calloc(stations * stations + 1, sizeof *m->influence);
+    if (!m->statics || !m->influence) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    return machine_statics(&content->machine, v, batch->record.coupling, m->statics, m->influence);
 }
 
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
@@ -46,6 +60,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
+    if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
     valuation_close(&v);
     return status;
 }
@@ -71,7 +86,10 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                                .owner = m,
                                .release = release,
                                .clock = whirl_rotor_clock(m->rotor),
-                               .speed = whirl_rotor_speed(m->rotor)};
+                               .speed = whirl_rotor_speed(m->rotor),
+                               .length = whirl_rotor_length_scale(m->rotor),
+                               .statics = m->statics,
+                               .influence = m->influence};
     return whirl_ok();
 }
 

@@ -302,10 +302,16 @@ static whirl_status build_and_free(whirl_status status, whirl_design *design, wh
     return status;
 }
 
-whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
+whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, size_t count,
+                                const whirl_placed *placed, whirl_rotor **rotor) {
     whirl_design *design;
     const whirl_status status = make_design(machine, v, speed, &design);
+    if (status.code == WHIRL_OK) whirl_design_unbalances(design, count, placed);
     return build_and_free(status, design, rotor);
+}
+
+whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
+    return machine_build_with(machine, v, speed, 0, NULL, rotor);
 }
 
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
@@ -332,6 +338,15 @@ whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, 
         if (whirl_element_is_bearing(machine->elements[i].name)) status = add_element(machine, i, v, design);
     if (status.code == WHIRL_OK) whirl_design_bearings(design, WHIRL_BEARINGS_ALONE, 0.0);
     return build_and_free(status, design, rotor);
+}
+
+whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
+                             whirl_station_statics *out, double *influence) {
+    whirl_design *design;
+    whirl_status status = make_design(machine, v, 0.0, &design);
+    if (status.code == WHIRL_OK) status = whirl_design_statics(design, couplings, out, influence);
+    whirl_design_free(design);
+    return status;
 }
 
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {

@@ -32,11 +32,19 @@ void machine_settle(valuation *v, machine_parts *machine);
 /// Builds a rotor with the values of `valuation`, which turns at `speed` (rad/s) or, with 0, at that of the case.
 whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
+/// The same with unbalances in the place of its own, where there are any.
+whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, size_t count,
+                                const whirl_placed *placed, whirl_rotor **rotor);
+
 /// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1
 /// kg.
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
                                       whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
+
+/// What its weight does, as whirl_design_statics tells it; out and influence are for all its stations.
+whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
+                             whirl_station_statics *out, double *influence);
 
 /// Tells of its doubts, as whirl_design_doubts does.
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context);

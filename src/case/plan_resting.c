@@ -153,6 +153,19 @@ static void check_running(case_reader *reader, const resting_parts *resting, con
                    options->running_high, options->running_low);
 }
 
+/// Unbalances by rule go by the running speed, and one rule counts.
+static void check_placed(case_reader *reader, const resting_parts *resting, const whirl_record_options *options) {
+    const setting *antinodes = settings_find(&resting->axis.keys, "antinodes_of");
+    const setting *at = settings_find(&resting->axis.keys, "at");
+    const setting *weight = settings_find(&resting->axis.keys, "weight");
+    if (antinodes && at)
+        problem_at_key(reader->problems, at->place, "stands beside antinodes_of, expected one of the two");
+    if (weight && !at) problem_at_key(reader->problems, weight->place, "needs at, the station where it counts");
+    if ((antinodes || at) && !(options->running_high > 0.0))
+        problem_at_key(reader->problems, (at ? at : antinodes)->place,
+                       "needs running_to, the speed by which unbalances are told");
+}
+
 /// The values that a condition gives, once for all studies; NULL after a problem.
 static const whirl_given *condition_values(case_reader *reader, valuation *v, const condition_parts *condition) {
     whirl_given *given = arena_take(reader->arena, (condition->count + 1) * sizeof *given);
@@ -197,6 +210,7 @@ static void make_one(case_reader *reader, valuation *v, const resting_parts *res
     batch->integrate = whirl_integrate_default();
     batch->record = resting_options(v, resting, &batch->integrate);
     check_running(reader, resting, &batch->record);
+    check_placed(reader, resting, &batch->record);
     plan_choose_analyses(batch, own, false);
 }
 

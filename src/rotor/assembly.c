@@ -217,6 +217,7 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar) {
 
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle) {
     const assembly_station *at = &to->stations[station];
+    if (to->balanced) return;
     if (at->ratio != 1.0 && moment != 0.0) to->aside = at->name;
     if (!in_plane(at) || to->phased) {
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);

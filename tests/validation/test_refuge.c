@@ -112,7 +112,8 @@ static whirl_status make_rubbing(const void *family, const whirl_batch *batch, d
     (void)family, (void)batch;
     assert_non_null(r);
     *r = (rubbing){make_rub_rotor(&c), {0.1 + 0.02 * value, -0.2 + 0.013 * value}};
-    *machine = (whirl_machine){whirl_rotor_system(r->rotor), r->start, r, release, 0.0, 0.0};
+    *machine =
+        (whirl_machine){.system = whirl_rotor_system(r->rotor), .start = r->start, .owner = r, .release = release};
     return whirl_ok();
 }
 

@@ -47,9 +47,8 @@ static whirl_status find_rest(const whirl_resting *point, double speed, double *
     return status;
 }
 
-/// Coefficients [probe_count][8] of bearings at a speed. They are of where the machine rests, which matters where they
-/// are not the same in the middle and beside it.
-static whirl_status look_up(const whirl_resting *point, double speed, double *numbers) {
+// Where the machine rests matters if they are not the same in the middle and beside it.
+whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *numbers) {
     const size_t probes = point->system->probe_count;
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, &alone);
@@ -82,7 +81,7 @@ static whirl_status fill_bearings(const whirl_resting *point, const whirl_critic
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < found->count && i < LOOKED_UP && status.code != WHIRL_NO_MEMORY; i++) {
-        status = look_up(point, found->speeds[i], numbers);
+        status = whirl_bearings_at(point, found->speeds[i], numbers);
         for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++) {
             double *out = view_numbers(view, BEARINGS, p) + 2 * i;
             const double stiffness[] = {numbers[8 * p], numbers[8 * p + 3]};

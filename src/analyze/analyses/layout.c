@@ -89,9 +89,9 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
 }
 
 whirl_status whirl_layout_known(whirl_layout *layout) {
-    const whirl_probe probe = {.x = 0};
+    const whirl_probe probes[2] = {{.x = 0}}; // so that rows of which there is one a station are not taken for one
     const whirl_system system = {
-        .dimension = 2, .probe_count = 1, .contact_count = 1, .switch_count = 1, .probes = &probe};
+        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 1, .probes = probes};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;

@@ -4,7 +4,11 @@
 
 #include "analysis.h"
 
-enum { SPEED, REST, AMPLITUDE, LAG, AXES, INCLINATION, PROBE, PROBE_LAG, FIELD_COUNT };
+enum { SPEED, REST, AMPLITUDE, LAG, AXES, INCLINATION, PROBE, PROBE_LAG, PLACED, CLEARANCE, FIELD_COUNT };
+
+static size_t placed(const block_shape *shape) {
+    return shape->options->antinodes_of > 0 || *shape->options->placed_at;
+}
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_UNBALANCE_SPEED, "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
@@ -16,6 +20,11 @@ static const field_plan fields[FIELD_COUNT] = {
                      WHIRL_PER_STATION, 1, NULL},
     [PROBE] = {WHIRL_FIELD_UNBALANCE_PROBE, "length", "first, second", WHIRL_PER_STATION, 2, NULL},
     [PROBE_LAG] = {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
+    [PLACED] = {WHIRL_FIELD_UNBALANCE_PLACED, "kg m", "along x, along y (unbalance by rule, when the mark is at x)",
+                WHIRL_PER_STATION, 2, placed},
+    [CLEARANCE] = {WHIRL_FIELD_UNBALANCE_CLEARANCE, "length",
+                   "radial, the least of a bearing's and a stator's here (missing where there is none)",
+                   WHIRL_PER_STATION, 1, NULL},
 };
 
 static const double degree = 3.14159265358979323846 / 180.0;
@@ -47,6 +56,23 @@ static void fill_station(const block_view *view, size_t which, const double *x, 
     *view_numbers(view, INCLINATION, which) = fmod(turned + 360.0, 180.0);
 }
 
+/// What stands still beside the station, and what turns with it by rule.
+static void fill_beside(const whirl_resting *point, const block_view *view) {
+    for (size_t p = 0; p < point->system->probe_count; p++) {
+        const whirl_probe *probe = &point->system->probes[p];
+        const double bearing = probe->clearance > 0.0 ? probe->clearance : (double)NAN;
+        *view_numbers(view, CLEARANCE, p) = fmin(bearing, probe->gap > 0.0 ? probe->gap : (double)NAN);
+        double *own = view_numbers(view, PLACED, p);
+        if (own) own[0] = own[1] = 0.0;
+    }
+    for (size_t i = 0; i < point->placed_count; i++) {
+        double *own = view_numbers(view, PLACED, point->placed[i].station);
+        if (!own) continue;
+        own[0] += point->placed[i].moment * cos(point->placed[i].angle);
+        own[1] += point->placed[i].moment * sin(point->placed[i].angle);
+    }
+}
+
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     const whirl_system *system = point->system;
     const size_t d = system->dimension;
@@ -54,6 +80,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     if (!rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", d);
     const whirl_status status = whirl_forced_response(system, point->start, rest, response);
     *view_numbers(view, SPEED, 0) = point->speed;
+    fill_beside(point, view);
     for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++) {
         const whirl_probe *probe = &system->probes[p];
         const double nothing[2] = {0.0, 0.0};

@@ -36,6 +36,26 @@ static const whirl_member members[] = {
     WHOLE(NULL, modes, "critical_speeds", "count", "16", 1, 512, false, "critical speeds that are kept, the lowest"),
     FLAG(bearings, "critical_speeds", "no",
          "yes: the parameter is the stiffness of every bearing: springs stand in their place, seals are left out"),
+    WHOLE(
+        "antinodes_of", antinodes_of, "unbalance", "antinodes_of", "0", 0, 64, false,
+        "number of the forward critical speed, from 1, at whose antinodes unbalances of 2 times 6350 W/N g mm stand in "
+        "the place of the machine's own, N rpm running_to, W kg on the bearings or beyond them; 0: its own"),
+    MEMBER(whirl_record_options, WORD, "placed_at", placed_at, "unbalance", false, "at", "", "", WHIRL_KEY_CHOICE,
+           false, "", WHIRL_ANY, "", "a station where one such unbalance stands", ""),
+    MEMBER(
+        whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "", WHIRL_KEY_CHOICE,
+        false, "", WHIRL_ANY, "",
+        "stations, separated by blanks, whose vibration is limited where it runs: by it responses are scaled; absent: "
+        "those with the clearance of a bearing, or all",
+        ""),
+    MEMBER(whirl_record_options, NUMBER, "placed_weight", placed_weight, "unbalance", false, "weight", "W", "kg",
+           WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "mass that it goes by; 0: what hangs over there",
+           ""),
+    MEMBER(whirl_record_options, WORD, "coupling", coupling, "statics", false, "coupling", "", "", WHIRL_KEY_CHOICE,
+           false, "", WHIRL_ANY, "",
+           "names of stations, separated by blanks: bearings are raised until shafts carry neither moment nor shear "
+           "there",
+           ""),
     MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "

@@ -8,6 +8,7 @@
 typedef struct shown_kind {
     const char *field;         ///< which its tables have, and no others
     const char *anchor, *name; ///< of its section, where it has one
+    bool single;               ///< its section is of one point, too
     bool explored;             ///< the explorer has a view of its own, else it shows the figures
     /// Its lines of the summary, below the table's heading.
     void (*summarize)(FILE *out, const whirl_result *result, const whirl_table *table);
@@ -19,6 +20,6 @@ typedef struct shown_kind {
 /// That of a table, NULL of motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
-extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds;
+extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds, shown_statics;
 
 #endif

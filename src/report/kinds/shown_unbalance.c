@@ -1,8 +1,14 @@
 // How responses to unbalance are shown.
 #include "html.h"
+#include <math.h>
+#include <stdlib.h>
+
 #include "margins.h"
+#include "scaled.h"
 #include "shown_kinds.h"
 #include "summary.h"
+
+enum { PLACED_TEXT = 1024 };
 
 /// "    45 deg: peak at 2480.1 rpm, 0.034 mm 0-p, amplification 8.21 (half power); margin ...".
 static void print_peaks(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_shown_units *units,
@@ -15,9 +21,49 @@ static void print_peaks(FILE *out, const whirl_result *result, const whirl_table
                 row->way, *row->text ? "; " : "", row->text);
 }
 
+static const double rpm = 0.104719755119659774, degree = 3.14159265358979323846 / 180.0;
+
+/// "4.93 kg mm at disc1 (0 deg), ...": unbalances by rule; "" where the machine has its own.
+static void list_placed(const whirl_result *result, const whirl_table *table, char *text, size_t size) {
+    size_t used = 0;
+    *text = '\0';
+    for (size_t station = 0; station < result->station_count && used < size; station++) {
+        const double *at = table->count > 0 ? whirl_table_field(table, 0, WHIRL_FIELD_UNBALANCE_PLACED, station) : NULL;
+        if (!at || !(hypot(at[0], at[1]) > 0.0)) continue;
+        used += (size_t)snprintf(text + used, size - used, "%s%.5g kg mm at %s (%.4g deg)", used ? ", " : "",
+                                 1e3 * hypot(at[0], at[1]), result->stations[station].name,
+                                 fabs(atan2(at[1], at[0]) / degree));
+    }
+}
+
+/// "  scaled by 2.1: ..." and a line for every clearance.
+static void print_scaled(FILE *out, const whirl_result *result, const whirl_table *table) {
+    static const double um = 1e-6;
+    scaled by;
+    scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
+    if (rows && scaled_of(result, table, &by)) {
+        fprintf(
+            out,
+            "  vibration limit %.4g um p-p; largest at a probe where it runs %.4g um p-p (%s): responses are scaled "
+            "by %.4g\n",
+            by.limit / um, by.largest / um, result->stations[by.station].name, by.factor);
+        const size_t count = scaled_rows(result, table, &by, rows);
+        for (const scaled_row *row = rows; row < rows + count; row++)
+            fprintf(out,
+                    "    %s: scaled major axis %.4g um p-p at %.6g rpm, %.3g %% of the diametral clearance %.4g um, "
+                    "75 %% allowed: %s\n",
+                    result->stations[row->station].name, row->axis / um, row->speed / rpm,
+                    100.0 * row->axis / row->clearance, row->clearance / um, row->holds ? "holds" : "fails");
+    }
+    free(rows);
+}
+
 /// The largest response of every station, and where, and its peaks.
 static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+    char placed[PLACED_TEXT];
     const whirl_shown_units units = summary_units(result);
+    list_placed(result, table, placed, sizeof placed);
+    if (*placed) fprintf(out, "  unbalances by rule: %s\n", placed);
     const whirl_unit unit = whirl_shown_parameter(&units, table->parameter), length = summary_length_unit(&units);
     for (size_t station = 0; station < result->station_count; station++) {
         double largest = 0.0;
@@ -36,6 +82,46 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
         fputc('\n', out);
         print_peaks(out, result, table, &units, station);
     }
+    print_scaled(out, result, table);
+}
+
+/// What scaled responses take of clearances, and the unbalances that they are by.
+static void write_scaled(const page *to, size_t index, const whirl_table *table) {
+    static const double um = 1e-6;
+    const whirl_result *result = to->results[index];
+    char placed[PLACED_TEXT];
+    scaled by;
+    scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
+    list_placed(result, table, placed, sizeof placed);
+    if (*placed) {
+        fputs("<p>Unbalances by rule, in the place of the machine's own: ", to->stream);
+        html_text(to->stream, placed);
+        fputs(".</p>\n", to->stream);
+    }
+    if (rows && scaled_of(result, table, &by)) {
+        fprintf(
+            to->stream,
+            "<p>The vibration limit is %.4g um p-p, the largest that a probe sees where the machine runs %.4g um p-p: "
+            "responses are scaled by %.4g (6 at most).</p>\n",
+            by.limit / um, by.largest / um, by.factor);
+        html_table(to->stream, "Scaled responses and clearances", "");
+        fputs("<thead><tr><th>station</th><th class=\"number\">major axis (um p-p)</th><th class=\"number\">speed "
+              "(rpm)</th><th class=\"number\">diametral clearance (um)</th><th class=\"number\">share (%)</th>"
+              "<th>75 % allowed</th></tr></thead>\n<tbody>\n",
+              to->stream);
+        const size_t count = scaled_rows(result, table, &by, rows);
+        for (const scaled_row *row = rows; row < rows + count; row++) {
+            fputs("<tr><th>", to->stream);
+            html_text(to->stream, result->stations[row->station].name);
+            fprintf(to->stream,
+                    "</th><td class=\"number\">%.4g</td><td class=\"number\">%.6g</td><td class=\"number\">%.4g</td>"
+                    "<td class=\"number\">%.3g</td><td>%s</td></tr>\n",
+                    row->axis / um, row->speed / rpm, row->clearance / um, 100.0 * row->axis / row->clearance,
+                    row->holds ? "holds" : "fails");
+        }
+        fputs("</tbody></table></div>\n", to->stream);
+    }
+    free(rows);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {
@@ -68,6 +154,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         }
     }
     fputs("</tbody></table></div>\n", to->stream);
+    write_scaled(to, index, table);
 }
 
 const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,

@@ -63,7 +63,7 @@ static bool has_starts(const whirl_result *result) {
 /// it stands there is no change to tell of.
 static const shown_kind *section_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
-    return kind && kind->section && *table->parameter && !*table->second ? kind : NULL;
+    return kind && kind->section && (*table->parameter || kind->single) && !*table->second ? kind : NULL;
 }
 
 static void write_kinds(const page *to, size_t r) {

@@ -49,8 +49,7 @@ void building_end(building *b) {
     free(b->between);
 }
 
-/// The value of a key of an element; NULL where it has no such key.
-static const key_value *value_of(const design_element *own, const char *key) {
+const key_value *building_value(const design_element *own, const char *key) {
     for (size_t k = 0; k < own->type->group.key_count; k++)
         if (strcmp(own->type->group.keys[k].name, key) == 0) return &own->values[k];
     return NULL;
@@ -62,10 +61,15 @@ typedef enum role { ROLE_BEARING, ROLE_DRAG, ROLE_OTHER } role;
 
 static role role_of(const design_element *own) {
     enum { BEARING, SEAL, IMPELLER };
-    const key_value *said = value_of(own, "role"), *kxx = value_of(own, "kxx"), *kyy = value_of(own, "kyy");
+    const key_value *said = building_value(own, "role"), *kxx = building_value(own, "kxx"),
+                    *kyy = building_value(own, "kyy");
     if (!own->type->carries || (said && (said->choice == SEAL || said->choice == IMPELLER)))
         return own->type->carries || own->type->drags ? ROLE_DRAG : ROLE_OTHER;
     return said && (said->choice != BEARING || !(kxx->given || kyy->given)) ? ROLE_OTHER : ROLE_BEARING;
+}
+
+bool building_carries(const design_element *own) {
+    return role_of(own) == ROLE_BEARING;
 }
 
 /// Whether something else stands for an element, or nothing.
@@ -128,7 +132,7 @@ static whirl_status check_spin(const building *b, const design_element *own) {
 
 /// A spring in the place of a bearing; nothing in that of other replaced ones.
 static whirl_status add_replaced(building *b, const design_element *own) {
-    const key_value nowhere = {.given = false}, *at = value_of(own, "at"), *from = value_of(own, "from");
+    const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
     element place = {.type = NULL};
     if (b->design->bearings != WHIRL_BEARINGS_SPRINGS || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
     const whirl_status status = element_in_housing(at, from ? from : &nowhere, &b->assembly, &place);
@@ -167,11 +171,15 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
     if (status.code == WHIRL_OK) mesh_inertia(&b->mesh, &b->assembly);
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
+    b->assembly.balanced = design->placed_count > 0;
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
     if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
+    b->assembly.balanced = false;
+    for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)
+        assembly_unbalance(&b->assembly, design->placed[i].station, design->placed[i].moment, design->placed[i].angle);
     // Of bearings alone the forces are asked for, on the stations' own masses.
     if (design->bearings == WHIRL_BEARINGS_ALONE) b->assembly.mass_count = 0;
     return status.code == WHIRL_OK ? check_aside(b) : status;

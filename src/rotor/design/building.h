@@ -35,4 +35,10 @@ whirl_status building_finish(building *b);
 
 void building_end(building *b);
 
+/// The value of a key of an element; NULL where it has no such key.
+const key_value *building_value(const design_element *own, const char *key);
+
+/// Whether an element is a bearing, which carries the rotor, by its kind and its `role`.
+bool building_carries(const design_element *own);
+
 #endif

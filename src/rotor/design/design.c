@@ -28,6 +28,11 @@ void whirl_design_bearings(whirl_design *design, whirl_bearings what, double sti
     design->stiffness = stiffness;
 }
 
+void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed) {
+    design->placed_count = count;
+    design->placed = placed;
+}
+
 bool whirl_element_is_bearing(const char *kind) {
     for (const element_type *const *type = element_types; *type; type++)
         if (strcmp((*type)->group.name, kind) == 0) return (*type)->carries;

@@ -22,6 +22,8 @@ struct whirl_design {
     double speed, length;
     whirl_bearings bearings; ///< what stands for them
     double stiffness;        ///< of springs in their place
+    size_t placed_count;
+    const whirl_placed *placed; ///< [placed_count] unbalances in the place of its own; borrowed
     size_t station_count, element_count, shaft_count, material_count;
     design_part stations[WHIRL_MAX_STATIONS], shafts[WHIRL_MAX_SHAFTS], materials[WHIRL_MAX_MATERIALS];
     design_element elements[WHIRL_MAX_ELEMENTS];

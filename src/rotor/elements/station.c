@@ -74,6 +74,7 @@ void station_build(const key_value *values, assembly *to, size_t station) {
                        values[ECCENTRICITY_ANGLE].number);
     if (at->coordinate[AXIS_TILT_X] == NO_COORDINATE) return;
     assembly_gyroscopic(to, station, at->polar);
+    if (to->balanced) return;
     if (values[SKEW].number > 0.0 && at->ratio != 1.0) to->aside = at->name;
     if (values[SKEW].given)
         assembly_turning(to, at->coordinate[AXIS_TILT_X], at->coordinate[AXIS_TILT_Y], moment,

@@ -7,6 +7,7 @@
 
 #include "critical.h"
 #include "deal.h"
+#include "placement.h"
 
 /// Points that one thread, or one share, takes at a time: neighbours share the modes of the point between them.
 enum { RESTING_PIECE = 8 };
@@ -15,7 +16,8 @@ enum { RESTING_PIECE = 8 };
 typedef struct worker {
     study_run *run;
     const pass *pass;
-    const whirl_batch *batch;
+    whirl_batch batch;    ///< with what was placed
+    whirl_placed *placed; ///< which it points to
     whirl_table *table;
     bool has_modes;
     resting_machine before; ///< the point before, where it is known
@@ -52,9 +54,9 @@ static whirl_status locate(worker *w, size_t slot, const resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
     if (slot == 0) return status;
-    if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
+    if (!w->before.modes) status = resting_new(w->run->study, &w->batch, w->table->values[slot - 1], &w->before);
     return status.code == WHIRL_OK
-               ? critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count)
+               ? critical_locate(w->run->study, &w->batch, &w->before, own, w->found, w->most, &w->count)
                : status;
 }
 
@@ -74,7 +76,7 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
 }
 
 static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
-    const place at = {w->run->study, w->batch, own->value};
+    const place at = {w->run->study, &w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     const whirl_resting point = {.system = machine->system,
                                  .start = machine->start,
@@ -84,19 +86,22 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .critical_count = w->count,
                                  .critical = w->found,
                                  .at_speed = at_speed,
-                                 .context = &at};
+                                 .context = &at,
+                                 .placed_count = w->batch.placed_count,
+                                 .placed = w->batch.placed};
     whirl_status status =
-        whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
-    if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter)
-        status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
+        whirl_analyze_resting(&point, &w->pass->record, w->batch.analyses, &w->table->layout, block_of(w, slot));
+    // A machine that could not be made for it has told already where.
+    if (status.code == WHIRL_BAD_INPUT && *w->batch.parameter && strncmp(status.message, "at ", 3) != 0)
+        status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch.parameter, own->value, status.message);
     return status;
 }
 
 static whirl_status compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
-    whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
-                                       : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
+    whirl_status status = w->has_modes ? resting_new(w->run->study, &w->batch, value, &own)
+                                       : w->run->study->machine(w->run->study->family, &w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // what was computed since a stop means nothing
@@ -150,14 +155,18 @@ static whirl_status work(study_run *run, const pass *p) {
     {
         worker w = {.run = run,
                     .pass = p,
-                    .batch = &run->study->batches[p->batch],
+                    .batch = run->study->batches[p->batch],
                     .table = &run->result->tables[p->batch],
                     .most = (size_t)p->record.modes + 1};
-        w.has_modes = (w.batch->analyses & modes) != 0;
+        w.has_modes = (w.batch.analyses & modes) != 0;
         w.found = calloc(w.most, sizeof *w.found);
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
-        const whirl_status status = w.found && w.block ? work_at_pieces(&w, &pieces)
-                                                       : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
+        whirl_status status =
+            w.found && w.block ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
+        if (status.code == WHIRL_OK) status = placement_find(run->study, &w.batch, &w.placed, &w.batch.placed_count);
+        w.batch.placed = w.placed;
+        if (status.code == WHIRL_OK) status = work_at_pieces(&w, &pieces);
+        free(w.placed);
         free(w.found);
         free(w.block);
         if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);

@@ -37,14 +37,21 @@ static bool is_beside(const char *part) {
 static void with_key(const char *part, const char *key, const char *value, whirl_case **object, whirl_study *study) {
     char text[1024], line[256];
     const bool of_study = strcmp(part, "study") == 0;
-    const char *axis = is_study(part) ? "parameter: q, values: [1, 2], " : "";
+    const bool placed = strcmp(key, "antinodes_of") == 0 || strcmp(key, "at") == 0 || strcmp(key, "weight") == 0;
+    const char *axis = !is_study(part)               ? ""
+                       : !placed                     ? "parameter: q, values: [1, 2], "
+                       : strcmp(key, "weight") != 0 ? "running_to: 9, "
+                                                     : "running_to: 9, at: yes, ";
     if (of_study)
         snprintf(line, sizeof line, "  %s: %s", key, value);
     else
         snprintf(line, sizeof line, "  %s: {%s%s: %s}", part, axis, key, value);
     snprintf(text, sizeof text,
              "whirl: 1\nparameters: {w: 100 rad/s, q: 1}\nrotor:\n  speed: = w\n  length_scale: 1 mm\n"
-             "  stations: {disc: {mass: 1 kg}}\n  elements: [spring: {between: [disc, ground], stiffness: 1 kN/m}]\n"
+             "  stations: {disc: {position: 0 m, mass: 1 kg}, a: {position: 0.4 m}, yes: {position: 0.5 m},\n"
+             "    b: {position: 0.6 m}, c: {position: 1 m}}\n  elements:\n    - segment: {length: 1 m, outer: 20 mm}\n"
+             "    - bearing: {at: disc, kxx: 1 MN/m}\n    - bearing: {at: a, kxx: 1 MN/m}\n"
+             "    - bearing: {at: b, kxx: 1 MN/m}\n    - bearing: {at: c, kxx: 1 MN/m}\n"
              "study:\n%s%s\n",
              is_study(part) ? "" : "  sweep: {parameter: w, from: 100 rad/s, to: 200 rad/s, points: 3}\n", line);
     const whirl_status status = whirl_case_parse(text, strlen(text), "t", NULL, object);

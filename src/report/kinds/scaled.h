@@ -1,0 +1,31 @@
+/// Responses to unbalance scaled to the vibration limit, and what they take of clearances (after API 617: which edition
+/// counts is for the user to check).
+#ifndef REPORT_SCALED_H
+#define REPORT_SCALED_H
+
+#include "whirl/shown.h"
+
+/// The scale of a table's responses: lengths in m peak to peak.
+typedef struct scaled {
+    double limit;   ///< of vibration, min(25.4, 25.4 sqrt(12000/N)) um, N rpm the highest running speed
+    double largest; ///< that any of the probes sees between the running speeds
+    size_t station; ///< at which
+    double factor;  ///< limit over largest, 6 at most
+} scaled;
+
+/// What the response takes of a station's clearance.
+typedef struct scaled_row {
+    size_t station;
+    double axis;      ///< m, the largest scaled major axis at any point, peak to peak
+    double speed;     ///< rad/s, where
+    double clearance; ///< m, the diametral one there
+    bool holds;       ///< the axis is at most 75 % of it
+} scaled_row;
+
+/// False where the table does not tell running speeds, or has no points between them.
+bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
+
+/// Rows [station count] of all stations with a clearance; how many.
+size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
+
+#endif

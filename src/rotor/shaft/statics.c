@@ -1,0 +1,319 @@
+// What the weight of shafts does: they lie on bearings that hold them, each shaft for itself.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "building.h"
+#include "matrix.h"
+
+/// A shaft in the plane of its weight: displacement upwards and slope of each node, node by node along it.
+typedef struct beam {
+    const building *b;
+    size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
+    size_t first;                            ///< of its nodes in the mesh
+    const size_t *support;                   ///< [supports] nodes, along the shaft
+    double gravity;
+    double *matrix; ///< [unknowns][unknowns]
+    double *all;    ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+} beam;
+
+static whirl_status no_memory(void) {
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for the weight of shafts");
+}
+
+static const mesh_node *node_of(const beam *of, size_t node) {
+    return &of->b->mesh.nodes[of->first + node];
+}
+
+static const assembly_station *station_of(const beam *of, size_t node) {
+    return &of->b->assembly.stations[node_of(of, node)->station];
+}
+
+// ---------------------------------------------------------------- equations
+
+/// The stiffness of a piece, of a shaft with flats its mean.
+static void piece_stiffness(const mesh_piece *own, matrix4 *stiffness, double weight[4]) {
+    piece_matrices all;
+    piece_fill(&own->piece, &all);
+    for (size_t i = 0; i < 4; i++)
+        weight[i] = !own->settings.lumped ? all.weight[i] : i % 2 == 0 ? all.lumped_mass[i / 2] : 0.0;
+    for (size_t i = 0; i < 4; i++)
+        for (size_t j = 0; j < 4; j++)
+            stiffness->at[i][j] = 0.5 * (all.stiffness[0].at[i][j] + all.stiffness[1].at[i][j]) + all.axial.at[i][j];
+}
+
+/// Stiffness, and supports that displacements keep to: [K -C'; C 0].
+static void fill_matrix(const beam *of) {
+    const mesh *from = &of->b->mesh;
+    for (size_t p = 0; p < from->piece_count; p++) {
+        const mesh_piece *own = &from->pieces[p];
+        matrix4 stiffness;
+        double weight[4];
+        if (own->shaft != of->shaft) continue;
+        piece_stiffness(own, &stiffness, weight);
+        for (size_t i = 0; i < 4; i++)
+            for (size_t j = 0; j < 4; j++)
+                of->matrix[(2 * (own->node[i / 2] - of->first) + i % 2) * of->unknowns +
+                           2 * (own->node[j / 2] - of->first) + j % 2] += stiffness.at[i][j];
+    }
+    for (size_t s = 0; s < of->supports; s++) {
+        const size_t row = 2 * of->nodes + s, place = 2 * of->support[s];
+        of->matrix[place * of->unknowns + row] = -1.0;
+        of->matrix[row * of->unknowns + place] = 1.0;
+    }
+}
+
+static bool solve(const beam *of) {
+    for (size_t n = 0; n < of->nodes; n++) {
+        of->all[2 * n] = -of->gravity * station_of(of, n)->mass;
+        of->all[2 * n + 1] = -of->gravity * station_of(of, n)->pull_moment;
+    }
+    for (size_t s = 0; s < of->supports; s++) of->all[(1 + s) * of->unknowns + 2 * of->nodes + s] = 1.0;
+    fill_matrix(of);
+    return matrix_solve(of->unknowns, of->matrix, 1 + of->supports, of->all);
+}
+
+// ---------------------------------------------------------------- within the shaft
+
+/// Bending moment and shear beside a node, from the end forces of the piece on that side (which: 0 left, 1 right), by
+/// the weight or (`by` > 0) by raising a support. 0 at an end of the shaft.
+static void cut(const beam *of, size_t node, size_t which, size_t by, double *moment, double *shear) {
+    const mesh *from = &of->b->mesh;
+    const double *at = of->all + by * of->unknowns;
+    *moment = *shear = 0.0;
+    for (size_t p = 0; p < from->piece_count; p++) {
+        const mesh_piece *own = &from->pieces[p];
+        matrix4 stiffness;
+        double weight[4], force[2] = {0.0, 0.0};
+        if (own->node[1 - which] != of->first + node) continue;
+        piece_stiffness(own, &stiffness, weight);
+        for (size_t i = 0; i < 2; i++) {
+            const size_t row = 2 * (1 - which) + i;
+            for (size_t j = 0; j < 4; j++)
+                force[i] += stiffness.at[row][j] * at[2 * (own->node[j / 2] - of->first) + j % 2];
+            if (by == 0) force[i] += of->gravity * weight[row];
+        }
+        // The end at the node: the right one of the piece to the left.
+        *shear = which == 0 ? -force[0] : force[0];
+        *moment = which == 0 ? force[1] : -force[1];
+        return;
+    }
+}
+
+/// Moment and mean shear at a coupling.
+static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) {
+    double moment, shear[2];
+    for (size_t which = 0; which < 2; which++) cut(of, node, which, by, &moment, &shear[which]);
+    out[0] = moment;
+    out[1] = 0.5 * (shear[0] + shear[1]);
+}
+
+// ---------------------------------------------------------------- alignment
+
+/// The node of the first name of a list, which is taken from it; `nodes` where it is none of this shaft.
+static size_t take_name(const beam *of, const char **list, char name[WHIRL_NAME_SIZE]) {
+    *list += strspn(*list, " ,");
+    const size_t length = strcspn(*list, " ,");
+    snprintf(name, WHIRL_NAME_SIZE, "%.*s", (int)length, *list);
+    *list += length;
+    size_t node = 0;
+    while (node < of->nodes && (station_of(of, node)->hidden || strcmp(station_of(of, node)->name, name) != 0)) node++;
+    return node;
+}
+
+enum { MOST_COUPLINGS = 8 };
+
+static size_t find_couplings(const beam *of, const char *list, size_t node[MOST_COUPLINGS]) {
+    char name[WHIRL_NAME_SIZE];
+    size_t count = 0;
+    while (list[strspn(list, " ,")] && count < MOST_COUPLINGS) {
+        node[count] = take_name(of, &list, name);
+        count += node[count] < of->nodes;
+    }
+    return count;
+}
+
+/// The least elevations [supports], 0 of the first two, with which nothing is carried at `count` couplings.
+static whirl_status align(const beam *of, size_t count, const size_t *node, double *elevation) {
+    const size_t rows = 2 * count, free_ones = of->supports - 2;
+    double *j = calloc(rows * (of->supports + rows + 2) + 1, sizeof *j), *square = j ? j + rows * of->supports : NULL;
+    double *side = j ? square + rows * rows : NULL;
+    if (!j) return no_memory();
+    for (size_t c = 0; c < count; c++) {
+        double at[2];
+        cut_coupling(of, node[c], 0, at);
+        memcpy(side + 2 * c, (double[]){-at[0], -at[1]}, sizeof at);
+        for (size_t s = 0; s < free_ones; s++) {
+            cut_coupling(of, node[c], 3 + s, at);
+            for (size_t i = 0; i < 2; i++) j[(2 * c + i) * of->supports + s] = at[i];
+        }
+    }
+    for (size_t r = 0; r < rows; r++)
+        for (size_t k = 0; k < rows; k++)
+            for (size_t s = 0; s < free_ones; s++)
+                square[r * rows + k] += j[r * of->supports + s] * j[k * of->supports + s];
+    const bool good = free_ones >= rows && matrix_solve(rows, square, 1, side);
+    for (size_t s = 0; s < free_ones && good; s++)
+        for (size_t r = 0; r < rows; r++) elevation[2 + s] += j[r * of->supports + s] * side[r];
+    free(j);
+    return good ? whirl_ok()
+                : whirl_fail(WHIRL_BAD_INPUT,
+                             "no elevations of %zu bearings behind the first two relieve %zu coupling%s of moment and "
+                             "shear, expected two a coupling at least",
+                             free_ones, count, count == 1 ? "" : "s");
+}
+
+/// Raises the supports: what the weight does is then what it does with them raised.
+static void raise_supports(const beam *of, const double *elevation) {
+    for (size_t s = 0; s < of->supports; s++)
+        for (size_t i = 0; i < of->unknowns; i++) of->all[i] += elevation[s] * of->all[(1 + s) * of->unknowns + i];
+}
+
+// ---------------------------------------------------------------- one shaft
+
+static void fill_station(const beam *of, size_t node, whirl_station_statics *out) {
+    double moment, carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
+    out->deflection = of->all[2 * node];
+    out->slope = of->all[2 * node + 1];
+    cut(of, node, 0, 0, &out->moment, &out->shear[0]);
+    cut(of, node, 1, 0, &moment, &out->shear[1]);
+    if (node == 0 || node + 1 == of->nodes) out->moment = 0.0; // a free end
+    for (size_t s = 0; s < of->supports; s++)
+        if (of->support[s] != node) carried[of->support[s] > node] += of->all[2 * of->nodes + s];
+    out->mass[0] = (carried[0] - out->shear[0]) / of->gravity;
+    out->mass[1] = (carried[1] + out->shear[1]) / of->gravity;
+}
+
+static void fill_stations(const beam *of, const double *elevation, whirl_station_statics *out, double *influence) {
+    const size_t stations = of->b->design->station_count;
+    for (size_t n = 0; n < of->nodes; n++)
+        if (!station_of(of, n)->hidden) fill_station(of, n, &out[node_of(of, n)->station]);
+    for (size_t s = 0; s < of->supports; s++) {
+        const size_t at = node_of(of, of->support[s])->station;
+        out[at].load = of->all[2 * of->nodes + s];
+        out[at].elevation = out[at].deflection = elevation[s]; // without rounding
+        for (size_t k = 0; k < of->supports; k++)
+            influence[at * stations + node_of(of, of->support[k])->station] =
+                of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
+    }
+}
+
+static whirl_status fill_shaft(beam *of, const char *couplings, double *elevation, whirl_station_statics *out,
+                               double *influence) {
+    size_t node[MOST_COUPLINGS];
+    if (!solve(of))
+        return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' does not rest on its bearings",
+                          of->b->design->shafts[of->shaft].name);
+    const size_t count = find_couplings(of, couplings, node);
+    whirl_status status = count > 0 ? align(of, count, node, elevation) : whirl_ok();
+    if (status.code != WHIRL_OK) return status;
+    raise_supports(of, elevation);
+    fill_stations(of, elevation, out, influence);
+    return status;
+}
+
+static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_statics *out, double *influence) {
+    of->unknowns = 2 * of->nodes + of->supports;
+    of->matrix = calloc(of->unknowns * of->unknowns + 1, sizeof *of->matrix);
+    of->all = calloc((1 + of->supports) * of->unknowns + of->supports + 1, sizeof *of->all);
+    const whirl_status status =
+        of->matrix && of->all ? fill_shaft(of, couplings, of->all + (1 + of->supports) * of->unknowns, out, influence)
+                              : no_memory();
+    free(of->matrix);
+    free(of->all);
+    return status;
+}
+
+// ---------------------------------------------------------------- all shafts
+
+/// The acceleration of gravity that counts.
+static double gravity_of(const whirl_design *design) {
+    for (size_t i = 0; i < design->element_count; i++)
+        if (strcmp(design->elements[i].type->group.name, "gravity") == 0)
+            return building_value(&design->elements[i], "acceleration")->number;
+    return 9.80665;
+}
+
+/// Whether a bearing stands on station `at`; *aside: and on another shaft.
+static bool is_carried(const building *b, size_t at, bool *aside) {
+    bool found = false;
+    for (size_t i = 0; i < b->design->element_count; i++) {
+        const design_element *own = &b->design->elements[i];
+        if (!building_carries(own)) continue;
+        const key_value *place = building_value(own, "at"), *from = building_value(own, "from");
+        const size_t other = from && from->given ? from->station[0] : GROUND;
+        const bool shared = other != GROUND && b->assembly.stations[other].shaft != NO_SHAFT;
+        *aside = *aside || (shared && (place->station[0] == at || other == at));
+        found = found || place->station[0] == at;
+    }
+    return found;
+}
+
+static whirl_status find_supports(const beam *of, size_t *support, size_t *count) {
+    const char *name = of->b->design->shafts[of->shaft].name;
+    bool aside = false;
+    *count = 0;
+    for (size_t n = 0; n < of->nodes; n++) {
+        const size_t at = node_of(of, n)->station;
+        if (!station_of(of, n)->hidden && is_carried(of->b, at, &aside)) support[(*count)++] = n;
+    }
+    if (aside)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "shaft '%s' shares a bearing with another shaft: how its weight is carried "
+                          "is not told",
+                          name);
+    if (*count >= 2) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' lies on %zu bearing%s, expected two at least for its weight", name,
+                      *count, *count == 1 ? "" : "s");
+}
+
+static whirl_status fill(const building *b, const char *couplings, size_t *support, whirl_station_statics *out,
+                         double *influence) {
+    whirl_status status = whirl_ok();
+    if (gravity_of(b->design) == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "gravity is 0: there is no weight, which is asked for");
+    if (b->mesh.shaft_count == 0)
+        return whirl_fail(WHIRL_BAD_INPUT, "there is no shaft of finite elements (segment), whose weight is asked for");
+    for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
+        beam of = {.b = b, .shaft = shaft, .support = support, .gravity = gravity_of(b->design)};
+        while (b->mesh.nodes[of.first].shaft != shaft) of.first++;
+        while (of.first + of.nodes < b->mesh.node_count && b->mesh.nodes[of.first + of.nodes].shaft == shaft)
+            of.nodes++;
+        status = find_supports(&of, support, &of.supports);
+        if (status.code == WHIRL_OK) status = take_shaft(&of, couplings, out, influence);
+    }
+    return status;
+}
+
+/// Every name is a station of a shaft.
+static whirl_status check_couplings(const building *b, const char *list) {
+    while (list[strspn(list, " ,")]) {
+        char name[WHIRL_NAME_SIZE];
+        size_t station = 0;
+        const beam none = {.nodes = 0};
+        take_name(&none, &list, name);
+        while (station < b->design->station_count && strcmp(b->design->stations[station].name, name) != 0) station++;
+        if (station == b->design->station_count)
+            return whirl_fail(WHIRL_BAD_INPUT, "coupling: '%s' is no station", name);
+        if (b->assembly.stations[station].shaft == NO_SHAFT)
+            return whirl_fail(WHIRL_BAD_INPUT, "coupling: station '%s' lies on no shaft of finite elements", name);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_design_statics(const whirl_design *design, const char *couplings, whirl_station_statics *out,
+                                  double *influence) {
+    building b = {0};
+    const double none = NAN;
+    size_t *support = calloc(design->station_count + 1, sizeof *support);
+    for (size_t s = 0; s < design->station_count; s++)
+        out[s] = (whirl_station_statics){none, none, none, {none, none}, none, {none, none}, none};
+    memset(influence, 0, design->station_count * design->station_count * sizeof *influence);
+    whirl_status status = support ? building_assemble(&b, design, NULL) : no_memory();
+    if (status.code == WHIRL_OK) status = check_couplings(&b, couplings);
+    if (status.code == WHIRL_OK) status = fill(&b, couplings, support, out, influence);
+    free(support);
+    building_end(&b);
+    return status;
+}

@@ -1,0 +1,146 @@
+#include "placement.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/linear.h"
+
+/// The machine that unbalances are placed on.
+typedef struct placing {
+    const whirl_study *study;
+    whirl_batch batch; ///< without a parameter
+    const whirl_record_options *options;
+    double factor;         ///< kg m a kg
+    whirl_machine machine; ///< with statics
+    whirl_placed *placed;  ///< [probe_count]
+    size_t count;
+} placing;
+
+static whirl_status machine_of(placing *p, double speed, double stiffness, whirl_variant variant, whirl_machine *out) {
+    p->batch.speed = speed;
+    p->batch.variant = variant;
+    p->batch.record.bearings = variant == WHIRL_AS_STUDIED;
+    return p->study->machine(p->study->family, &p->batch, stiffness, out);
+}
+
+static void release(const whirl_machine *machine) {
+    if (machine->release) machine->release(machine->owner);
+}
+
+static whirl_status at_speed(const void *context, double speed, whirl_variant variant, whirl_machine *machine) {
+    placing own = *(const placing *)context;
+    return machine_of(&own, speed, 0.0, variant, machine);
+}
+
+/// N/m: the mean over all bearings of sqrt(kxx kyy), or of what is above 0 of these.
+static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
+    const size_t probes = p->machine.system->probe_count;
+    const whirl_resting point = {.system = p->machine.system,
+                                 .start = p->machine.start,
+                                 .clock = p->machine.clock,
+                                 .speed = p->machine.speed,
+                                 .at_speed = at_speed,
+                                 .context = p};
+    double *numbers = calloc(8 * probes + 1, sizeof *numbers), sum = 0.0, count = 0.0;
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory to place unbalances");
+    const whirl_status status = whirl_bearings_at(&point, p->options->running_high, numbers);
+    for (size_t i = 0; i < probes; i++) {
+        const double kxx = numbers[8 * i], kyy = numbers[8 * i + 3];
+        if (!(kxx > 0.0) && !(kyy > 0.0)) continue;
+        sum += kxx > 0.0 && kyy > 0.0 ? sqrt(kxx * kyy) : fmax(kxx, kyy);
+        count += 1.0;
+    }
+    free(numbers);
+    *stiffness = sum / count;
+    if (status.code == WHIRL_OK && count == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "antinodes_of: no bearing has a stiffness, by which the mode is found");
+    return status;
+}
+
+/// Index of the forward one that is asked for, or the count.
+static size_t find_forward(const whirl_critical_speeds *of, int number) {
+    size_t i = 0;
+    for (int seen = 0; i < of->count; i++) {
+        seen += of->directions[i] > 0.05;
+        if (seen == number) break;
+    }
+    return i;
+}
+
+static whirl_status place_at_mode(placing *p, const whirl_critical_speeds *found) {
+    const size_t mode = find_forward(found, p->options->antinodes_of);
+    if (mode == found->count)
+        return whirl_fail(WHIRL_BAD_INPUT, "antinodes_of is %d, and the machine has no so many forward critical speeds",
+                          p->options->antinodes_of);
+    p->count = whirl_antinodes(p->machine.system, found->vectors + 2 * mode * found->dimension, p->machine.statics,
+                               p->factor, p->placed);
+    return p->count > 0 ? whirl_ok()
+                        : whirl_fail(WHIRL_BAD_INPUT, "antinodes_of: the mode moves no shaft of finite elements");
+}
+
+static whirl_status place_at_antinodes(placing *p) {
+    const double speed = p->options->running_high;
+    whirl_machine own = {.system = NULL}, faster = {.system = NULL};
+    whirl_critical_speeds *found = NULL;
+    double stiffness = 0.0;
+    whirl_status status = bearing_stiffness(p, &stiffness);
+    if (status.code == WHIRL_OK) status = machine_of(p, speed, stiffness, WHIRL_AS_STUDIED, &own);
+    if (status.code == WHIRL_OK) status = machine_of(p, 2.0 * speed, stiffness, WHIRL_AS_STUDIED, &faster);
+    if (status.code == WHIRL_OK) status = whirl_critical_speeds_new(&own, &faster, &found);
+    if (status.code == WHIRL_OK) status = place_at_mode(p, found);
+    whirl_critical_speeds_free(found);
+    release(&faster);
+    release(&own);
+    return status;
+}
+
+/// kg that hang over at a station beyond the outer bearing of its shaft; NaN where that is not where it stands.
+static double overhang(const placing *p, size_t station) {
+    const whirl_probe *probes = p->machine.system->probes;
+    double left = NAN, right = NAN, first = INFINITY, last = -INFINITY;
+    for (size_t i = 0; i < p->machine.system->probe_count; i++) {
+        if (probes[i].shaft != probes[station].shaft || isnan(p->machine.statics[i].load)) continue;
+        if (probes[i].position < first) first = probes[i].position, left = p->machine.statics[i].mass[0];
+        if (probes[i].position > last) last = probes[i].position, right = p->machine.statics[i].mass[1];
+    }
+    const double place = probes[station].position;
+    return place < first ? left : place > last ? right : (double)NAN;
+}
+
+static whirl_status place_at_station(placing *p) {
+    const whirl_system *system = p->machine.system;
+    size_t station = 0;
+    while (station < system->probe_count && strcmp(system->probes[station].name, p->options->placed_at) != 0) station++;
+    if (station == system->probe_count)
+        return whirl_fail(WHIRL_BAD_INPUT, "at: '%.63s' is no station", p->options->placed_at);
+    const double weight = p->options->placed_weight > 0.0 ? p->options->placed_weight : overhang(p, station);
+    if (isnan(weight))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "at: nothing hangs over at station '%.63s', expected the weight by which its "
+                          "unbalance goes",
+                          p->options->placed_at);
+    p->placed[p->count++] = (whirl_placed){.station = station, .moment = p->factor * weight};
+    return whirl_ok();
+}
+
+whirl_status placement_find(const whirl_study *study, const whirl_batch *batch, whirl_placed **placed, size_t *count) {
+    const whirl_record_options *options = &batch->record;
+    static const double rpm = 0.104719755119659774, rule = 2.0 * 6350.0e-6; // kg m rpm a kg
+    placing p = {.study = study, .batch = *batch, .options = options};
+    *placed = NULL;
+    *count = 0;
+    if (options->antinodes_of == 0 && !*options->placed_at) return whirl_ok();
+    p.factor = rule / (options->running_high / rpm);
+    p.batch.parameter[0] = p.batch.second[0] = p.batch.third[0] = '\0';
+    whirl_status status = machine_of(&p, options->running_high, 0.0, WHIRL_WITH_STATICS, &p.machine);
+    if (status.code == WHIRL_OK) {
+        p.placed = calloc(p.machine.system->probe_count + 1, sizeof *p.placed);
+        if (!p.placed) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to place unbalances");
+    }
+    if (status.code == WHIRL_OK) status = *options->placed_at ? place_at_station(&p) : place_at_antinodes(&p);
+    release(&p.machine);
+    *placed = p.placed;
+    *count = p.count;
+    return status;
+}
