@@ -1,0 +1,119 @@
+"""Unbalances by rule, and responses scaled by them, of a rotor whose weight is told in closed form."""
+
+import subprocess
+
+import numpy as np
+import pytest
+from conftest import COMMAND
+
+import whirl
+
+RPM = np.pi / 30
+TRIP = 9000
+RULE = 2 * 6350e-6 / TRIP  # kg m a kg
+
+# A uniform shaft on soft bearings at its ends, with a disc that hangs over beyond the right one.
+CASE = """
+whirl: 1
+parameters: {{omega: 3000 rpm}}
+rotor:
+  speed: = omega
+  length_scale: 1 mm
+  stations:
+    left: {{position: 0 m}}
+    quarter: {{position: 0.4 m}}
+    middle: {{position: 0.8 m}}
+    three: {{position: 1.2 m}}
+    right: {{position: 1.6 m}}
+    end: {{position: {end} m, mass: {mass} kg}}
+  elements:
+    - segment: {{length: {end} m, outer: 100 mm}}
+    - bearing: {{at: left, kxx: {k} MN/m, kyy: {k} MN/m, cxx: 5 kN s/m}}
+    - bearing: {{at: right, kxx: {k} MN/m, kyy: {k} MN/m, cxx: 5 kN s/m}}
+    - rub: {{at: middle, gap: 0.5 mm, stiffness: 1 MN/m}}
+{unbalances}
+study:
+  unbalance: {{parameter: omega, from: 1000 rpm, to: 9000 rpm, points: 9, running_from: 5000 rpm, running_to: {trip} rpm{rule}}}
+"""
+
+
+def response(rule="", unbalances="", k=20, end=1.9, mass=20):
+    text = CASE.format(rule=rule, unbalances=unbalances, k=k, end=end, mass=mass, trip=TRIP)
+    return whirl.run(whirl.Case(text=text), progress=False)["unbalance"]
+
+
+def placed(table):
+    at = np.squeeze(table["unbalance/placed"][0])
+    names = ("left", "quarter", "middle", "three", "right", "end")
+    return {name: complex(*own) for name, own in zip(names, at) if own.any()}
+
+
+def masses(end=1.9, mass=20):
+    """What the left and the right bearing carry, and what hangs over, kg."""
+    line = 7810 * np.pi * 0.1**2 / 4
+    right = (line * end**2 / 2 + mass * end) / 1.6
+    return line * end + mass - right, right, line * (end - 1.6) + mass
+
+
+def test_first_mode_between_stiff_bearings():
+    left, right, _ = masses(end=1.601, mass=0.001)
+    at = placed(response(", antinodes_of: 1", k=500, end=1.601, mass=0.001))
+    assert at == {"middle": pytest.approx(RULE * (left + right), rel=1e-6)}
+
+
+def test_second_mode_between_stiff_bearings():
+    left, right, _ = masses(end=1.601, mass=0.001)
+    at = placed(response(", antinodes_of: 2", k=500, end=1.601, mass=0.001))
+    assert at.keys() == {"quarter", "three"}
+    assert abs(at["quarter"]) == pytest.approx(RULE * left, rel=1e-6)
+    assert abs(at["three"]) == pytest.approx(RULE * right, rel=1e-6)
+    assert (at["quarter"] * at["three"]).real < 0
+
+
+def test_overhung_mode():
+    _, _, over = masses(mass=200)
+    at = placed(response(", antinodes_of: 1", mass=200))
+    assert at["end"] == pytest.approx(RULE * over, rel=1e-6)
+
+
+def test_at_a_station():
+    *_, over = masses()
+    assert placed(response(", at: end")) == {"end": pytest.approx(RULE * over, rel=1e-6)}
+    assert placed(response(", at: quarter, weight: 7 kg")) == {"quarter": pytest.approx(RULE * 7)}
+    with pytest.raises(whirl.Error, match="nothing hangs over at station 'quarter', expected the weight"):
+        response(", at: quarter")
+    with pytest.raises(whirl.Error, match="has no so many forward critical speeds"):
+        response(", antinodes_of: 64")
+
+
+@pytest.mark.parametrize("rule", ("antinodes_of: 1", "antinodes_of: 2", "at: end"))
+def test_response_is_that_of_such_unbalances(rule):
+    """In the place of the machine's own, which do not count then."""
+    own = "    - unbalance: {at: middle, moment: 3 kg.mm, angle: 40 deg}"
+    by_rule = response(", " + rule, own)
+    said = [
+        f"    - unbalance: {{at: {name}, moment: {abs(at):.17g}, angle: {np.angle(at):.17g}}}"
+        for name, at in placed(by_rule).items()
+    ]
+    by_hand = response("", "\n".join(said))
+    for field in ("amplitude", "axes", "probe"):
+        name = "unbalance/" + field
+        assert np.allclose(by_rule[name], by_hand[name], rtol=1e-10, atol=1e-16)
+
+
+def test_scaled_responses(tmp_path):
+    """The limit over the largest amplitude that a probe sees where it runs scales the major axis at the gap."""
+    own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
+    text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    result.save(tmp_path / "r.h5")
+    summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
+    table = result["unbalance"]
+    running = table["unbalance/speed"].ravel() > 4999 * RPM
+    seen = 2e-3 * table["unbalance/probe"][running][:, [0, 4]].max()
+    limit = 25.4e-6
+    axes = 2e-3 * table["unbalance/axes"][:, 2, 0] * min(6, limit / seen)
+    assert f"largest at a probe where it runs {seen * 1e6:.4g} um p-p" in summary
+    assert f"responses are scaled by {min(6, limit / seen):.4g}" in summary
+    assert f"middle: scaled major axis {axes.max() * 1e6:.4g} um p-p" in summary
+    assert f"{100 * axes.max() / 1e-3:.3g} % of the diametral clearance 1000 um, 75 % allowed" in summary
