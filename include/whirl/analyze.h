@@ -553,11 +553,14 @@ typedef struct whirl_kind {
 /// still, else `TURNING`. Each is an analysis, and a part of a study, of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
-          "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
-        study(unbalance, "synchronous response to unbalance about where the machine rests",                            \
+          "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft",                   \
+          STILL) study(unbalance, "synchronous response to unbalance about where the machine rests",                   \
+                       "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                  \
+        study(critical_speeds, "critical speeds without damping, all at once, forward and backward",                   \
               "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                           \
-            study(critical_speeds, "critical speeds without damping, all at once, forward and backward",               \
-                  "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                       \
+            study(stability,                                                                                           \
+                  "decrements over the cross coupling of stages, its limit, and what seals and impellers do",          \
+                  "Wachel, von Nimitz 1981; API 617", TURNING)                                                         \
                 study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings", \
                       "Przemieniecki 1968", STILL)
 
@@ -654,6 +657,8 @@ typedef enum whirl_variant {
     WHIRL_AS_STUDIED,     ///< with springs for its bearings, where the study says so
     WHIRL_AS_GIVEN,       ///< with its own bearings
     WHIRL_BEARINGS_OF_IT, ///< these alone, on stations of 1 kg
+    WHIRL_WITH_STAGES,    ///< with its own bearings and, `value` times, its stages, without seals and other impellers
+    WHIRL_WITH_DRAG_AT,   ///< with its own bearings, and the seals and impellers at station `value`
     WHIRL_WITH_STATICS,   ///< as WHIRL_AS_GIVEN, with what its weight does to its shafts
 } whirl_variant;
 
@@ -665,8 +670,10 @@ typedef struct whirl_resting {
     const whirl_modes *modes;       ///< of it, where they are asked for, else NULL
     size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
-    /// Makes the same machine at another speed (rad/s), to be released. Errors as those of machines.
-    whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, whirl_machine *machine);
+    /// Makes the same machine at another speed (rad/s; 0: its own), to be released; value: of the variant. Errors as
+    /// those of machines.
+    whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
+                             whirl_machine *machine);
     const void *context; ///< handed to at_speed
     size_t placed_count;
     const whirl_placed *placed; ///< [placed_count] unbalances that it has in the place of its own

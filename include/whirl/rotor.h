@@ -103,6 +103,16 @@ typedef enum whirl_bearings {
 /// Chooses it; stiffness: of every spring, N/m, >= 0.
 void whirl_design_bearings(whirl_design *design, whirl_bearings what, double stiffness);
 
+/// Which seals and impellers a machine has (seal, stage, and bearing of that role).
+typedef enum whirl_drag {
+    WHIRL_DRAG_ALL,    ///< all of them
+    WHIRL_DRAG_STAGES, ///< stages alone
+    WHIRL_DRAG_AT      ///< those at one station
+} whirl_drag;
+
+/// Chooses them: of WHIRL_DRAG_AT by the station's index; cross couplings of stages count `stages` times.
+void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, double stages);
+
 /// Puts unbalances [count], at stations of the design, in the place of all that turn with the rotor: of stations, discs
 /// and elements `unbalance`, and skew. Borrowed until the rotor is built. 0: the rotor has its own.
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed);
@@ -180,6 +190,9 @@ double whirl_rotor_clock(const whirl_rotor *rotor);
 
 /// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_rotor_keyphasor(const whirl_rotor *rotor);
+
+/// N/m, the sum of the cross couplings of its stages, each once; 0 without any.
+double whirl_rotor_cross_coupling(const whirl_rotor *rotor);
 
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 

@@ -77,6 +77,7 @@ typedef struct whirl_batch {
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;
     double speed;          ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
+    double variant_value;  ///< of that variant
     whirl_variant variant; ///< of it; of the batch itself that which is studied
     size_t start;          ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
     whirl_carry carry;     ///< whether points start where their neighbours end

@@ -30,12 +30,22 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
                             m->start);
 }
 
+/// What the variant that is asked for has in the place of its own.
+static machine_choice choose(const whirl_batch *batch) {
+    machine_choice choice = {.placed_count = batch->placed_count, .placed = batch->placed, .stages = 1.0};
+    if (batch->variant == WHIRL_WITH_STAGES) choice.drag = WHIRL_DRAG_STAGES, choice.stages = batch->variant_value;
+    if (batch->variant == WHIRL_WITH_DRAG_AT)
+        choice.drag = WHIRL_DRAG_AT, choice.drag_at = (size_t)batch->variant_value;
+    return choice;
+}
+
 /// The variant that is asked for.
 static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
                           whirl_rotor **rotor) {
+    const machine_choice choice = choose(batch);
     if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
-    if (batch->variant == WHIRL_AS_GIVEN || batch->variant == WHIRL_WITH_STATICS || !batch->record.bearings)
-        return machine_build_with(machine, v, batch->speed, batch->placed_count, batch->placed, rotor);
+    if (batch->variant != WHIRL_AS_STUDIED || !batch->record.bearings)
+        return machine_build_with(machine, v, batch->speed, &choice, rotor);
     if (value < 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the stiffness of bearings is %.10g N/m, expected 0 or a number above",
                           value);
@@ -88,6 +98,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                                .clock = whirl_rotor_clock(m->rotor),
                                .speed = whirl_rotor_speed(m->rotor),
                                .length = whirl_rotor_length_scale(m->rotor),
+                               .cross_coupling = whirl_rotor_cross_coupling(m->rotor),
                                .statics = m->statics,
                                .influence = m->influence};
     return whirl_ok();

@@ -302,16 +302,19 @@ static whirl_status build_and_free(whirl_status status, whirl_design *design, wh
     return status;
 }
 
-whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, size_t count,
-                                const whirl_placed *placed, whirl_rotor **rotor) {
+whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
+                                whirl_rotor **rotor) {
     whirl_design *design;
     const whirl_status status = make_design(machine, v, speed, &design);
-    if (status.code == WHIRL_OK) whirl_design_unbalances(design, count, placed);
+    if (status.code == WHIRL_OK) {
+        whirl_design_unbalances(design, choice->placed_count, choice->placed);
+        whirl_design_drag(design, choice->drag, choice->drag_at, choice->stages);
+    }
     return build_and_free(status, design, rotor);
 }
 
 whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
-    return machine_build_with(machine, v, speed, 0, NULL, rotor);
+    return machine_build_with(machine, v, speed, &(machine_choice){.stages = 1.0}, rotor);
 }
 
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,

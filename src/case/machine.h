@@ -32,9 +32,18 @@ void machine_settle(valuation *v, machine_parts *machine);
 /// Builds a rotor with the values of `valuation`, which turns at `speed` (rad/s) or, with 0, at that of the case.
 whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
-/// The same with unbalances in the place of its own, where there are any.
-whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, size_t count,
-                                const whirl_placed *placed, whirl_rotor **rotor);
+/// What a machine has in the place of its own.
+typedef struct machine_choice {
+    size_t placed_count;
+    const whirl_placed *placed; ///< [placed_count] unbalances; none: its own
+    whirl_drag drag;            ///< which seals and impellers, ...
+    size_t drag_at;             ///< ... of those at one station: where
+    double stages;              ///< times which stages count
+} machine_choice;
+
+/// The same with a choice.
+whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
+                                whirl_rotor **rotor);
 
 /// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1
 /// kg.

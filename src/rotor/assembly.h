@@ -88,8 +88,10 @@ typedef struct assembly {
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
-    body body;         ///< what shafts of finite elements are
-    bool balanced;     ///< what is said of unbalance and skew does not count
+    body body;             ///< what shafts of finite elements are
+    double stages;         ///< times which cross couplings of stages count
+    double cross_coupling; ///< N/m, their sum, each once
+    bool balanced;         ///< what is said of unbalance and skew does not count
     const char *aside; ///< station on a shaft of another speed that has an unbalance which would turn with the rotor
     bool no_memory;    ///< a term was lost
 } assembly;

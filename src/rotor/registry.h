@@ -22,7 +22,8 @@
     X(looseness)                                                                                                       \
     X(mount)                                                                                                           \
     X(ball_bearing)                                                                                                    \
-    X(squeeze)
+    X(squeeze)                                                                                                         \
+    X(stage)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -253,6 +253,7 @@ static whirl_rotor *finish(building *b) {
     rotor->way = !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
     rotor->clock = b->assembly.clock;
     rotor->length = b->design->length;
+    rotor->cross_coupling = b->assembly.cross_coupling;
     rotor->station_count = b->design->station_count;
     rotor->plane_count = b->assembly.plane_count;
     rotor->term_count = b->assembly.term_count;
@@ -353,6 +354,9 @@ const whirl_system *whirl_rotor_system(const whirl_rotor *rotor) {
 }
 double whirl_rotor_speed(const whirl_rotor *rotor) {
     return rotor->speed;
+}
+double whirl_rotor_cross_coupling(const whirl_rotor *rotor) {
+    return rotor->cross_coupling;
 }
 double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;

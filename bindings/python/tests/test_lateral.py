@@ -33,7 +33,8 @@ rotor:
     - rub: {{at: middle, gap: 0.5 mm, stiffness: 1 MN/m}}
 {unbalances}
 study:
-  unbalance: {{parameter: omega, from: 1000 rpm, to: 9000 rpm, points: 9, running_from: 5000 rpm, running_to: {trip} rpm{rule}}}
+  unbalance:
+    {{parameter: omega, from: 1000 rpm, to: 9000 rpm, points: 9, running_from: 5000 rpm, running_to: {trip} rpm{rule}}}
 """
 
 
@@ -117,3 +118,67 @@ def test_scaled_responses(tmp_path):
     assert f"responses are scaled by {min(6, limit / seen):.4g}" in summary
     assert f"middle: scaled major axis {axes.max() * 1e6:.4g} um p-p" in summary
     assert f"{100 * axes.max() / 1e-3:.3g} % of the diametral clearance 1000 um, 75 % allowed" in summary
+
+
+# A rigid disc, m 100 kg, K 1e7 N/m, C 4000 N s/m: its decrement is 0 at Q = C sqrt(K/m).
+DISC = """
+whirl: 1
+parameters: {{q: {q} N/m, omega: 1000 rad/s}}
+rotor:
+  speed: = omega
+  length_scale: 1 mm
+  rotation: {rotation}
+  stations: {{disc: {{mass: 100 kg}}}}
+  elements:
+    - bearing: {{at: disc, kxx: 10 MN/m, cxx: 4 kN s/m}}
+    - stage: {{at: disc, power: = q * omega * 0.5 * 0.01 / 3, diameter: 0.5 m, width: 10 mm}}
+{seal}
+study:
+  stability: {{}}
+"""
+LIMIT = 4000 * np.sqrt(1e7 / 100)
+
+
+def stability(q, seal="", rotation="counter-clockwise"):
+    case = whirl.Case(text=DISC.format(q=q, seal=seal, rotation=rotation))
+    return whirl.run(case, progress=False)["stability"]
+
+
+def decrement(q, damping=4000.0):
+    """Of m z'' + c z' + (k - i q) z = 0, z = x + i y."""
+    roots = np.roots([100, damping, 1e7 - 1j * q])
+    forward = roots[roots.imag > 0][0]
+    return -2 * np.pi * forward.real / forward.imag
+
+
+@pytest.mark.parametrize("rotation", ("counter-clockwise", "clockwise"))
+@pytest.mark.parametrize("share, expected", ((0.5, 0.1986913171), (0.9, 0.0396178191)))
+def test_stability_of_a_rigid_disc(share, expected, rotation):
+    table = stability(share * LIMIT, rotation=rotation)
+    assert table["stability/limit"].item() == pytest.approx(1264911.06, rel=1e-8)
+    assert table["stability/limit"].item() == pytest.approx(LIMIT, rel=1e-9)
+    assert table["stability/anticipated"].item() == pytest.approx(share * LIMIT, rel=1e-12)
+    assert table["stability/basic"].item() == pytest.approx(0.3981806900, abs=5e-11)
+    assert table["stability/decrement"].item() == pytest.approx(expected, abs=5e-11)
+    assert table["stability/complete"].item() == table["stability/decrement"].item()
+    curve = np.squeeze(table["stability/curve"])
+    assert curve[-1, 0] == pytest.approx(2 * LIMIT)
+    for q, own in curve:
+        assert own == pytest.approx(decrement(q), abs=1e-9)
+
+
+def test_stability_with_a_seal():
+    """It counts in the whole and at its station, not in the limit."""
+    table = stability(
+        0.5 * LIMIT, "    - bearing: {at: disc, kxy: 400000 N/m, kyx: -400000 N/m, cxx: 900 N s/m, role: seal}"
+    )
+    assert table["stability/limit"].item() == pytest.approx(LIMIT, rel=1e-9)
+    assert table["stability/decrement"].item() == pytest.approx(decrement(0.5 * LIMIT), abs=1e-9)
+    for name in ("complete", "part"):
+        assert table["stability/" + name].item() == pytest.approx(decrement(0.5 * LIMIT + 400000, 4900), abs=1e-9)
+
+
+def test_no_limit():
+    assert np.isnan(stability(0)["stability/limit"].item())
+    assert np.isnan(stability(100)["stability/limit"].item())
+    assert stability(2 * LIMIT)["stability/decrement"].item() == pytest.approx(decrement(2 * LIMIT), abs=1e-9)

@@ -23,7 +23,7 @@ ANGLES = {
     "segment": {"flats_angle": None},
 }
 SIGNS = {"bearing": ("kxy", "kyx", "cxy", "cyx", "mxy")}
-ALIKE = "beam coupling film looseness mount rub seal shaft spring squeeze".split()
+ALIKE = "beam coupling film looseness mount rub seal shaft spring squeeze stage".split()
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]
 CASES += sorted((ROOT / "tests/references/motions").glob("*.yaml"))

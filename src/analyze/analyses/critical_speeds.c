@@ -34,7 +34,7 @@ static const field_plan fields[FIELD_COUNT] = {
 /// Where the machine as it is given rests at a speed, as far as the stations go: at [probe_count][2].
 static whirl_status find_rest(const whirl_resting *point, double speed, double *at) {
     whirl_machine given;
-    whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, &given);
+    whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, 0.0, &given);
     if (status.code != WHIRL_OK) return status;
     double *x = calloc(given.system->dimension + 1, sizeof *x);
     if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine at rest");
@@ -51,7 +51,7 @@ static whirl_status find_rest(const whirl_resting *point, double speed, double *
 whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *numbers) {
     const size_t probes = point->system->probe_count;
     whirl_machine alone;
-    whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, &alone);
+    whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
     if (status.code != WHIRL_OK) return status;
     double *x = calloc(alone.system->dimension + 10 * probes + 1, sizeof *x);
     double *at = x ? x + alone.system->dimension : NULL, *beside = x ? at + 2 * probes : NULL;
@@ -97,7 +97,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         .system = point->system, .start = point->start, .clock = point->clock, .speed = point->speed};
     whirl_machine faster;
     whirl_critical_speeds *found = NULL;
-    whirl_status status = point->at_speed(point->context, 2.0 * point->speed, WHIRL_AS_STUDIED, &faster);
+    whirl_status status = point->at_speed(point->context, 2.0 * point->speed, WHIRL_AS_STUDIED, 0.0, &faster);
     if (status.code != WHIRL_OK) return status;
     status = whirl_critical_speeds_new(&own, &faster, &found);
     if (faster.release) faster.release(faster.owner);

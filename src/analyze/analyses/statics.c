@@ -29,7 +29,7 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     const size_t probes = point->system->probe_count;
     whirl_machine machine = {.statics = NULL};
     (void)options;
-    const whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, &machine);
+    const whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
     for (size_t p = 0; p < probes && machine.statics; p++) {
         const whirl_station_statics *at = &machine.statics[p];

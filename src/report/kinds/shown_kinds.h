@@ -20,6 +20,7 @@ typedef struct shown_kind {
 /// That of a table, NULL of motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
-extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds, shown_statics;
+extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
+    shown_stability, shown_statics;
 
 #endif

@@ -75,6 +75,10 @@ bool building_carries(const design_element *own) {
 /// Whether something else stands for an element, or nothing.
 static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
+    const bool drags = role_of(own) == ROLE_DRAG;
+    if (drags && b->design->drag == WHIRL_DRAG_STAGES && strcmp(own->type->group.name, "stage") != 0) return true;
+    if (drags && b->design->drag == WHIRL_DRAG_AT && building_value(own, "at")->station[0] != b->design->drag_at)
+        return true;
     return what == WHIRL_BEARINGS_SPRINGS ? role_of(own) != ROLE_OTHER
                                           : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
 }
@@ -172,6 +176,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (status.code == WHIRL_OK) mesh_inertia(&b->mesh, &b->assembly);
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     b->assembly.balanced = design->placed_count > 0;
+    b->assembly.stages = design->stages;
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
     if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);

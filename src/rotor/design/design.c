@@ -18,6 +18,7 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
     if (!*design) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a design");
     (*design)->speed = speed;
     (*design)->length = length_scale;
+    (*design)->stages = 1.0;
     for (const element_type *const *type = element_types; *type; type++)
         (*design)->types[(*design)->type_count++] = *type;
     return whirl_ok();
@@ -26,6 +27,12 @@ whirl_status whirl_design_new(double speed, double length_scale, whirl_design **
 void whirl_design_bearings(whirl_design *design, whirl_bearings what, double stiffness) {
     design->bearings = what;
     design->stiffness = stiffness;
+}
+
+void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, double stages) {
+    design->drag = what;
+    design->drag_at = station;
+    design->stages = stages;
 }
 
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed) {

@@ -22,6 +22,9 @@ struct whirl_design {
     double speed, length;
     whirl_bearings bearings; ///< what stands for them
     double stiffness;        ///< of springs in their place
+    whirl_drag drag;         ///< seals and impellers that are there
+    size_t drag_at;          ///< station of the only ones
+    double stages;           ///< times which stages count
     size_t placed_count;
     const whirl_placed *placed; ///< [placed_count] unbalances in the place of its own; borrowed
     size_t station_count, element_count, shaft_count, material_count;

@@ -28,9 +28,10 @@ static void release(const whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
 }
 
-static whirl_status at_speed(const void *context, double speed, whirl_variant variant, whirl_machine *machine) {
+static whirl_status at_speed(const void *context, double speed, whirl_variant variant, double value,
+                             whirl_machine *machine) {
     placing own = *(const placing *)context;
-    return machine_of(&own, speed, 0.0, variant, machine);
+    return machine_of(&own, speed, value, variant, machine);
 }
 
 /// N/m: the mean over all bearings of sqrt(kxx kyy), or of what is above 0 of these.

@@ -67,11 +67,13 @@ typedef struct place {
     double value;
 } place;
 
-static whirl_status at_speed(const void *context, double speed, whirl_variant variant, whirl_machine *machine) {
+static whirl_status at_speed(const void *context, double speed, whirl_variant variant, double variant_value,
+                             whirl_machine *machine) {
     const place *at = context;
     whirl_batch batch = *at->batch;
     batch.speed = speed;
     batch.variant = variant;
+    batch.variant_value = variant_value;
     return at->study->machine(at->study->family, &batch, at->value, machine);
 }
 

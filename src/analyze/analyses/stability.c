@@ -1,0 +1,149 @@
+// Stability by logarithmic decrements: over the cross coupling of stages with bearings alone (Level I of API 617), and
+// with seals and impellers station by station and all together (Level II).
+#include <math.h>
+#include <stdlib.h>
+
+#include "analysis.h"
+
+enum { SPEED, ANTICIPATED, LIMIT, BASIC, DECREMENT, COMPLETE, FREQUENCY, CURVE, PART, FIELD_COUNT };
+
+/// Points of the curve; it goes to so many times the anticipated cross coupling, or twice the limit if that is less.
+enum { CURVE_POINTS = 21, CURVE_END = 10 };
+
+static size_t curve_points(const block_shape *shape) {
+    (void)shape;
+    return CURVE_POINTS;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [SPEED] = {WHIRL_FIELD_STABILITY_SPEED, "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
+    [ANTICIPATED] = {WHIRL_FIELD_STABILITY_ANTICIPATED, "N/m", "cross coupling of all stages, Q_A", WHIRL_PER_POINT, 1,
+                     NULL},
+    [LIMIT] =
+        {WHIRL_FIELD_STABILITY_LIMIT, "N/m",
+         "cross coupling of all stages, each in proportion, at which the decrement is 0, Q_0 (0: it is below without "
+         "any; missing: at no less than 1000 times the anticipated one)",
+         WHIRL_PER_POINT, 1, NULL},
+    [BASIC] = {WHIRL_FIELD_STABILITY_BASIC, "1", "logarithmic decrement with bearings alone", WHIRL_PER_POINT, 1, NULL},
+    [DECREMENT] = {WHIRL_FIELD_STABILITY_DECREMENT, "1", "logarithmic decrement with bearings and stages",
+                   WHIRL_PER_POINT, 1, NULL},
+    [COMPLETE] = {WHIRL_FIELD_STABILITY_COMPLETE, "1",
+                  "logarithmic decrement with bearings, stages, seals and impellers", WHIRL_PER_POINT, 1, NULL},
+    [FREQUENCY] = {WHIRL_FIELD_STABILITY_FREQUENCY, "rad/s", "of the mode with bearings and stages", WHIRL_PER_POINT, 1,
+                   NULL},
+    [CURVE] = {WHIRL_FIELD_STABILITY_CURVE, "", "cross_coupling, decrement (cross coupling of all stages in N/m)",
+               WHIRL_PER_POINT, 2, curve_points},
+    [PART] = {WHIRL_FIELD_STABILITY_PART, "1",
+              "logarithmic decrement with bearings, and with the seals and impellers here alone", WHIRL_PER_STATION, 1,
+              NULL},
+};
+
+/// A machine whose decrement is asked for.
+typedef struct probing {
+    const whirl_resting *point;
+    double frequency; ///< of the mode at the last one
+    double anticipated;
+} probing;
+
+/// The least logarithmic decrement of modes that go forward, up to the speed; where there are none, of those that do
+/// not go backward, then of such at any frequency; NaN where there are none.
+static double decrement_of(const whirl_modes *modes, double clock, double speed, double *frequency) {
+    static const struct {
+        double direction;
+        bool slow;
+    } rounds[] = {{0.05, true}, {-0.05, true}, {-0.05, false}};
+    double best = NAN;
+    for (size_t r = 0; r < sizeof rounds / sizeof *rounds && isnan(best); r++)
+        for (size_t i = 0; i < modes->count; i++) {
+            const whirl_mode *mode = &modes->modes[i];
+            const double own = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
+            if (mode->direction <= rounds[r].direction || own >= best) continue;
+            if (rounds[r].slow && clock * mode->imaginary > speed) continue;
+            best = own;
+            *frequency = clock * mode->imaginary;
+        }
+    return best;
+}
+
+static whirl_status probe(probing *p, whirl_variant variant, double value, double *decrement) {
+    whirl_machine machine = {.system = NULL};
+    whirl_modes *modes = NULL;
+    whirl_status status = p->point->at_speed(p->point->context, 0.0, variant, value, &machine);
+    if (status.code == WHIRL_OK) status = whirl_modes_new(machine.system, machine.start, &modes);
+    if (status.code == WHIRL_OK) {
+        *decrement = decrement_of(modes, machine.clock, machine.speed, &p->frequency);
+        if (variant == WHIRL_WITH_STAGES) p->anticipated = machine.cross_coupling;
+    }
+    whirl_modes_free(modes);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+/// Where the decrement is 0, as a multiple of the stages: 0 where it is below with none.
+static whirl_status find_limit(probing *p, double basic, double *limit) {
+    enum { STEPS = 60 };
+    static const double most = 1024.0, close = 1e-12;
+    double low = 0.0, high = 1.0, decrement = basic;
+    whirl_status status = whirl_ok();
+    *limit = basic > 0.0 ? NAN : 0.0;
+    if (!(basic > 0.0)) return status;
+    for (; high <= most && status.code == WHIRL_OK; low = high, high *= 2.0) {
+        status = probe(p, WHIRL_WITH_STAGES, high, &decrement);
+        if (!(decrement > 0.0)) break;
+    }
+    if (high > most || isnan(decrement)) return status;
+    for (int i = 0; i < STEPS && high - low > close * high && status.code == WHIRL_OK; i++) {
+        const double middle = 0.5 * (low + high);
+        status = probe(p, WHIRL_WITH_STAGES, middle, &decrement);
+        if (decrement > 0.0)
+            low = middle;
+        else
+            high = middle;
+    }
+    *limit = 0.5 * (low + high);
+    return status;
+}
+
+static whirl_status fill_curve(probing *p, double limit, const block_view *view) {
+    const double end = limit > 0.0 ? fmin(CURVE_END, 2.0 * limit) : CURVE_END;
+    double *curve = view_numbers(view, CURVE, 0);
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < CURVE_POINTS && status.code == WHIRL_OK; i++) {
+        const double share = end * (double)i / (CURVE_POINTS - 1);
+        curve[2 * i] = share * p->anticipated;
+        status = probe(p, WHIRL_WITH_STAGES, share, &curve[2 * i + 1]);
+    }
+    return status;
+}
+
+static whirl_status fill_parts(probing *p, double basic, const block_view *view) {
+    whirl_status status = whirl_ok();
+    for (size_t s = 0; s < p->point->system->probe_count && status.code == WHIRL_OK; s++) {
+        double own = NAN;
+        status = probe(p, WHIRL_WITH_DRAG_AT, (double)s, &own);
+        *view_numbers(view, PART, s) = own == basic ? (double)NAN : own; // to the bit: there is none
+    }
+    return status;
+}
+
+static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+    probing p = {.point = point};
+    double basic = NAN, anticipated = NAN, complete = NAN, limit = NAN;
+    (void)options;
+    whirl_status status = probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
+    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_AS_GIVEN, 0.0, &complete);
+    if (status.code == WHIRL_OK) status = fill_parts(&p, basic, view);
+    if (status.code == WHIRL_OK && p.anticipated > 0.0) status = find_limit(&p, basic, &limit);
+    if (status.code == WHIRL_OK && p.anticipated > 0.0) status = fill_curve(&p, limit, view);
+    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_WITH_STAGES, 1.0, &anticipated);
+    *view_numbers(view, SPEED, 0) = point->speed;
+    *view_numbers(view, ANTICIPATED, 0) = p.anticipated;
+    *view_numbers(view, LIMIT, 0) = limit * p.anticipated;
+    *view_numbers(view, BASIC, 0) = basic;
+    *view_numbers(view, DECREMENT, 0) = anticipated;
+    *view_numbers(view, COMPLETE, 0) = complete;
+    *view_numbers(view, FREQUENCY, 0) = p.frequency;
+    return status;
+}
+
+const analysis_plan stability_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

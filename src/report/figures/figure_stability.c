@@ -1,0 +1,66 @@
+// Stability: logarithmic decrements over the cross coupling of stages.
+#include <math.h>
+#include <stdio.h>
+
+#include "figure_kinds.h"
+
+/// A figure a point, of not too many.
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    enum { MOST = 6 };
+    const size_t step = 1 + (table->count - 1) / MOST;
+    for (size_t point = 0; point < table->count && table_has(table, WHIRL_FIELD_STABILITY_CURVE); point += step) {
+        const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
+        const figure_place place = {.kind = &stability_figure, .table = table, .point = (long)point};
+        char name[2 * WHIRL_NAME_SIZE], at[2 * WHIRL_NAME_SIZE] = "";
+        const double *curve = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_CURVE, 0);
+        if (!whirl_table_done(table, point) || !curve || !isfinite(curve[1])) continue;
+        if (*table->parameter) snprintf(at, sizeof at, " at %.6g %s", table->values[point] / unit.size, unit.name);
+        snprintf(name, sizeof name, "%s", table->name);
+        list_figure(to, &place, name, "Stability over the cross coupling of stages%s", at);
+    }
+}
+
+/// An upright line at a cross coupling, of what name.
+static void add_mark(whirl_figure *figure, whirl_panel *panel, double at, double low, double high, const char *name,
+                     size_t colour) {
+    if (!isfinite(at)) return;
+    whirl_series *line = panel_named(figure, panel, WHIRL_LINE, name, line_colour(colour), 0.8);
+    if (line) line->dashed = true;
+    series_add(figure, line, at, low);
+    series_add(figure, line, at, high);
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    static const double mega = 1e6, least = 0.1;
+    const whirl_table *table = place->table;
+    const size_t point = (size_t)place->point;
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_STABILITY_CURVE);
+    const double *curve = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_CURVE, 0);
+    whirl_panel *panel = figure_panel(figure, "decrement", 1.0, 7.5);
+    double low = 0.0, high = least;
+    (void)of;
+    if (!panel) return;
+    snprintf(panel->x.label, sizeof panel->x.label, "cross coupling of all stages (MN/m)");
+    snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
+    whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "least of forward modes", line_colour(0), 1.2);
+    for (size_t i = 0; i < field->rows; i++) {
+        series_add(figure, line, curve[2 * i] / mega, curve[2 * i + 1]);
+        low = fmin(low, curve[2 * i + 1]);
+        high = fmax(high, curve[2 * i + 1]);
+    }
+    whirl_series *level = panel_named(figure, panel, WHIRL_LINE, "0.1", line_colour(5), 0.6);
+    if (level) level->dashed = true;
+    series_add(figure, level, 0.0, least);
+    series_add(figure, level, curve[2 * field->rows - 2] / mega, least);
+    add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0) / mega, low, high,
+             "anticipated", 1);
+    add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) / mega, low, high, "limit",
+             2);
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "The least logarithmic decrement of forward modes up to the speed over the cross coupling of all stages, each "
+        "in proportion, with bearings and without seals: what the stages are anticipated to bring, and the limit at "
+        "which the decrement is 0.");
+}
+
+const figure_kind stability_figure = {.list = list, .describe = describe};

@@ -1,0 +1,123 @@
+// How stability is shown: decrements, the limit of the cross coupling, and whether seals are to be counted.
+#include <math.h>
+#include <stdio.h>
+
+#include "html.h"
+#include "shown_kinds.h"
+#include "summary.h"
+
+enum { SENTENCE = 256 };
+
+static const double two_pi = 6.283185307179586476925;
+
+static double number(const whirl_table *table, size_t point, const char *field) {
+    return whirl_table_number(table, point, field, 0);
+}
+
+/// Whether bearings and stages alone tell enough, and of the whole machine whether it is damped as asked for (API 617;
+/// which edition counts is for the user to check).
+static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
+    static const double least = 0.1, ratio = 2.0;
+    const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
+    const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
+    const double decrement = number(table, point, WHIRL_FIELD_STABILITY_DECREMENT);
+    const double complete = number(table, point, WHIRL_FIELD_STABILITY_COMPLETE);
+    const char *whole = complete > least ? "holds" : "fails";
+    if (isnan(decrement))
+        snprintf(text, SENTENCE, "no mode goes forward");
+    else if (!(anticipated > 0.0))
+        snprintf(text, SENTENCE,
+                 "no stages: seals and impellers decide; decrement %.3g with them, above 0.1 asked for: %s", complete,
+                 whole);
+    else if (decrement < least || limit < ratio * anticipated)
+        snprintf(
+            text, SENTENCE,
+            "%s: seals and impellers are to be counted (Level II); decrement %.3g with them, above 0.1 asked for: %s",
+            decrement < least ? "decrement below 0.1" : "limit below 2 times the anticipated", complete, whole);
+    else
+        snprintf(text, SENTENCE, "decrement above 0.1 and limit above 2 times the anticipated: holds by Level I");
+}
+
+static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    char text[SENTENCE];
+    const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
+    const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
+    fprintf(out,
+            "    logarithmic decrement: bearings alone %.4g, with stages %.4g (at %.5g Hz), with seals and impellers "
+            "%.4g\n",
+            number(table, point, WHIRL_FIELD_STABILITY_BASIC), number(table, point, WHIRL_FIELD_STABILITY_DECREMENT),
+            number(table, point, WHIRL_FIELD_STABILITY_FREQUENCY) / two_pi,
+            number(table, point, WHIRL_FIELD_STABILITY_COMPLETE));
+    if (anticipated > 0.0 && isfinite(limit))
+        fprintf(out, "    cross coupling: anticipated %.6g N/m, limit %.6g N/m, %.4g times as much\n", anticipated,
+                limit, limit / anticipated);
+    else if (anticipated > 0.0)
+        fprintf(out, "    cross coupling: anticipated %.6g N/m, no limit below 1000 times as much\n", anticipated);
+    for (size_t station = 0; station < result->station_count; station++) {
+        const double *own = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_PART, station);
+        if (own && isfinite(*own))
+            fprintf(out, "    bearings and what is at %s: %.4g\n", result->stations[station].name, *own);
+    }
+    judge(table, point, text);
+    fprintf(out, "    %s\n", text);
+}
+
+/// Of many points the first and the last.
+static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
+        if (*table->parameter)
+            fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        print_point(out, result, table, point);
+    }
+}
+
+static void write_cell(FILE *stream, double value) {
+    if (isfinite(value))
+        fprintf(stream, "<td class=\"number\">%.5g</td>", value);
+    else
+        fputs("<td></td>", stream);
+}
+
+static void section(const page *to, size_t index, const whirl_table *table) {
+    static const char *const shown[] = {WHIRL_FIELD_STABILITY_ANTICIPATED, WHIRL_FIELD_STABILITY_LIMIT,
+                                        WHIRL_FIELD_STABILITY_BASIC, WHIRL_FIELD_STABILITY_DECREMENT,
+                                        WHIRL_FIELD_STABILITY_COMPLETE};
+    const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
+    fputs(
+        "<p>The least logarithmic decrement of forward modes up to the speed: with bearings alone, with the cross "
+        "coupling "
+        "of stages (anticipated, and its limit, where the decrement is 0), and with seals and impellers. After API 617 "
+        "(which edition counts is for the user to check) bearings and stages tell enough where that limit is 2 times "
+        "the "
+        "anticipated or more and the decrement 0.1 or more; else it is to be above 0.1 with seals and impellers.</p>\n",
+        to->stream);
+    html_table(to->stream, "Stability", "");
+    fputs("<thead><tr><th>at</th><th class=\"number\">anticipated (N/m)</th><th class=\"number\">limit (N/m)</th>"
+          "<th class=\"number\">bearings alone</th><th class=\"number\">with stages</th>"
+          "<th class=\"number\">with seals and impellers</th><th>what follows</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    for (size_t point = 0; point < table->count; point++) {
+        char text[SENTENCE];
+        if (!whirl_table_done(table, point)) continue;
+        if (*table->parameter)
+            fprintf(to->stream, "<tr><th class=\"number\">%.6g %s</th>", table->values[point] / unit.size, unit.name);
+        else
+            fputs("<tr><th>the speed of the case</th>", to->stream);
+        for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
+            write_cell(to->stream, number(table, point, shown[i]));
+        judge(table, point, text);
+        fputs("<td>", to->stream);
+        html_text(to->stream, text);
+        fputs("</td></tr>\n", to->stream);
+    }
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+const shown_kind shown_stability = {.field = WHIRL_FIELD_STABILITY_BASIC,
+                                    .anchor = "stability",
+                                    .name = "Stability by decrements",
+                                    .single = true,
+                                    .summarize = summarize,
+                                    .section = section};
