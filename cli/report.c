@@ -13,8 +13,8 @@
 typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
-    const char *directory, *claims, *gnuplot, *explorer, *units;
-    bool quiet;
+    const char *directory, *claims, *gnuplot, *weasyprint, *explorer, *units;
+    bool lateral, quiet;
 } report_arguments;
 
 /// One result with the folder name that it gets in the report.
@@ -23,7 +23,7 @@ typedef struct entry {
     char name[WHIRL_NAME_SIZE];
 } entry;
 
-enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, KEY_UNITS, PATH_SIZE = 4096 };
+enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, KEY_LATERAL, KEY_WEASYPRINT, KEY_UNITS, PATH_SIZE = 4096 };
 
 static const struct argp_option options[] = {
     {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
@@ -45,6 +45,13 @@ static const struct argp_option options[] = {
      .doc = "Units of figures and pages, such as \"um, rpm, Hz, p-p\" (default: those of the case): scale, m, mm, um, "
             "in or "
             "mil; rad/s or rpm; order, Hz or cpm; 0-p, p-p or rms"},
+    {.name = "lateral",
+     .key = KEY_LATERAL,
+     .doc = "Write lateral.html and lateral.pdf besides: a lateral analysis, from the machine to margins and stability"},
+    {.name = "weasyprint",
+     .key = KEY_WEASYPRINT,
+     .arg = "PROGRAM",
+     .doc = "Make lateral.pdf with this weasyprint (default: the one on the PATH)"},
     {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
     {0},
 };
@@ -66,6 +73,12 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case KEY_UNITS:
         arguments->units = argument;
+        return 0;
+    case KEY_LATERAL:
+        arguments->lateral = true;
+        return 0;
+    case KEY_WEASYPRINT:
+        arguments->weasyprint = argument;
         return 0;
     case KEY_EXPLORER:
         arguments->explorer = argument;
@@ -144,7 +157,8 @@ static int write_report(const report_arguments *arguments, const entry *entries,
             names[i] = entries[i].name;
         }
         const whirl_report_options how = {
-            .claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer, .units = arguments->units};
+            .claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer, .units = arguments->units,
+            .lateral = arguments->lateral, .weasyprint = arguments->weasyprint};
         status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);
@@ -152,6 +166,7 @@ static int write_report(const report_arguments *arguments, const entry *entries,
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
         tell_explorer(arguments, explorer != NULL);
+        if (arguments->lateral) printf("%s/lateral.html\n%s/lateral.pdf\n", arguments->directory, arguments->directory);
     }
     return complain_of(&status);
 }

@@ -110,13 +110,13 @@ system_only_in() { # HEADER FILE...: no other file of src includes it, and these
     done
 }
 files="store/bytes.c store/atomic_file.c store/journal/journal_file.c report/report_file.c" # reading, writing, keeping
-process=report/render/gnuplot.c
+process="report/render/gnuplot.c report/render/print.c"
 system_only_in pthread.h base/lock.h
 system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several
 system_only_in fcntl.h $files $process base/room.c
 # shellcheck disable=SC2086
-system_only_in sys/stat.h $files $process
+system_only_in sys/stat.h $files report/render/gnuplot.c
 # shellcheck disable=SC2086
 system_only_in unistd.h $files $process store/journal/underway.c store/hdf5/h5driver.c base/room.c
 system_only_in dirent.h store/journal/underway.c

@@ -675,7 +675,7 @@ typedef struct whirl_resting {
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
     const void *context; ///< handed to at_speed
-    size_t placed_count;
+    size_t placed_count;        ///< of placed
     const whirl_placed *placed; ///< [placed_count] unbalances that it has in the place of its own
 } whirl_resting;
 

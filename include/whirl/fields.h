@@ -122,6 +122,7 @@
 #define WHIRL_FIELD_STABILITY_DECREMENT "stability/decrement"
 #define WHIRL_FIELD_STABILITY_COMPLETE "stability/complete"
 #define WHIRL_FIELD_STABILITY_FREQUENCY "stability/frequency"
+#define WHIRL_FIELD_STABILITY_CROSS_COUPLING "stability/cross_coupling"
 #define WHIRL_FIELD_STABILITY_CURVE "stability/curve"
 #define WHIRL_FIELD_STABILITY_PART "stability/part"
 #define WHIRL_FIELD_STATICS_LOAD "statics/load"

@@ -23,11 +23,14 @@ typedef struct whirl_report_options {
     /// Units of figures and pages, "um, rpm, Hz, p-p" (docs/guide/04-studies.md), where they shall not be those of the
     /// case; NULL: none. WHIRL_BAD_INPUT for a word that is no unit.
     const char *units;
+    bool lateral;           ///< DIR/lateral.html and lateral.pdf besides: a lateral analysis in the order of its parts
+    const char *weasyprint; ///< program that makes the PDF of it; NULL: "weasyprint" on the PATH
 } whirl_report_options;
 
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
 /// DIR/NAME/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
-/// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same.
+/// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same; or when weasyprint is not
+/// there, and all but the PDF is written.
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options);
 

@@ -96,7 +96,7 @@ void whirl_design_free(whirl_design *design);
 /// What stands for the bearings of a design (bearing, film, ball_bearing).
 typedef enum whirl_bearings {
     WHIRL_BEARINGS_GIVEN,   ///< they themselves
-    WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals and impellers out
+    WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals, impellers and gravity out
     WHIRL_BEARINGS_ALONE    ///< they themselves, and no other element: what their coefficients are derivatives of
 } whirl_bearings;
 

@@ -9,6 +9,7 @@
 #include "gnuplot_script.h"
 #include "machine_at.h"
 #include "page.h"
+#include "print.h"
 #include "report_file.h"
 #include "whirl/report.h"
 
@@ -72,7 +73,7 @@ static whirl_status draw_figure(report *made, const drawing *of, const figure_pl
     if (status.code != WHIRL_OK) return status;
     status = write_figure(made->paths[result], figure);
     drawn_figure *own = &made->figures.items[made->figures.count++];
-    *own = (drawn_figure){.result = result, .name = place->name};
+    *own = (drawn_figure){.result = result, .table = place->table, .name = place->name};
     memcpy(own->caption, figure->caption, sizeof own->caption);
     whirl_figure_free(figure);
     return status;
@@ -135,9 +136,10 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
 }
 
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
-                               size_t count, const char *directory, const whirl_report_options *options) {
+                               size_t count, const char *directory, const whirl_report_options *options,
+                               bool lateral) {
     report_file file;
-    const whirl_status status = report_file_open(&file, directory, "report.html");
+    const whirl_status status = report_file_open(&file, directory, lateral ? "lateral.html" : "report.html");
     if (status.code != WHIRL_OK) return status;
     const page to = {
         .stream = file.stream,
@@ -151,8 +153,19 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .units = made->units,
         .explorer = options->explorer != NULL,
     };
-    page_write(&to);
+    if (lateral)
+        lateral_write(&to);
+    else
+        page_write(&to);
     return report_file_close(&file);
+}
+
+/// The page of a lateral analysis, and the same as a document to be printed. WHIRL_MISSING_PROGRAM without its program.
+static whirl_status write_lateral(const report *made, const whirl_result *const *results, const char *const *names,
+                                  size_t count, const char *directory, const whirl_report_options *options) {
+    const whirl_status status = write_page(made, results, names, count, directory, options, true);
+    return status.code == WHIRL_OK ? document_print(options->weasyprint, directory, "lateral.html", "lateral.pdf")
+                                   : status;
 }
 
 static whirl_status make(report *made, const whirl_result *const *results, const char *const *names, size_t count,
@@ -163,9 +176,11 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     const whirl_status drawn = draw(made, options->gnuplot);
     if (drawn.code == WHIRL_NO_MEMORY) return drawn;
     if (options->claims) compare(made, results, count, options->claims);
-    status = write_page(made, results, names, count, directory, options);
+    status = write_page(made, results, names, count, directory, options, false);
     if (status.code == WHIRL_OK && options->explorer)
         status = explorer_write(options->explorer, results, names, count, directory, options->units);
+    if (status.code == WHIRL_OK && options->lateral)
+        status = write_lateral(made, results, names, count, directory, options);
     return status.code == WHIRL_OK ? drawn : status;
 }
 

@@ -106,6 +106,7 @@ names.stability_basic = 'stability/basic';
 names.stability_decrement = 'stability/decrement';
 names.stability_complete = 'stability/complete';
 names.stability_frequency = 'stability/frequency';
+names.stability_cross_coupling = 'stability/cross_coupling';
 names.stability_curve = 'stability/curve';
 names.stability_part = 'stability/part';
 names.statics_load = 'statics/load';

@@ -161,9 +161,9 @@ def test_stability_of_a_rigid_disc(share, expected, rotation):
     assert table["stability/basic"].item() == pytest.approx(0.3981806900, abs=5e-11)
     assert table["stability/decrement"].item() == pytest.approx(expected, abs=5e-11)
     assert table["stability/complete"].item() == table["stability/decrement"].item()
-    curve = np.squeeze(table["stability/curve"])
-    assert curve[-1, 0] == pytest.approx(2 * LIMIT)
-    for q, own in curve:
+    coupling, curve = (np.ravel(table["stability/" + name]) for name in ("cross_coupling", "curve"))
+    assert coupling[-1] == pytest.approx(2 * LIMIT)
+    for q, own in zip(coupling, curve):
         assert own == pytest.approx(decrement(q), abs=1e-9)
 
 

@@ -108,6 +108,7 @@ class FIELD:
     STABILITY_DECREMENT = "stability/decrement"
     STABILITY_COMPLETE = "stability/complete"
     STABILITY_FREQUENCY = "stability/frequency"
+    STABILITY_CROSS_COUPLING = "stability/cross_coupling"
     STABILITY_CURVE = "stability/curve"
     STABILITY_PART = "stability/part"
     STATICS_LOAD = "statics/load"

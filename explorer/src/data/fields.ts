@@ -106,6 +106,7 @@ export const FIELD = {
   STABILITY_DECREMENT: 'stability/decrement',
   STABILITY_COMPLETE: 'stability/complete',
   STABILITY_FREQUENCY: 'stability/frequency',
+  STABILITY_CROSS_COUPLING: 'stability/cross_coupling',
   STABILITY_CURVE: 'stability/curve',
   STABILITY_PART: 'stability/part',
   STATICS_LOAD: 'statics/load',

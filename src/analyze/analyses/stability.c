@@ -5,7 +5,7 @@
 
 #include "analysis.h"
 
-enum { SPEED, ANTICIPATED, LIMIT, BASIC, DECREMENT, COMPLETE, FREQUENCY, CURVE, PART, FIELD_COUNT };
+enum { SPEED, ANTICIPATED, LIMIT, BASIC, DECREMENT, COMPLETE, FREQUENCY, CROSS_COUPLING, CURVE, PART, FIELD_COUNT };
 
 /// Points of the curve; it goes to so many times the anticipated cross coupling, or twice the limit if that is less.
 enum { CURVE_POINTS = 21, CURVE_END = 10 };
@@ -31,8 +31,10 @@ static const field_plan fields[FIELD_COUNT] = {
                   "logarithmic decrement with bearings, stages, seals and impellers", WHIRL_PER_POINT, 1, NULL},
     [FREQUENCY] = {WHIRL_FIELD_STABILITY_FREQUENCY, "rad/s", "of the mode with bearings and stages", WHIRL_PER_POINT, 1,
                    NULL},
-    [CURVE] = {WHIRL_FIELD_STABILITY_CURVE, "", "cross_coupling, decrement (cross coupling of all stages in N/m)",
-               WHIRL_PER_POINT, 2, curve_points},
+    [CROSS_COUPLING] = {WHIRL_FIELD_STABILITY_CROSS_COUPLING, "N/m", "of all stages, along the curve", WHIRL_PER_POINT,
+                        1, curve_points},
+    [CURVE] = {WHIRL_FIELD_STABILITY_CURVE, "1", "logarithmic decrement with bearings and that cross coupling",
+               WHIRL_PER_POINT, 1, curve_points},
     [PART] = {WHIRL_FIELD_STABILITY_PART, "1",
               "logarithmic decrement with bearings, and with the seals and impellers here alone", WHIRL_PER_STATION, 1,
               NULL},
@@ -45,23 +47,39 @@ typedef struct probing {
     double anticipated;
 } probing;
 
-/// The least logarithmic decrement of modes that go forward, up to the speed; where there are none, of those that do
-/// not go backward, then of such at any frequency; NaN where there are none.
+static double frequency_of(const whirl_mode *mode, double clock) {
+    return clock * mode->imaginary;
+}
+
+/// Whether a mode goes round so far forward (1 to -1) and its damping ratio is below `damped`.
+static bool counts(const whirl_mode *mode, double direction, double damped) {
+    return mode->direction > direction && 0.0 - mode->real < damped * hypot(mode->real, mode->imaginary);
+}
+
+/// The least logarithmic decrement of the modes that count up to the speed, or to the first of them where that is
+/// faster; NaN where there are none.
+static double least_decrement(const whirl_modes *modes, double clock, double speed, double direction, double damped,
+                              double *frequency) {
+    double first = INFINITY, best = NAN;
+    for (size_t i = 0; i < modes->count; i++)
+        if (counts(&modes->modes[i], direction, damped)) first = fmin(first, frequency_of(&modes->modes[i], clock));
+    for (size_t i = 0; i < modes->count; i++) {
+        const whirl_mode *mode = &modes->modes[i];
+        const double own = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
+        if (!counts(mode, direction, damped) || frequency_of(mode, clock) > fmax(speed, first) || own >= best) continue;
+        best = own;
+        *frequency = frequency_of(mode, clock);
+    }
+    return best;
+}
+
+/// That of modes that go forward, and are damped so little that they are seen; where there are none, of those that do
+/// not go backward, then of all that do not, however much they are damped.
 static double decrement_of(const whirl_modes *modes, double clock, double speed, double *frequency) {
-    static const struct {
-        double direction;
-        bool slow;
-    } rounds[] = {{0.05, true}, {-0.05, true}, {-0.05, false}};
+    static const struct { double direction, damped; } rounds[] = {{0.05, 0.8}, {-0.05, 0.8}, {-0.05, INFINITY}};
     double best = NAN;
     for (size_t r = 0; r < sizeof rounds / sizeof *rounds && isnan(best); r++)
-        for (size_t i = 0; i < modes->count; i++) {
-            const whirl_mode *mode = &modes->modes[i];
-            const double own = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
-            if (mode->direction <= rounds[r].direction || own >= best) continue;
-            if (rounds[r].slow && clock * mode->imaginary > speed) continue;
-            best = own;
-            *frequency = clock * mode->imaginary;
-        }
+        best = least_decrement(modes, clock, speed, rounds[r].direction, rounds[r].damped, frequency);
     return best;
 }
 
@@ -106,12 +124,12 @@ static whirl_status find_limit(probing *p, double basic, double *limit) {
 
 static whirl_status fill_curve(probing *p, double limit, const block_view *view) {
     const double end = limit > 0.0 ? fmin(CURVE_END, 2.0 * limit) : CURVE_END;
-    double *curve = view_numbers(view, CURVE, 0);
+    double *coupling = view_numbers(view, CROSS_COUPLING, 0), *curve = view_numbers(view, CURVE, 0);
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < CURVE_POINTS && status.code == WHIRL_OK; i++) {
         const double share = end * (double)i / (CURVE_POINTS - 1);
-        curve[2 * i] = share * p->anticipated;
-        status = probe(p, WHIRL_WITH_STAGES, share, &curve[2 * i + 1]);
+        coupling[i] = share * p->anticipated;
+        status = probe(p, WHIRL_WITH_STAGES, share, &curve[i]);
     }
     return status;
 }

@@ -36,10 +36,10 @@ static const whirl_member members[] = {
     WHOLE(NULL, modes, "critical_speeds", "count", "16", 1, 512, false, "critical speeds that are kept, the lowest"),
     FLAG(bearings, "critical_speeds", "no",
          "yes: the parameter is the stiffness of every bearing: springs stand in their place, seals are left out"),
-    WHOLE(
-        "antinodes_of", antinodes_of, "unbalance", "antinodes_of", "0", 0, 64, false,
-        "number of the forward critical speed, from 1, at whose antinodes unbalances of 2 times 6350 W/N g mm stand in "
-        "the place of the machine's own, N rpm running_to, W kg on the bearings or beyond them; 0: its own"),
+    WHOLE("antinodes_of", antinodes_of, "unbalance", "antinodes_of", "0", 0, 64, false,
+          "n: unbalances of 2 x 6350 W/N g mm, in the place of its own, at the antinodes of the n-th forward critical "
+          "speed; "
+          "N running_to, W kg on bearings; 0: its own"),
     MEMBER(whirl_record_options, WORD, "placed_at", placed_at, "unbalance", false, "at", "", "", WHIRL_KEY_CHOICE,
            false, "", WHIRL_ANY, "", "a station where one such unbalance stands", ""),
     MEMBER(

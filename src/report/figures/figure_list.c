@@ -26,6 +26,16 @@ static bool is_taken(const figure_list *list, const char *name) {
     return false;
 }
 
+/// What the table of a study at rest is called beside others of its kind: "first_minimum" of "unbalance_first_minimum".
+static const char *name_beside(const whirl_table *table) {
+    if (whirl_analysis_kind(table->analyses)->moves || whirl_analysis_kind(table->analyses)->found) return "";
+    for (const whirl_analysis *one = whirl_analyses(); one->name; one++) {
+        const size_t length = strlen(one->name);
+        if (strncmp(table->name, one->name, length) == 0 && table->name[length] == '_') return table->name + length + 1;
+    }
+    return "";
+}
+
 void list_figure(figure_list *list, const figure_place *place, const char *name, const char *title, ...) {
     if (list->count == list->room) {
         const size_t room = list->room ? 2 * list->room : 32;
@@ -36,8 +46,10 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
         list->room = room;
     }
     whirl_figure_name own = {.point = place->point, .station = place->station};
-    char safe[sizeof own.name - 24];
-    safe_name(name, safe, sizeof safe);
+    char safe[sizeof own.name - 24], whole[sizeof safe];
+    const char *const beside = name_beside(place->table);
+    snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
+    safe_name(whole, safe, sizeof safe);
     snprintf(own.name, sizeof own.name, "%s", safe);
     for (unsigned again = 2; is_taken(list, own.name); again++)
         snprintf(own.name, sizeof own.name, "%s-%u", safe, again);
@@ -45,6 +57,8 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     va_start(arguments, title);
     vsnprintf(own.title, sizeof own.title, title, arguments);
     va_end(arguments);
+    const size_t used = strlen(own.title);
+    if (*beside) snprintf(own.title + used, sizeof own.title - used, " (%.60s)", beside);
     list->items[list->count] = *place;
     list->items[list->count++].name = own;
 }

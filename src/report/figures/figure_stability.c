@@ -11,12 +11,11 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     for (size_t point = 0; point < table->count && table_has(table, WHIRL_FIELD_STABILITY_CURVE); point += step) {
         const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
         const figure_place place = {.kind = &stability_figure, .table = table, .point = (long)point};
-        char name[2 * WHIRL_NAME_SIZE], at[2 * WHIRL_NAME_SIZE] = "";
+        char at[2 * WHIRL_NAME_SIZE] = "";
         const double *curve = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_CURVE, 0);
-        if (!whirl_table_done(table, point) || !curve || !isfinite(curve[1])) continue;
+        if (!whirl_table_done(table, point) || !curve || !isfinite(curve[0])) continue;
         if (*table->parameter) snprintf(at, sizeof at, " at %.6g %s", table->values[point] / unit.size, unit.name);
-        snprintf(name, sizeof name, "%s", table->name);
-        list_figure(to, &place, name, "Stability over the cross coupling of stages%s", at);
+        list_figure(to, &place, "stability", "Stability over the cross coupling of stages%s", at);
     }
 }
 
@@ -36,6 +35,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     const size_t point = (size_t)place->point;
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_STABILITY_CURVE);
     const double *curve = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_CURVE, 0);
+    const double *coupling = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_CROSS_COUPLING, 0);
     whirl_panel *panel = figure_panel(figure, "decrement", 1.0, 7.5);
     double low = 0.0, high = least;
     (void)of;
@@ -44,14 +44,14 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
     whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "least of forward modes", line_colour(0), 1.2);
     for (size_t i = 0; i < field->rows; i++) {
-        series_add(figure, line, curve[2 * i] / mega, curve[2 * i + 1]);
-        low = fmin(low, curve[2 * i + 1]);
-        high = fmax(high, curve[2 * i + 1]);
+        series_add(figure, line, coupling[i] / mega, curve[i]);
+        low = fmin(low, curve[i]);
+        high = fmax(high, curve[i]);
     }
     whirl_series *level = panel_named(figure, panel, WHIRL_LINE, "0.1", line_colour(5), 0.6);
     if (level) level->dashed = true;
     series_add(figure, level, 0.0, least);
-    series_add(figure, level, curve[2 * field->rows - 2] / mega, least);
+    series_add(figure, level, coupling[field->rows - 1] / mega, least);
     add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0) / mega, low, high,
              "anticipated", 1);
     add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) / mega, low, high, "limit",

@@ -44,7 +44,8 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-static void tell_margin(const whirl_table *table, const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
+static void tell_margin(const whirl_table *table, const whirl_response_peak *peak, margin_row *row) {
+    char *const text = row->text;
     const double from = table->record.running_low, to = table->record.running_high;
     const double low = from > 0.0 ? from : to, high = to > 0.0 ? to : from; // one alone: it runs at that speed
     *text = '\0';
@@ -52,13 +53,15 @@ static void tell_margin(const whirl_table *table, const whirl_response_peak *pea
     const bool above = peak->speed > high, below = peak->speed < low;
     const double asked = whirl_margin_required(peak->amplification, above);
     const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
+    row->told = asked > 0.0;
+    row->holds = (above || below) && had >= asked;
     if (asked == 0.0)
         snprintf(text, MARGIN_TEXT, "no margin asked for (amplification below 2.5)");
     else if (!above && !below)
         snprintf(text, MARGIN_TEXT, "within the running speeds: fails");
     else
         snprintf(text, MARGIN_TEXT, "margin %.3g %% %s, %.3g %% asked for: %s", had, above ? "above" : "below", asked,
-                 had >= asked ? "holds" : "fails");
+                 row->holds ? "holds" : "fails");
 }
 
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
@@ -76,7 +79,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
                                 .amplitude = size * peaks[i].amplitude,
                                 .amplification = peaks[i].amplification};
             tell_way(&peaks[i], row->way);
-            tell_margin(table, &peaks[i], row->text);
+            tell_margin(table, &peaks[i], row);
         }
     }
     return told;

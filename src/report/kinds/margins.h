@@ -14,6 +14,7 @@ typedef struct margin_row {
     double amplitude;       ///< in the unit of lengths and the kind of amplitude that are shown
     double amplification;   ///< factor
     char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
+    bool told, holds;       ///< whether a margin is asked for, and had
     char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
 } margin_row;
 

@@ -86,7 +86,8 @@ static void section(const page *to, size_t index, const whirl_table *table) {
                                         WHIRL_FIELD_STABILITY_COMPLETE};
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
     fputs(
-        "<p>The least logarithmic decrement of forward modes up to the speed: with bearings alone, with the cross "
+        "<p>The least logarithmic decrement of forward modes up to the speed, or of the first where that is faster: "
+        "with bearings alone, with the cross "
         "coupling "
         "of stages (anticipated, and its limit, where the decrement is 0), and with seals and impellers. After API 617 "
         "(which edition counts is for the user to check) bearings and stages tell enough where that limit is 2 times "

@@ -17,9 +17,7 @@ static void page_title(const page *to, char *title, size_t size) {
         snprintf(title, size, "Report on %zu result%s", to->count, to->count == 1 ? "" : "s");
 }
 
-static void write_head(const page *to) {
-    char title[512];
-    page_title(to, title, sizeof title);
+void page_head(const page *to, const char *title) {
     fputs("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
           "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
           "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' file: data:; "
@@ -30,7 +28,14 @@ static void write_head(const page *to) {
     page_style(to->stream);
     fputs("</head>\n<body>\n<header>\n<h1>", to->stream);
     html_text(to->stream, title);
-    fputs("</h1>\n<p class=\"soft\">", to->stream);
+    fputs("</h1>\n", to->stream);
+}
+
+static void write_head(const page *to) {
+    char title[512];
+    page_title(to, title, sizeof title);
+    page_head(to, title);
+    fputs("<p class=\"soft\">", to->stream);
     html_printf(to->stream, "%zu result%s, %swritten by whirl %s.", to->count, to->count == 1 ? "" : "s",
                 to->claims ? "set beside what the source says, " : "", WHIRL_VERSION);
     fputs("</p>\n</header>\n", to->stream);
@@ -66,13 +71,29 @@ static const shown_kind *section_of(const whirl_table *table) {
     return kind && kind->section && (*table->parameter || kind->single) && !*table->second ? kind : NULL;
 }
 
+/// How a table is called where a section is for it: "Peaks of the response", and of which where there are several; and
+/// the anchor of that.
+static void name_section(const whirl_result *result, const whirl_table *table, char *name, char *anchor, size_t size) {
+    const shown_kind *kind = section_of(table);
+    size_t alike = 0;
+    bool first = true;
+    for (size_t t = 0; t < result->table_count; t++) {
+        const bool same = section_of(&result->tables[t]) == kind;
+        alike += same;
+        first = first && !(same && &result->tables[t] < table);
+    }
+    snprintf(name, size, alike > 1 ? "%s: %s" : "%s", kind->name, table->name);
+    snprintf(anchor, size, first ? "%s" : "%s-%s", kind->anchor, table->name);
+}
+
 static void write_kinds(const page *to, size_t r) {
     for (size_t t = 0; t < to->results[r]->table_count; t++) {
         const whirl_table *table = &to->results[r]->tables[t];
-        const shown_kind *kind = section_of(table);
-        if (!kind) continue;
-        fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", kind->anchor, r + 1, kind->name);
-        kind->section(to, r, table);
+        char name[256], anchor[256];
+        if (!section_of(table)) continue;
+        name_section(to->results[r], table, name, anchor, sizeof name);
+        fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", anchor, r + 1, name);
+        section_of(table)->section(to, r, table);
     }
 }
 
@@ -84,8 +105,10 @@ static void write_result_contents(const page *to, size_t r) {
     fputs("</a>\n<ul>\n", to->stream);
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
     for (size_t t = 0; t < result->table_count; t++) {
-        const shown_kind *kind = section_of(&result->tables[t]);
-        if (kind) write_entry(to->stream, kind->anchor, r + 1, kind->name);
+        char name[256], anchor[256];
+        if (!section_of(&result->tables[t])) continue;
+        name_section(result, &result->tables[t], name, anchor, sizeof name);
+        write_entry(to->stream, anchor, r + 1, name);
     }
     if (whirl_result_table(result, "basin") || has_starts(result))
         write_entry(to->stream, "attractors", r + 1, "Attractors");

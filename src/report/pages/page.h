@@ -15,7 +15,8 @@ enum { FOLDER_NAME_SIZE = 96, FIGURE_FILE_SIZE = 208 };
 
 /// A figure of a report: NAME.png, NAME.pdf, NAME.gp and NAME.dat in the folder of its result.
 typedef struct drawn_figure {
-    size_t result; ///< index of the result it shows
+    size_t result;            ///< index of the result it shows
+    const whirl_table *table; ///< whose it is
     whirl_figure_name name;
     char caption[900];
     bool drawn; ///< gnuplot made its pictures
@@ -43,10 +44,15 @@ typedef struct page {
 /// Writes the whole page.
 void page_write(const page *to);
 
+/// Writes the page of a lateral analysis: what engineers give of a machine, in their order.
+void lateral_write(const page *to);
+
 /// Sections.
+void page_head(const page *to, const char *title);
 void page_style(FILE *stream);
 void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
 void page_found(const page *to, size_t result);    ///< verdicts in numbers, and the main figure
+void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);          ///< regimes along the sweep

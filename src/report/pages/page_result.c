@@ -146,7 +146,9 @@ static void write_tables(FILE *stream, const whirl_result *result, const whirl_s
     fputs("</tbody></table></div>\n", stream);
 }
 
-static void write_parameters(FILE *stream, const whirl_result *result) {
+void page_parameters(const page *to, size_t index) {
+    FILE *stream = to->stream;
+    const whirl_result *result = to->results[index];
     if (result->parameter_count == 0) return;
     html_table(stream, "Parameters", "");
     fputs("<thead><tr><th>Parameter</th><th>As given</th><th class=\"number\">In SI</th>"
@@ -223,7 +225,7 @@ void page_computed(const page *to, size_t index) {
     }
     fputs("</dl>\n", to->stream);
     write_tables(to->stream, result, units);
-    write_parameters(to->stream, result);
+    page_parameters(to, index);
 }
 
 void page_provenance(const page *to, size_t index) {

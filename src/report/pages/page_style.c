@@ -67,8 +67,12 @@ void page_style(FILE *stream) {
         "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
         "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3{break-after:avoid}nav,summary{display:none}"
         "a{text-decoration:none}figure "
-        "img{width:auto;max-width:17cm;max-height:20cm;border:0}.pair{display:block}.scroll{overflow:visible}"
-        ".claims td{min-width:0}table{font-size:8pt}}",
+        "img{width:auto;max-width:14cm;max-height:10.5cm;border:0}figure{margin:.6rem 0 1rem}figcaption "
+        ".soft{display:none}.pair{display:block}.scroll{overflow:visible}"
+        ".number{white-space:normal}.claims td{min-width:0}table{font-size:7.5pt}th,td{padding:.16rem .5rem .16rem "
+        "0}pre{font-size:7pt;white-space:"
+        "pre-wrap}}",
+        "@page{size:A4;margin:16mm 15mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font-size:8pt}}",
     };
     fputs("<style>\n", stream);
     for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) fprintf(stream, "%s\n", rules[i]);

@@ -4,6 +4,7 @@
 #include "table.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
 
 enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, ROLE, KEY_COUNT };
 
@@ -71,7 +72,9 @@ static whirl_status check_speeds(const key_value *speeds, double speed) {
             return whirl_fail(WHIRL_BAD_INPUT, "has speeds that do not rise: %g rad/s after %g rad/s", speeds->list[i],
                               speeds->list[i - 1]);
     const double low = speeds->list[0], high = speeds->list[speeds->count - 1], rpm = 60.0 / 6.28318530717958647692;
-    if (speed < low || speed > high)
+    // The ends of tables are rounded: 4000 rpm may lie beyond one by a part of 1e12.
+    static const double rounding = 1e-9;
+    if (speed < low * (1.0 - rounding) || speed > high * (1.0 + rounding))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "is known from %g to %g rad/s (%g to %g rpm), and the rotor turns at %g rad/s (%g rpm)", low,
                           high, low * rpm, high * rpm, speed, speed * rpm);
@@ -89,7 +92,8 @@ static whirl_status find_at_speed(const key_value *values, int key, double speed
     if (value->count != speeds->count)
         return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu speeds, expected as many", value->count, keys[key].name,
                           speeds->count);
-    *out = table_value(speeds->count, speeds->list, value->list, speed);
+    const double low = speeds->list[0], high = speeds->list[speeds->count - 1];
+    *out = table_value(speeds->count, speeds->list, value->list, fmin(fmax(speed, low), high));
     return whirl_ok();
 }
 
