@@ -47,7 +47,8 @@ static const struct argp_option options[] = {
             "mil; rad/s or rpm; order, Hz or cpm; 0-p, p-p or rms"},
     {.name = "lateral",
      .key = KEY_LATERAL,
-     .doc = "Write lateral.html and lateral.pdf besides: a lateral analysis, from the machine to margins and stability"},
+     .doc =
+         "Write lateral.html and lateral.pdf besides: a lateral analysis, from the machine to margins and stability"},
     {.name = "weasyprint",
      .key = KEY_WEASYPRINT,
      .arg = "PROGRAM",
@@ -156,9 +157,12 @@ static int write_report(const report_arguments *arguments, const entry *entries,
             results[i] = entries[i].result;
             names[i] = entries[i].name;
         }
-        const whirl_report_options how = {
-            .claims = claims, .gnuplot = arguments->gnuplot, .explorer = explorer, .units = arguments->units,
-            .lateral = arguments->lateral, .weasyprint = arguments->weasyprint};
+        const whirl_report_options how = {.claims = claims,
+                                          .gnuplot = arguments->gnuplot,
+                                          .explorer = explorer,
+                                          .units = arguments->units,
+                                          .lateral = arguments->lateral,
+                                          .weasyprint = arguments->weasyprint};
         status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);

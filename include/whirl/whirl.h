@@ -9,6 +9,7 @@
 #define WHIRL_H
 
 #include "whirl/analyze.h"
+#include "whirl/balance.h"
 #include "whirl/case.h"
 #include "whirl/claims.h"
 #include "whirl/descriptor.h"

@@ -1,0 +1,68 @@
+/// whirl balance: weights that balance a rotor, from vibrations with and without trial weights.
+#include "command.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "whirl/balance.h"
+
+typedef struct balance_arguments {
+    const char *path;
+    bool json;
+} balance_arguments;
+
+static const struct argp_option options[] = {
+    {.name = "json", .key = 'j', .doc = "Print all numbers as JSON, in SI and radians, in the file's conventions"},
+    {0}};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    balance_arguments *arguments = state->input;
+    switch (key) {
+    case 'j':
+        arguments->json = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);
+        arguments->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->path, "FILE.yaml");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static int balance(const balance_arguments *arguments, const whirl_balance *of) {
+    whirl_correction *found;
+    const whirl_status status = whirl_balance_solve(of, &found);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    const whirl_status written =
+        arguments->json ? whirl_balance_write_json(of, found, stdout) : whirl_balance_write_summary(of, found, stdout);
+    whirl_correction_free(found);
+    return written.code == WHIRL_OK ? finish_output() : complain_of(&written);
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "FILE.yaml",
+        .doc =
+            "Finds the weights that balance a rotor from vibrations that were read with and without trial weights, by "
+            "influence coefficients: several planes, speeds and probes, least squares. `whirl describe balance` tells "
+            "the keys of FILE.",
+    };
+    balance_arguments arguments = {.path = NULL};
+    whirl_problems problems = {0};
+    whirl_balance *of;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
+    const whirl_status status = whirl_balance_load(arguments.path, &problems, &of);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    const int outcome = balance(&arguments, of);
+    whirl_balance_free(of);
+    return outcome;
+}
+
+const command balance_command = {"balance", "find the weights that balance a rotor", run};

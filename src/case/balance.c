@@ -1,0 +1,249 @@
+// Reading what is known of a rotor that is to be balanced: the same tree, tables and problems as for cases.
+#include "whirl/balance.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "excerpt.h"
+#include "exhausted.h"
+#include "keys.h"
+#include "problem.h"
+#include "settings.h"
+#include "source.h"
+
+enum { VERSION = 1, MOST_ROWS = 10000 };
+
+static const whirl_key file_keys[] = {
+    WHOLE_KEY("balance", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
+    CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
+    CHOICE_KEY("angles", REQUIRED, "with|against",
+               "how angles on the rotor are told, from its mark: with the rotation or against it"),
+    CHOICE_KEY("phases", REQUIRED, "lag|lead",
+               "what phases of vibrations are: by how much the peak comes after the mark "
+               "passes the probe, or before"),
+    CHOICE_KEY("planes", REQUIRED, "", "a list of planes in which weights are put"),
+    CHOICE_KEY("trials", REQUIRED, "", "a list of the weights that runs had"),
+    CHOICE_KEY("vibration", REQUIRED, "", "a list of what probes saw in runs"),
+    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "of the rotor, for what ISO 21940-11 allows"),
+    NUMBER_KEY("grade", "G", "mm/s", OPTIONAL, WHIRL_POSITIVE, "balance quality grade"),
+    NUMBER_KEY("service_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "largest speed in service"),
+};
+
+static const whirl_key plane_keys[] = {
+    CHOICE_KEY("name", REQUIRED, "", "what it is called"),
+    NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "at which weights sit"),
+    WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360), "evenly spaced, for weights; absent: they go anywhere"),
+    NUMBER_KEY("first_hole", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle of hole 1; holes are numbered as angles grow"),
+};
+
+static const whirl_key trial_keys[] = {
+    WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run that had it"),
+    CHOICE_KEY("plane", REQUIRED, "", "its plane"),
+    NUMBER_KEY("moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "mass times radius; this or mass"),
+    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "at the radius of the plane"),
+    NUMBER_KEY("angle", "", "rad", REQUIRED, WHIRL_ANY, "where on the rotor"),
+};
+
+static const whirl_key vibration_keys[] = {
+    WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
+    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
+    CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
+    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE,
+               "at once a revolution; 0-p, p-p or rms, one for all"),
+    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of it"),
+    NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "by which its square counts"),
+};
+
+#define COUNT(keys) (sizeof(keys) / sizeof *(keys))
+static const whirl_group file_group = {
+    "balance", "a file on a rotor that is to be balanced", "", file_keys, COUNT(file_keys), NULL, NULL};
+static const whirl_group plane_group = {
+    "plane", "a plane in which weights are put", "", plane_keys, COUNT(plane_keys), NULL, NULL};
+static const whirl_group trial_group = {"trial", "a weight that a run had", "", trial_keys, COUNT(trial_keys), NULL,
+                                        NULL};
+static const whirl_group vibration_group = {
+    "vibration", "what a probe saw in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
+
+const whirl_group *const *whirl_balance_groups(void) {
+    static const whirl_group *const groups[] = {&file_group, &plane_group, &trial_group, &vibration_group, NULL};
+    return groups;
+}
+
+/// A number of an item, which has no expressions; what is absent has its default, 0 without one.
+static double number_of(case_reader *reader, const setting_list *item, const char *name) {
+    const setting *given = settings_find(item, name);
+    const whirl_key *key = whirl_group_key(item->group, name);
+    if (!given) return *key->fallback ? strtod(key->fallback, NULL) : 0.0;
+    if (given->value.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
+    return given->value.expression ? 0.0 : given->value.number;
+}
+
+/// The items of a list; NULL after a problem.
+static const file_node *items_of(case_reader *reader, const setting_list *file, const char *name, size_t most) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(file, name);
+    if (!given) return NULL;
+    if (given->place->kind == NODE_LIST && given->place->count > 0 && given->place->count <= most)
+        return given->place->first;
+    problem_at(reader->problems, given->place, "is %s, expected a list of 1 to %zu",
+               given->place->kind == NODE_LIST ? given->place->count ? "a longer list" : "an empty list"
+                                               : node_shown(given->place, shown),
+               most);
+    return NULL;
+}
+
+static void *room_for(case_reader *reader, const setting_list *file, const char *name, size_t size) {
+    const setting *given = settings_find(file, name);
+    void *room = calloc((given ? given->place->count : 0) + 1, size);
+    reader->no_memory = reader->no_memory || !room;
+    return room;
+}
+
+static void set_vector(double size, double angle, double out[2]) {
+    out[0] = size * cos(angle);
+    out[1] = size * sin(angle);
+}
+
+static void read_planes(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    for (const file_node *at = items_of(reader, file, "planes", WHIRL_MAX_PLANES); at; at = at->next) {
+        setting_list item;
+        whirl_balance_plane *plane = &out->planes[out->plane_count++];
+        settings_read(reader, at, &plane_group, &item);
+        settings_text(reader, &item, "name", plane->name, sizeof plane->name);
+        plane->radius = number_of(reader, &item, "radius");
+        plane->holes = (int)number_of(reader, &item, "holes");
+        plane->first_hole = (out->against ? -1.0 : 1.0) * number_of(reader, &item, "first_hole");
+    }
+}
+
+static size_t find_plane(case_reader *reader, const setting_list *item, const whirl_balance *of) {
+    const char *names[WHIRL_MAX_PLANES], *word = settings_find(item, "plane") ? settings_word(item, "plane") : "";
+    char advice[WHY_SIZE];
+    size_t plane = 0;
+    while (plane < of->plane_count && strcmp(of->planes[plane].name, word) != 0) plane++;
+    if (plane < of->plane_count || !*word) return plane < of->plane_count ? plane : 0;
+    for (size_t i = 0; i < of->plane_count; i++) names[i] = of->planes[i].name;
+    describe_names(word, names, of->plane_count, advice);
+    problem_at(reader->problems, settings_find(item, "plane")->place, "is no plane, %s", advice);
+    return 0;
+}
+
+static void read_trials(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    bool tried[WHIRL_MAX_PLANES] = {false};
+    out->trials = room_for(reader, file, "trials", sizeof *out->trials);
+    const file_node *first = out->trials ? items_of(reader, file, "trials", MOST_ROWS) : NULL;
+    for (const file_node *at = first; at; at = at->next) {
+        setting_list item;
+        whirl_balance_trial *trial = &out->trials[out->trial_count++];
+        settings_read(reader, at, &trial_group, &item);
+        trial->run = (int)number_of(reader, &item, "run");
+        trial->plane = find_plane(reader, &item, out);
+        tried[trial->plane] = true;
+        const double mass = number_of(reader, &item, "mass"), moment = number_of(reader, &item, "moment");
+        const double radius = out->planes[trial->plane].radius;
+        if (at->kind == NODE_MAPPING && (mass > 0.0) == (moment > 0.0))
+            problem_at(reader->problems, at, "expected either moment or mass");
+        if (mass > 0.0 && radius == 0.0)
+            problem_at(reader->problems, settings_find(&item, "mass")->place,
+                       "needs the radius of plane '%s', or moment in its place", out->planes[trial->plane].name);
+        set_vector(mass > 0.0 ? mass * radius : moment, (out->against ? -1.0 : 1.0) * number_of(reader, &item, "angle"),
+                   trial->moment);
+    }
+    for (size_t p = 0; p < out->plane_count && first; p++)
+        if (!tried[p])
+            problem_at(reader->problems, settings_find(file, "trials")->place, "has no weight in plane '%s'",
+                       out->planes[p].name);
+}
+
+static void read_vibration(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    out->vibrations = room_for(reader, file, "vibration", sizeof *out->vibrations);
+    const file_node *first = out->vibrations ? items_of(reader, file, "vibration", MOST_ROWS) : NULL;
+    for (const file_node *at = first; at; at = at->next) {
+        setting_list item;
+        whirl_balance_vibration *seen = &out->vibrations[out->vibration_count++];
+        settings_read(reader, at, &vibration_group, &item);
+        seen->run = (int)number_of(reader, &item, "run");
+        seen->speed = number_of(reader, &item, "speed");
+        settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
+        seen->weight = number_of(reader, &item, "weight");
+        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
+                   seen->vibration);
+    }
+}
+
+static void read_file(case_reader *reader, const file_node *root, whirl_balance *out) {
+    setting_list file;
+    char shown[SHOWN_SIZE];
+    if (root->kind != NODE_MAPPING) {
+        problem_at(reader->problems, root, "is %s, expected a mapping that begins with balance: %d",
+                   node_shown(root, shown), VERSION);
+        return;
+    }
+    settings_read(reader, root, &file_group, &file);
+    const setting *version = settings_find(&file, "balance");
+    if (version && version->good && version->value.number != (double)VERSION) {
+        problem_at(reader->problems, version->place, "is %s, expected %d, the version of the format",
+                   node_shown(version->place, shown), VERSION);
+        return;
+    }
+    settings_text(reader, &file, "title", out->title, sizeof out->title);
+    out->against = strcmp(settings_word(&file, "angles"), "against") == 0;
+    out->leads = strcmp(settings_word(&file, "phases"), "lead") == 0;
+    out->mass = number_of(reader, &file, "mass");
+    out->grade = number_of(reader, &file, "grade");
+    out->service_speed = number_of(reader, &file, "service_speed");
+    read_planes(reader, &file, out);
+    if (out->plane_count == 0) return; // said already
+    read_trials(reader, &file, out);
+    read_vibration(reader, &file, out);
+}
+
+whirl_status whirl_balance_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
+                                 whirl_balance **out) {
+    whirl_problems own = {0};
+    memory_arena arena = {0};
+    file_node *root;
+    const parameter_table none = {0};
+    *out = NULL;
+    if (!problems) problems = &own;
+    snprintf(problems->file, sizeof problems->file, "%s", name);
+    case_reader reader = {.arena = &arena, .problems = problems, .parameters = &none};
+    const int before = exhausted_watch();
+    whirl_balance *balance = calloc(1, sizeof *balance);
+    reader.no_memory = !balance;
+    if (balance) {
+        const whirl_status status = tree_read(text, length, &arena, problems, &root);
+        reader.no_memory = status.code == WHIRL_NO_MEMORY;
+        if (status.code == WHIRL_OK) read_file(&reader, root, balance);
+    }
+    problems_sort(problems);
+    problems_quote(problems, text, length);
+    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
+    const whirl_status status = reader_outcome(&reader, name);
+    arena_free(&arena);
+    whirl_problems_free(&own);
+    if (status.code == WHIRL_OK)
+        *out = balance;
+    else
+        whirl_balance_free(balance);
+    return status;
+}
+
+whirl_status whirl_balance_load(const char *path, whirl_problems *problems, whirl_balance **balance) {
+    char *text;
+    size_t length;
+    *balance = NULL;
+    whirl_status status = source_load(path, problems, &text, &length);
+    if (status.code == WHIRL_OK) status = whirl_balance_parse(text, length, path, problems, balance);
+    free(text);
+    return status;
+}
+
+void whirl_balance_free(whirl_balance *balance) {
+    if (!balance) return;
+    free(balance->trials);
+    free(balance->vibrations);
+    free(balance);
+}
