@@ -52,10 +52,10 @@ typedef struct whirl_balance {
     char title[256];                                  ///< in one line
     bool against, leads;                              ///< how the file tells angles on the rotor, and phases
     size_t plane_count, trial_count, vibration_count; ///< of these
-    whirl_balance_plane planes[WHIRL_MAX_PLANES];
-    whirl_balance_trial *trials;         ///< [trial_count]
-    whirl_balance_vibration *vibrations; ///< [vibration_count]
-    double mass, grade, service_speed;   ///< kg, mm/s, rad/s of what ISO 21940-11 allows; 0: not said
+    whirl_balance_plane planes[WHIRL_MAX_PLANES];     ///< [plane_count]
+    whirl_balance_trial *trials;                      ///< [trial_count]
+    whirl_balance_vibration *vibrations;              ///< [vibration_count]
+    double mass, grade, service_speed;                ///< kg, mm/s, rad/s of what ISO 21940-11 allows; 0: not said
 } whirl_balance;
 
 /// A probe at a speed: what is to be reduced.
@@ -69,7 +69,7 @@ typedef struct whirl_balance_row {
 
 /// The correction that makes sum of weight |vibration|^2 the least.
 typedef struct whirl_correction {
-    size_t row_count;
+    size_t row_count;                   ///< of rows
     whirl_balance_row *rows;            ///< [row_count]
     double moment[WHIRL_MAX_PLANES][2]; ///< kg m
 } whirl_correction;
