@@ -96,7 +96,8 @@ void whirl_design_free(whirl_design *design);
 /// What stands for the bearings of a design (bearing, film, ball_bearing).
 typedef enum whirl_bearings {
     WHIRL_BEARINGS_GIVEN,   ///< they themselves
-    WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals, impellers and gravity out
+    WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals, impellers and
+                            ///< gravity out
     WHIRL_BEARINGS_ALONE    ///< they themselves, and no other element: what their coefficients are derivatives of
 } whirl_bearings;
 
@@ -107,7 +108,7 @@ void whirl_design_bearings(whirl_design *design, whirl_bearings what, double sti
 typedef enum whirl_drag {
     WHIRL_DRAG_ALL,    ///< all of them
     WHIRL_DRAG_STAGES, ///< stages alone
-    WHIRL_DRAG_AT      ///< those at one station
+    WHIRL_DRAG_AT      ///< those at one station, without stages
 } whirl_drag;
 
 /// Chooses them: of WHIRL_DRAG_AT by the station's index; cross couplings of stages count `stages` times.

@@ -151,6 +151,8 @@ typedef struct whirl_station_statics {
     double moment;     ///< N m, bending moment, > 0 where the shaft sags
     double shear[2];   ///< N, all forces on the shaft to the left of it, this end and the other end of its own
     double load;       ///< N, of the bearings here, that carry the shaft
+    double carried;    ///< kg, that load over the acceleration of gravity, also where the machine has none
+    double bearings;   ///< how many there are here
     double mass[2];    ///< kg of the shaft and what it carries to the left and to the right, without its own
     double elevation;  ///< m, of the bearings here, with which couplings carry neither moment nor shear; 0 without them
 } whirl_station_statics;

@@ -15,6 +15,8 @@
 
 enum { VERSION = 1, MOST_ROWS = 10000 };
 
+static const double two_pi = 6.283185307179586476925;
+
 static const whirl_key file_keys[] = {
     WHOLE_KEY("balance", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
@@ -77,7 +79,7 @@ static double number_of(case_reader *reader, const setting_list *item, const cha
     const whirl_key *key = whirl_group_key(item->group, name);
     if (!given) return *key->fallback ? strtod(key->fallback, NULL) : 0.0;
     if (given->value.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
-    return given->value.expression ? 0.0 : given->value.number;
+    return given->good && !given->value.expression ? given->value.number : 0.0;
 }
 
 /// The items of a list; NULL after a problem.
@@ -114,7 +116,10 @@ static void read_planes(case_reader *reader, const setting_list *file, whirl_bal
         settings_text(reader, &item, "name", plane->name, sizeof plane->name);
         plane->radius = number_of(reader, &item, "radius");
         plane->holes = (int)number_of(reader, &item, "holes");
-        plane->first_hole = (out->against ? -1.0 : 1.0) * number_of(reader, &item, "first_hole");
+        plane->first_hole = (out->against ? -1.0 : 1.0) * fmod(number_of(reader, &item, "first_hole"), two_pi);
+        for (const whirl_balance_plane *other = out->planes; other < plane; other++)
+            if (strcmp(other->name, plane->name) == 0 && *plane->name)
+                problem_at(reader->problems, at, "is a second plane '%s', expected names of their own", plane->name);
     }
 }
 
@@ -168,8 +173,29 @@ static void read_vibration(case_reader *reader, const setting_list *file, whirl_
         seen->speed = number_of(reader, &item, "speed");
         settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
         seen->weight = number_of(reader, &item, "weight");
+        for (const whirl_balance_vibration *other = out->vibrations; other < seen; other++)
+            if (other->speed == seen->speed && strcmp(other->probe, seen->probe) == 0 &&
+                other->weight != seen->weight) {
+                problem_at(reader->problems, at,
+                           "has the weight %g, and an earlier reading of '%s' at that speed %g, "
+                           "expected one weight for a probe at a speed",
+                           seen->weight, seen->probe, other->weight);
+                break;
+            }
         set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
                    seen->vibration);
+    }
+}
+
+/// A weight of a run that nothing was read in tells nothing.
+static void check_runs(case_reader *reader, const setting_list *file, const whirl_balance *of) {
+    const setting *trials = settings_find(file, "trials");
+    const file_node *at = trials && trials->place->kind == NODE_LIST ? trials->place->first : NULL;
+    for (size_t t = 0; t < of->trial_count && at; t++, at = at->next) {
+        size_t i = 0;
+        while (i < of->vibration_count && of->vibrations[i].run != of->trials[t].run) i++;
+        if (i == of->vibration_count && of->vibration_count > 0)
+            problem_at(reader->problems, at, "is of run %d, in which nothing was read", of->trials[t].run);
     }
 }
 
@@ -198,6 +224,7 @@ static void read_file(case_reader *reader, const file_node *root, whirl_balance 
     if (out->plane_count == 0) return; // said already
     read_trials(reader, &file, out);
     read_vibration(reader, &file, out);
+    check_runs(reader, &file, out);
 }
 
 whirl_status whirl_balance_parse(const char *text, size_t length, const char *name, whirl_problems *problems,

@@ -115,7 +115,9 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
-        if (whirl_analysis_has(batch->analyses, "statics")) check_statics(reader, content, b, v);
+        if (whirl_analysis_has(batch->analyses, "statics") || batch->record.antinodes_of > 0 ||
+            *batch->record.placed_at)
+            check_statics(reader, content, b, v);
     }
     whirl_rotor_free(rotor);
 }
@@ -194,7 +196,7 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
     const setting *rotor = settings_find(&file, "rotor"), *study = settings_find(&file, "study");
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, may_stand_still(study), &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
-    if (study && !reader->no_memory) resting_read(reader, &parts);
+    if (study && !reader->no_memory) resting_read(reader, &content->machine, &parts);
     if (study && !reader->no_memory) read_units(reader, &parts.study, content);
     if (reader->no_memory) return;
     if (reader->problems->count == 0)

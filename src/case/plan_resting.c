@@ -12,6 +12,8 @@
 
 // ---------------------------------------------------------------- reading
 
+enum { MOST_STATIONS = 8 }; // of a list
+
 /// Where bearings are springs the parameter is their stiffness, in N/m.
 static void check_bearings(case_reader *reader, const axis_parts *axis) {
     char shown[SHOWN_SIZE];
@@ -50,7 +52,47 @@ static void read_name(case_reader *reader, const plan_parts *parts, resting_part
                        "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
 }
 
-static void read_one(case_reader *reader, const file_node *where, const whirl_group *group, plan_parts *parts) {
+/// Appends the name of a station; false after a problem.
+static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine,
+                        char names[WHIRL_NAME_SIZE]) {
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    const size_t used = strlen(names);
+    if (where->kind != NODE_TEXT || named_find(&machine->stations, where->text) == machine->stations.count) {
+        machine_advise(machine, where->kind == NODE_TEXT ? where->text : "", false, advice);
+        problem_at(reader->problems, where, "is %s, which is no station, %s", node_shown(where, shown), advice);
+        return false;
+    }
+    if (used + strlen(where->text) + 2 > WHIRL_NAME_SIZE) {
+        problem_at(reader->problems, where, "is one name too many, expected names of at most %d letters together",
+                   WHIRL_NAME_SIZE - 1);
+        return false;
+    }
+    snprintf(names + used, WHIRL_NAME_SIZE - used, "%s%s", used ? " " : "", where->text);
+    return true;
+}
+
+/// A station, or a list of some, which options have as names with blanks between; `most` of them.
+static void read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
+                          size_t most) {
+    char names[WHIRL_NAME_SIZE] = "";
+    for (size_t i = 0; i < keys->count; i++) {
+        setting *given = &keys->items[i];
+        if (strcmp(given->key->name, key) != 0) continue;
+        const file_node *where = given->place;
+        if (where->kind == NODE_LIST && (where->count == 0 || where->count > most)) {
+            problem_at(reader->problems, where, "is a list of %zu, expected 1 to %zu stations", where->count, most);
+            return;
+        }
+        const file_node *first = where->kind == NODE_LIST ? where->first : where;
+        for (const file_node *one = first; one; one = where->kind == NODE_LIST ? one->next : NULL)
+            if (!add_station(reader, one, machine, names)) return;
+        given->word = arena_text(reader->arena, names, strlen(names));
+        reader->no_memory = reader->no_memory || !given->word;
+    }
+}
+
+static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
+                     const machine_parts *machine, plan_parts *parts) {
     static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
         problem_at(reader->problems, where, "is one study too many of machines at rest, expected at most %d",
@@ -65,6 +107,9 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
     check_bearings(reader, axis);
+    read_stations(reader, machine, &axis->keys, "at", 1);
+    read_stations(reader, machine, &axis->keys, "probes_at", MOST_STATIONS);
+    read_stations(reader, machine, &axis->keys, "coupling", MOST_STATIONS);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
@@ -121,15 +166,15 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
 }
 
-void resting_read(case_reader *reader, plan_parts *parts) {
+void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts) {
     for (const whirl_group *group = schema_at_rest; group->name; group++) {
         const setting *given = settings_find(&parts->study, group->name);
         if (!given) continue;
-        if (given->place->kind != NODE_LIST) read_one(reader, given->place, group, parts);
+        if (given->place->kind != NODE_LIST) read_one(reader, given->place, group, machine, parts);
         if (given->place->kind == NODE_LIST && given->place->count == 0)
             problem_at(reader->problems, given->place, "is an empty list, expected one study or a list of some");
         const file_node *first = given->place->kind == NODE_LIST ? given->place->first : NULL;
-        for (const file_node *one = first; one; one = one->next) read_one(reader, one, group, parts);
+        for (const file_node *one = first; one; one = one->next) read_one(reader, one, group, machine, parts);
     }
     read_conditions(reader, parts);
 }

@@ -3,7 +3,7 @@
 
 #include "whirl/linear.h"
 
-static const double gravity = 9.80665, least = 0.1;
+static const double least = 0.1;
 
 /// A mode along a shaft, as displacements that are above 0 to one side.
 typedef struct profile {
@@ -43,7 +43,7 @@ static size_t bearing_beside(const profile *p, double place, int side) {
     size_t found = p->system->probe_count;
     for (size_t i = 0; i < p->system->probe_count; i++) {
         const double away = side * (p->system->probes[i].position - place);
-        if (!is_along(p, i) || isnan(p->statics[i].load) || away < 0.0) continue;
+        if (!is_along(p, i) || isnan(p->statics[i].carried) || away < 0.0) continue;
         if (found == p->system->probe_count || away < side * (p->system->probes[found].position - place)) found = i;
     }
     return found;
@@ -70,7 +70,7 @@ static double weight_at(const profile *p, size_t probe) {
     if (left == none) return p->statics[right].mass[0];
     if (right == none) return p->statics[left].mass[1];
     const double ends[] = {p->system->probes[left].position, p->system->probes[right].position};
-    const double loads[] = {p->statics[left].load / gravity, p->statics[right].load / gravity};
+    const double loads[] = {p->statics[left].carried, p->statics[right].carried};
     if (left != right && keeps_sign(p, ends[0], ends[1])) return fabs(loads[0]) + fabs(loads[1]);
     return fabs(loads[ends[1] - place < place - ends[0]]);
 }

@@ -19,10 +19,12 @@ static double degrees_of(const double vector[2], double way) {
     return angle < 360.0 - 1e-9 ? angle : 0.0;
 }
 
-/// What is left of a vibration; 0 where that is rounding.
-static double left_of(const whirl_balance_row *row) {
+/// What is left of a vibration; 0 where that is rounding beside the largest.
+static double left_of(const whirl_correction *found, const whirl_balance_row *row) {
     const double after = size_of(row->after);
-    return after > 1e-9 * size_of(row->before) ? after : 0.0;
+    double largest = 0.0;
+    for (size_t r = 0; r < found->row_count; r++) largest = fmax(largest, size_of(found->rows[r].before));
+    return after > 1e-9 * largest && largest > 0.0 ? after : 0.0;
 }
 
 static double way_of_angles(const whirl_balance *of) {
@@ -84,7 +86,7 @@ whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_co
     for (size_t r = 0; r < found->row_count; r++) {
         const whirl_balance_row *row = &found->rows[r];
         fprintf(out, "  %s at %.6g rpm: %.4g um at %.4g deg, %.4g um\n", row->probe, row->speed / rpm,
-                size_of(row->before) / um, degrees_of(row->before, way_of_phases(of)), left_of(row) / um);
+                size_of(row->before) / um, degrees_of(row->before, way_of_phases(of)), left_of(found, row) / um);
     }
     const double allowed = whirl_balance_allowed(of);
     if (isfinite(allowed))

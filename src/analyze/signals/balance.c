@@ -133,9 +133,9 @@ static whirl_status solve(const whirl_balance *of, whirl_correction *out) {
     if (!normal_solve(&equations))
         return whirl_fail(
             WHIRL_BAD_INPUT,
-            "%zu reading%s of probes and speeds do not tell the weights of %zu planes apart, expected as many "
-            "as planes at least, which they move in different ways",
-            out->row_count, out->row_count == 1 ? "" : "s", of->plane_count);
+            "%zu probe%s at a speed do not tell the weights of %zu plane%s apart, expected as many as planes at "
+            "least, with weights above 0, which each plane moves in a way of its own",
+            out->row_count, out->row_count == 1 ? "" : "s", of->plane_count, of->plane_count == 1 ? "" : "s");
     for (size_t p = 0; p < of->plane_count; p++) memcpy(out->moment[p], equations.side[p], sizeof out->moment[p]);
     for (size_t r = 0; r < out->row_count; r++) predict(of, out, &out->rows[r]);
     return status;

@@ -64,9 +64,14 @@ static void tell_margin(const whirl_table *table, const whirl_response_peak *pea
                  row->holds ? "holds" : "fails");
 }
 
+whirl_unit margin_speed_unit(const whirl_shown_units *units) {
+    return units->speed.size > 0.0 ? units->speed : (whirl_unit){.name = "rpm", .size = 0.104719755119659774};
+}
+
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]) {
-    static const double rpm = 0.104719755119659774, degree = 3.14159265358979323846 / 180.0;
+    static const double degree = 3.14159265358979323846 / 180.0;
+    const double speed = margin_speed_unit(units).size;
     const double size = units->amplitude / summary_length_unit(units).size;
     whirl_response_peak peaks[MARGIN_PEAKS];
     size_t told = 0;
@@ -75,7 +80,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
         for (size_t i = 0; i < count; i++) {
             margin_row *row = &rows[told++];
             *row = (margin_row){.probe = table->record.probe_angle / degree + (probe ? 90.0 : 0.0),
-                                .speed = peaks[i].speed / rpm,
+                                .speed = peaks[i].speed / speed,
                                 .amplitude = size * peaks[i].amplitude,
                                 .amplification = peaks[i].amplification};
             tell_way(&peaks[i], row->way);

@@ -10,13 +10,16 @@ enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 /// A peak as it is told.
 typedef struct margin_row {
     double probe;           ///< its angle, degrees
-    double speed;           ///< rpm
+    double speed;           ///< in margin_speed_unit
     double amplitude;       ///< in the unit of lengths and the kind of amplitude that are shown
     double amplification;   ///< factor
     char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
     bool told, holds;       ///< whether a margin is asked for, and had
     char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
 } margin_row;
+
+/// The unit of speeds of the shaft: the one that is shown, else rpm.
+whirl_unit margin_speed_unit(const whirl_shown_units *units);
 
 /// The peaks that both probes of a station see; none where speeds do not rise along the table, or too few points are
 /// there.

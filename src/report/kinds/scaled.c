@@ -31,6 +31,13 @@ static bool has_probes(const whirl_result *result, const whirl_table *table, siz
     return !clearances || number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station, 0) > 0.0;
 }
 
+const char *const scaled_lacks =
+    "no point lies between the running speeds, or nothing moves there: compute more points";
+
+bool scaled_asked(const whirl_table *table) {
+    return table->record.running_high > 0.0 || table->record.running_low > 0.0;
+}
+
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out) {
     static const double rpm = 0.104719755119659774, most = 6.0;
     const double high = fmax(table->record.running_high, table->record.running_low);

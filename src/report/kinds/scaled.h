@@ -22,6 +22,10 @@ typedef struct scaled_row {
     bool holds;       ///< the axis is at most 75 % of it
 } scaled_row;
 
+/// Whether a table tells running speeds, and what it lacks where scaled_of fails then.
+bool scaled_asked(const whirl_table *table);
+extern const char *const scaled_lacks;
+
 /// False where the table does not tell running speeds, or has no points between them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
 

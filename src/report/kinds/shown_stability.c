@@ -24,7 +24,7 @@ static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
     const double complete = number(table, point, WHIRL_FIELD_STABILITY_COMPLETE);
     const char *whole = complete > least ? "holds" : "fails";
     if (isnan(decrement))
-        snprintf(text, SENTENCE, "no mode goes forward");
+        snprintf(text, SENTENCE, "no mode was found that does not go backward");
     else if (!(anticipated > 0.0))
         snprintf(text, SENTENCE,
                  "no stages: seals and impellers decide; decrement %.3g with them, above 0.1 asked for: %s", complete,
@@ -42,10 +42,13 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
     char text[SENTENCE];
     const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
     const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
-    fprintf(out,
-            "    logarithmic decrement: bearings alone %.4g, with stages %.4g (at %.5g Hz), with seals and impellers "
-            "%.4g\n",
-            number(table, point, WHIRL_FIELD_STABILITY_BASIC), number(table, point, WHIRL_FIELD_STABILITY_DECREMENT),
+    if (isnan(number(table, point, WHIRL_FIELD_STABILITY_DECREMENT))) {
+        fputs("    no mode was found that does not go backward\n", out);
+        return;
+    }
+    fprintf(out, "    logarithmic decrement: bearings alone %.4g", number(table, point, WHIRL_FIELD_STABILITY_BASIC));
+    if (anticipated > 0.0) fprintf(out, ", with stages %.4g", number(table, point, WHIRL_FIELD_STABILITY_DECREMENT));
+    fprintf(out, " (at %.5g Hz), with seals and impellers %.4g\n",
             number(table, point, WHIRL_FIELD_STABILITY_FREQUENCY) / two_pi,
             number(table, point, WHIRL_FIELD_STABILITY_COMPLETE));
     if (anticipated > 0.0 && isfinite(limit))

@@ -64,7 +64,9 @@ static void write_cell(FILE *stream, double value) {
 static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_unit length = summary_length_unit(&to->units[index]);
-    fputs("<p>What the weight does to each shaft on its own bearings, which hold it without giving way", to->stream);
+    fputs("<p>What the weight does to each shaft on its own bearings, which hold it without giving way, "
+          "whatever couplings, springs and mounts it has",
+          to->stream);
     fputs(*table->record.coupling ? ", raised for no moment and no shear at " : "", to->stream);
     html_text(to->stream, table->record.coupling);
     fputs(*table->parameter ? "; of the first point.</p>\n" : ".</p>\n", to->stream);

@@ -1,8 +1,8 @@
 // How responses to unbalance are shown.
-#include "html.h"
 #include <math.h>
 #include <stdlib.h>
 
+#include "html.h"
 #include "margins.h"
 #include "scaled.h"
 #include "shown_kinds.h"
@@ -16,12 +16,12 @@ static void print_peaks(FILE *out, const whirl_result *result, const whirl_table
     margin_row rows[2 * MARGIN_PEAKS];
     const size_t count = margin_rows(result, table, units, station, rows);
     for (const margin_row *row = rows; row < rows + count; row++)
-        fprintf(out, "    %.4g deg: peak at %.6g rpm, %.4g %s %s, amplification %.4g (%s)%s%s\n", row->probe,
-                row->speed, row->amplitude, summary_length_unit(units).name, units->amplitude_name, row->amplification,
-                row->way, *row->text ? "; " : "", row->text);
+        fprintf(out, "    %.4g deg: peak at %.6g %s, %.4g %s %s, amplification %.4g (%s)%s%s\n", row->probe, row->speed,
+                margin_speed_unit(units).name, row->amplitude, summary_length_unit(units).name, units->amplitude_name,
+                row->amplification, row->way, *row->text ? "; " : "", row->text);
 }
 
-static const double rpm = 0.104719755119659774, degree = 3.14159265358979323846 / 180.0;
+static const double degree = 3.14159265358979323846 / 180.0;
 
 /// "4.93 kg mm at disc1 (0 deg), ...": unbalances by rule; "" where the machine has its own.
 static void list_placed(const whirl_result *result, const whirl_table *table, char *text, size_t size) {
@@ -37,7 +37,9 @@ static void list_placed(const whirl_result *result, const whirl_table *table, ch
 }
 
 /// "  scaled by 2.1: ..." and a line for every clearance.
-static void print_scaled(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void print_scaled(FILE *out, const whirl_result *result, const whirl_table *table,
+                         const whirl_shown_units *units) {
+    const whirl_unit speed = margin_speed_unit(units);
     static const double um = 1e-6;
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
@@ -50,10 +52,12 @@ static void print_scaled(FILE *out, const whirl_result *result, const whirl_tabl
         const size_t count = scaled_rows(result, table, &by, rows);
         for (const scaled_row *row = rows; row < rows + count; row++)
             fprintf(out,
-                    "    %s: scaled major axis %.4g um p-p at %.6g rpm, %.3g %% of the diametral clearance %.4g um, "
+                    "    %s: scaled major axis %.4g um p-p at %.6g %s, %.3g %% of the diametral clearance %.4g um, "
                     "75 %% allowed: %s\n",
-                    result->stations[row->station].name, row->axis / um, row->speed / rpm,
+                    result->stations[row->station].name, row->axis / um, row->speed / speed.size, speed.name,
                     100.0 * row->axis / row->clearance, row->clearance / um, row->holds ? "holds" : "fails");
+    } else if (scaled_asked(table)) {
+        fprintf(out, "  responses are not scaled: %s\n", scaled_lacks);
     }
     free(rows);
 }
@@ -82,13 +86,14 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
         fputc('\n', out);
         print_peaks(out, result, table, &units, station);
     }
-    print_scaled(out, result, table);
+    print_scaled(out, result, table, &units);
 }
 
 /// What scaled responses take of clearances, and the unbalances that they are by.
 static void write_scaled(const page *to, size_t index, const whirl_table *table) {
     static const double um = 1e-6;
     const whirl_result *result = to->results[index];
+    const whirl_unit speed = margin_speed_unit(&to->units[index]);
     char placed[PLACED_TEXT];
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
@@ -105,10 +110,11 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
             "responses are scaled by %.4g (6 at most).</p>\n",
             by.limit / um, by.largest / um, by.factor);
         html_table(to->stream, "Scaled responses and clearances", "");
-        fputs("<thead><tr><th>station</th><th class=\"number\">major axis (um p-p)</th><th class=\"number\">speed "
-              "(rpm)</th><th class=\"number\">diametral clearance (um)</th><th class=\"number\">share (%)</th>"
-              "<th>75 % allowed</th></tr></thead>\n<tbody>\n",
-              to->stream);
+        fprintf(to->stream,
+                "<thead><tr><th>station</th><th class=\"number\">major axis (um p-p)</th><th class=\"number\">speed "
+                "(%s)</th><th class=\"number\">diametral clearance (um)</th><th class=\"number\">share (%%)</th>"
+                "<th>75 %% allowed</th></tr></thead>\n<tbody>\n",
+                speed.name);
         const size_t count = scaled_rows(result, table, &by, rows);
         for (const scaled_row *row = rows; row < rows + count; row++) {
             fputs("<tr><th>", to->stream);
@@ -116,10 +122,12 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
             fprintf(to->stream,
                     "</th><td class=\"number\">%.4g</td><td class=\"number\">%.6g</td><td class=\"number\">%.4g</td>"
                     "<td class=\"number\">%.3g</td><td>%s</td></tr>\n",
-                    row->axis / um, row->speed / rpm, row->clearance / um, 100.0 * row->axis / row->clearance,
+                    row->axis / um, row->speed / speed.size, row->clearance / um, 100.0 * row->axis / row->clearance,
                     row->holds ? "holds" : "fails");
         }
         fputs("</tbody></table></div>\n", to->stream);
+    } else if (scaled_asked(table)) {
+        fprintf(to->stream, "<p>Responses are not scaled: %s.</p>\n", scaled_lacks);
     }
     free(rows);
 }
@@ -135,9 +143,10 @@ static void section(const page *to, size_t index, const whirl_table *table) {
           "counts is for the user to check).</p>\n",
           to->stream);
     html_table(to->stream, "Peaks of the response", "");
-    fputs("<thead><tr><th>station</th><th class=\"number\">probe (deg)</th><th class=\"number\">speed (rpm)</th>"
-          "<th class=\"number\">amplitude (",
-          to->stream);
+    fprintf(to->stream,
+            "<thead><tr><th>station</th><th class=\"number\">probe (deg)</th><th class=\"number\">speed (%s)</th>"
+            "<th class=\"number\">amplitude (",
+            margin_speed_unit(units).name);
     html_text(to->stream, length.name);
     fputc(' ', to->stream);
     html_text(to->stream, units->amplitude_name);
@@ -148,8 +157,10 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         for (const margin_row *row = rows; row < rows + count; row++) {
             fputs("<tr><th>", to->stream);
             html_text(to->stream, result->stations[station].name);
-            fprintf(to->stream, "</th><td>%.4g</td><td>%.6g</td><td>%.4g</td><td>%.4g</td><td>%s</td>", row->probe,
-                    row->speed, row->amplitude, row->amplification, row->way);
+            fprintf(to->stream,
+                    "</th><td class=\"number\">%.4g</td><td class=\"number\">%.6g</td><td class=\"number\">%.4g</td>"
+                    "<td class=\"number\">%.4g</td><td>%s</td>",
+                    row->probe, row->speed, row->amplitude, row->amplification, row->way);
             fprintf(to->stream, running ? "<td>%s</td></tr>\n" : "%s</tr>\n", row->text);
         }
     }

@@ -84,8 +84,9 @@ static void count_peaks(const page *to, size_t result, const whirl_table *table,
             all->told += row->told;
             all->held += row->told && row->holds;
             if (row->told && !row->holds && !*all->worst)
-                snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g rpm, amplification %.3g: %.100s", table->name,
-                         to->results[result]->stations[s].name, row->speed, row->amplification, row->text);
+                snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
+                         to->results[result]->stations[s].name, row->speed, margin_speed_unit(&to->units[result]).name,
+                         row->amplification, row->text);
         }
     }
 }
@@ -116,6 +117,7 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
 /// The least decrement of the whole machine.
 typedef struct least_decrement {
     double complete, decrement, ratio;
+    size_t without; ///< points that have no mode
     const char *where;
 } least_decrement;
 
@@ -124,7 +126,8 @@ static void find_decrement(const page *to, size_t result, const whirl_table *tab
     (void)to, (void)result;
     for (size_t point = 0; point < table->count; point++) {
         const double complete = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_COMPLETE, 0);
-        if (!whirl_table_done(table, point) || complete >= found->complete) continue;
+        found->without += whirl_table_done(table, point) && isnan(complete);
+        if (!whirl_table_done(table, point) || !(complete < found->complete)) continue;
         found->complete = complete;
         found->decrement = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0);
         found->ratio = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) /
@@ -193,7 +196,7 @@ static void write_found(const page *to) {
             "rpm, 75 %% allowed: %s.",
             100.0 * close.share, close.where, close.row.speed / rpm, close.row.holds ? "holds" : "fails");
     else
-        fputs("Not told: no station with a clearance, or no running speeds.", to->stream);
+        fputs("Not told: no station with a clearance, or no running speeds with points between them.", to->stream);
     end_sentence(to);
     begin_sentence(to, "Stability");
     for_each(to, WHIRL_FIELD_STABILITY_COMPLETE, find_decrement, &least);
@@ -208,6 +211,9 @@ static void write_found(const page *to) {
             html_printf(to->stream, ", whose cross coupling is at its limit when it is %.3g times as large",
                         least.ratio);
         fputs(least.complete > 0.1 ? "; above 0.1: holds." : "; not above 0.1: fails.", to->stream);
+        if (least.without > 0) html_printf(to->stream, " At %zu points there is no such mode.", least.without);
+    } else if (least.without > 0) {
+        fputs("No mode was found that does not go backward.", to->stream);
     } else {
         fputs("Not looked for (study: stability).", to->stream);
     }

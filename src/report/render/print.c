@@ -3,6 +3,8 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,14 +29,22 @@ whirl_status document_print(const char *program, const char *folder, const char 
     snprintf(to, sizeof to, "%.60s", pdf);
     snprintf(path, sizeof path, "%.4000s/%s", folder, to);
     unlink(path); // it would be written through a link
+    // The folder changes before the program is looked for.
+    char *found = strchr(program, '/') ? realpath(program, NULL) : NULL;
+    if (found) program = found;
     const pid_t child = fork();
     if (child == 0) become(program, folder, from, to);
     while (child > 0 && waitpid(child, &outcome, 0) < 0 && errno == EINTR) continue;
-    if (child > 0 && WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0) return whirl_ok();
-    if (child > 0 && WIFEXITED(outcome) && WEXITSTATUS(outcome) == COMMAND_MISSING)
-        return whirl_fail(WHIRL_MISSING_PROGRAM,
-                          "'%.100s', which makes the PDF, is not there: %.200s is written, and a browser prints it (on "
-                          "Debian: apt-get install weasyprint)",
-                          program, page);
-    return whirl_fail(WHIRL_IO_ERROR, "'%.100s' failed to make %.200s", program, path);
+    const int code = child > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : 1;
+    whirl_status status = whirl_ok();
+    if (code == COMMAND_MISSING)
+        status =
+            whirl_fail(WHIRL_MISSING_PROGRAM,
+                       "'%.100s', which makes the PDF, is not there: %.200s is written, and a browser prints it (on "
+                       "Debian: apt-get install weasyprint)",
+                       program, page);
+    else if (code != 0 || access(path, F_OK) != 0)
+        status = whirl_fail(WHIRL_IO_ERROR, "'%.100s' failed to make %.200s", program, path);
+    free(found);
+    return status;
 }

@@ -77,7 +77,8 @@ static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
     const bool drags = role_of(own) == ROLE_DRAG;
     if (drags && b->design->drag == WHIRL_DRAG_STAGES && strcmp(own->type->group.name, "stage") != 0) return true;
-    if (drags && b->design->drag == WHIRL_DRAG_AT && building_value(own, "at")->station[0] != b->design->drag_at)
+    if (drags && b->design->drag == WHIRL_DRAG_AT &&
+        (building_value(own, "at")->station[0] != b->design->drag_at || strcmp(own->type->group.name, "stage") == 0))
         return true;
     // On soft springs it would sag into stators, which no critical speed map is about.
     if (what == WHIRL_BEARINGS_SPRINGS && strcmp(own->type->group.name, "gravity") == 0) return true;

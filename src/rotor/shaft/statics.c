@@ -7,6 +7,9 @@
 #include "building.h"
 #include "matrix.h"
 
+/// m/s2. All is solved with it, and scaled to that of the design, which may have none.
+static const double standard_gravity = 9.80665;
+
 /// A shaft in the plane of its weight: displacement upwards and slope of each node, node by node along it.
 typedef struct beam {
     const building *b;
@@ -66,8 +69,8 @@ static void fill_matrix(const beam *of) {
 
 static bool solve(const beam *of) {
     for (size_t n = 0; n < of->nodes; n++) {
-        of->all[2 * n] = -of->gravity * station_of(of, n)->mass;
-        of->all[2 * n + 1] = -of->gravity * station_of(of, n)->pull_moment;
+        of->all[2 * n] = -standard_gravity * station_of(of, n)->mass;
+        of->all[2 * n + 1] = -standard_gravity * station_of(of, n)->pull_moment;
     }
     for (size_t s = 0; s < of->supports; s++) of->all[(1 + s) * of->unknowns + 2 * of->nodes + s] = 1.0;
     fill_matrix(of);
@@ -92,7 +95,7 @@ static void cut(const beam *of, size_t node, size_t which, size_t by, double *mo
             const size_t row = 2 * (1 - which) + i;
             for (size_t j = 0; j < 4; j++)
                 force[i] += stiffness.at[row][j] * at[2 * (own->node[j / 2] - of->first) + j % 2];
-            if (by == 0) force[i] += of->gravity * weight[row];
+            if (by == 0) force[i] += standard_gravity * weight[row];
         }
         // The end at the node: the right one of the piece to the left.
         *shear = which == 0 ? -force[0] : force[0];
@@ -170,19 +173,55 @@ static void raise_supports(const beam *of, const double *elevation) {
         for (size_t i = 0; i < of->unknowns; i++) of->all[i] += elevation[s] * of->all[(1 + s) * of->unknowns + i];
 }
 
+// ---------------------------------------------------------------- bearings
+
+/// How many bearings stand on a station; *aside: one is shared with another shaft.
+static size_t count_bearings(const beam *of, size_t at, bool *aside) {
+    const building *b = of->b;
+    size_t count = 0;
+    for (size_t i = 0; i < b->design->element_count; i++) {
+        const design_element *own = &b->design->elements[i];
+        if (!building_carries(own)) continue;
+        const size_t place = building_value(own, "at")->station[0];
+        const key_value *from = building_value(own, "from");
+        const size_t other = from && from->given ? from->station[0] : GROUND;
+        const size_t shafts[] = {b->assembly.stations[place].shaft,
+                                 other == GROUND ? NO_SHAFT : b->assembly.stations[other].shaft};
+        const bool both = shafts[0] != NO_SHAFT && shafts[1] != NO_SHAFT && shafts[0] != shafts[1];
+        *aside = *aside || (both && (place == at || other == at));
+        // Either end may be the one that stands still.
+        count += place == at || (other == at && shafts[0] == NO_SHAFT);
+    }
+    return count;
+}
+
 // ---------------------------------------------------------------- one shaft
 
+/// What rounding leaves of nothing is nothing: beside the weight of the shaft.
+static double rounded(double value, double beside) {
+    return fabs(value) > 1e-12 * beside ? value : 0.0;
+}
+
+static double weight_of(const beam *of) {
+    double mass = 0.0;
+    for (size_t n = 0; n < of->nodes; n++) mass += station_of(of, n)->mass;
+    return standard_gravity * mass;
+}
+
 static void fill_station(const beam *of, size_t node, whirl_station_statics *out) {
-    double moment, carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
-    out->deflection = of->all[2 * node];
-    out->slope = of->all[2 * node + 1];
-    cut(of, node, 0, 0, &out->moment, &out->shear[0]);
-    cut(of, node, 1, 0, &moment, &out->shear[1]);
-    if (node == 0 || node + 1 == of->nodes) out->moment = 0.0; // a free end
+    const double scale = of->gravity / standard_gravity, weight = weight_of(of);
+    const double length = node_of(of, of->nodes - 1)->z - node_of(of, 0)->z;
+    double moment[2], shear[2], carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
+    for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment[which], &shear[which]);
     for (size_t s = 0; s < of->supports; s++)
         if (of->support[s] != node) carried[of->support[s] > node] += of->all[2 * of->nodes + s];
-    out->mass[0] = (carried[0] - out->shear[0]) / of->gravity;
-    out->mass[1] = (carried[1] + out->shear[1]) / of->gravity;
+    const bool end = node == 0 || node + 1 == of->nodes; // free
+    out->deflection = scale * of->all[2 * node];
+    out->slope = scale * of->all[2 * node + 1];
+    out->moment = end ? 0.0 : scale * rounded(moment[0], weight * length);
+    for (size_t which = 0; which < 2; which++) out->shear[which] = scale * rounded(shear[which], weight);
+    out->mass[0] = rounded(carried[0] - shear[0], weight) / standard_gravity;
+    out->mass[1] = rounded(carried[1] + shear[1], weight) / standard_gravity;
 }
 
 static void fill_stations(const beam *of, const double *elevation, whirl_station_statics *out, double *influence) {
@@ -191,8 +230,10 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
         if (!station_of(of, n)->hidden) fill_station(of, n, &out[node_of(of, n)->station]);
     for (size_t s = 0; s < of->supports; s++) {
         const size_t at = node_of(of, of->support[s])->station;
-        out[at].load = of->all[2 * of->nodes + s];
-        out[at].elevation = out[at].deflection = elevation[s]; // without rounding
+        out[at].carried = rounded(of->all[2 * of->nodes + s], weight_of(of)) / standard_gravity;
+        out[at].load = of->gravity * out[at].carried;
+        out[at].elevation = out[at].deflection = of->gravity / standard_gravity * elevation[s]; // without rounding
+        out[at].bearings = (double)count_bearings(of, at, &(bool){false});
         for (size_t k = 0; k < of->supports; k++)
             influence[at * stations + node_of(of, of->support[k])->station] =
                 of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
@@ -227,27 +268,20 @@ static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_st
 
 // ---------------------------------------------------------------- all shafts
 
-/// The acceleration of gravity that counts.
+/// The acceleration of gravity that the design has, of all that act together.
 static double gravity_of(const whirl_design *design) {
-    for (size_t i = 0; i < design->element_count; i++)
-        if (strcmp(design->elements[i].type->group.name, "gravity") == 0)
-            return building_value(&design->elements[i], "acceleration")->number;
-    return 9.80665;
-}
-
-/// Whether a bearing stands on station `at`; *aside: and on another shaft.
-static bool is_carried(const building *b, size_t at, bool *aside) {
-    bool found = false;
-    for (size_t i = 0; i < b->design->element_count; i++) {
-        const design_element *own = &b->design->elements[i];
-        if (!building_carries(own)) continue;
-        const key_value *place = building_value(own, "at"), *from = building_value(own, "from");
-        const size_t other = from && from->given ? from->station[0] : GROUND;
-        const bool shared = other != GROUND && b->assembly.stations[other].shaft != NO_SHAFT;
-        *aside = *aside || (shared && (place->station[0] == at || other == at));
-        found = found || place->station[0] == at;
+    double x = 0.0, y = 0.0;
+    bool any = false;
+    for (size_t i = 0; i < design->element_count; i++) {
+        const design_element *own = &design->elements[i];
+        if (strcmp(own->type->group.name, "gravity") != 0) continue;
+        const double size = building_value(own, "acceleration")->number;
+        const double direction = building_value(own, "direction")->number;
+        x += size * cos(direction);
+        y += size * sin(direction);
+        any = true;
     }
-    return found;
+    return any ? hypot(x, y) : standard_gravity;
 }
 
 static whirl_status find_supports(const beam *of, size_t *support, size_t *count) {
@@ -256,7 +290,7 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
     *count = 0;
     for (size_t n = 0; n < of->nodes; n++) {
         const size_t at = node_of(of, n)->station;
-        if (!station_of(of, n)->hidden && is_carried(of->b, at, &aside)) support[(*count)++] = n;
+        if (!station_of(of, n)->hidden && count_bearings(of, at, &aside) > 0) support[(*count)++] = n;
     }
     if (aside)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -271,8 +305,6 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
 static whirl_status fill(const building *b, const char *couplings, size_t *support, whirl_station_statics *out,
                          double *influence) {
     whirl_status status = whirl_ok();
-    if (gravity_of(b->design) == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT, "gravity is 0: there is no weight, which is asked for");
     if (b->mesh.shaft_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "there is no shaft of finite elements (segment), whose weight is asked for");
     for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
@@ -308,7 +340,14 @@ whirl_status whirl_design_statics(const whirl_design *design, const char *coupli
     const double none = NAN;
     size_t *support = calloc(design->station_count + 1, sizeof *support);
     for (size_t s = 0; s < design->station_count; s++)
-        out[s] = (whirl_station_statics){none, none, none, {none, none}, none, {none, none}, none};
+        out[s] = (whirl_station_statics){.deflection = none,
+                                         .slope = none,
+                                         .moment = none,
+                                         .shear = {none, none},
+                                         .load = none,
+                                         .carried = none,
+                                         .mass = {none, none},
+                                         .elevation = none};
     memset(influence, 0, design->station_count * design->station_count * sizeof *influence);
     whirl_status status = support ? building_assemble(&b, design, NULL) : no_memory();
     if (status.code == WHIRL_OK) status = check_couplings(&b, couplings);

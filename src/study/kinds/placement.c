@@ -34,7 +34,8 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
     return machine_of(&own, speed, value, variant, machine);
 }
 
-/// N/m: the mean over all bearings of sqrt(kxx kyy), or of what is above 0 of these.
+/// N/m: the mean over all bearings of sqrt(kxx kyy), or of what is above 0 of these. They are told station by station,
+/// housings too, which are left out.
 static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     const size_t probes = p->machine.system->probe_count;
     const whirl_resting point = {.system = p->machine.system,
@@ -48,9 +49,9 @@ static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     const whirl_status status = whirl_bearings_at(&point, p->options->running_high, numbers);
     for (size_t i = 0; i < probes; i++) {
         const double kxx = numbers[8 * i], kyy = numbers[8 * i + 3];
-        if (!(kxx > 0.0) && !(kyy > 0.0)) continue;
+        if (!(p->machine.statics[i].bearings > 0.0) || (!(kxx > 0.0) && !(kyy > 0.0))) continue;
         sum += kxx > 0.0 && kyy > 0.0 ? sqrt(kxx * kyy) : fmax(kxx, kyy);
-        count += 1.0;
+        count += p->machine.statics[i].bearings;
     }
     free(numbers);
     *stiffness = sum / count;
@@ -101,7 +102,7 @@ static double overhang(const placing *p, size_t station) {
     const whirl_probe *probes = p->machine.system->probes;
     double left = NAN, right = NAN, first = INFINITY, last = -INFINITY;
     for (size_t i = 0; i < p->machine.system->probe_count; i++) {
-        if (probes[i].shaft != probes[station].shaft || isnan(p->machine.statics[i].load)) continue;
+        if (probes[i].shaft != probes[station].shaft || isnan(p->machine.statics[i].carried)) continue;
         if (probes[i].position < first) first = probes[i].position, left = p->machine.statics[i].mass[0];
         if (probes[i].position > last) last = probes[i].position, right = p->machine.statics[i].mass[1];
     }
