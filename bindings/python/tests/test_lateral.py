@@ -87,6 +87,20 @@ def test_at_a_station():
         response(", antinodes_of: 64")
 
 
+def test_weight_does_not_depend_on_gravity_or_on_how_bearings_are_told():
+    """W is a mass; two bearings at a station of half the stiffness are one; what stands still beside is none."""
+    own = placed(response(", antinodes_of: 1", k=60, mass=40))
+    for gravity in ("1.62 m/s2", "0 m/s2"):
+        on_the_moon = placed(response(", antinodes_of: 1", f"    - gravity: {gravity}", k=60, mass=40))
+        assert on_the_moon == {name: pytest.approx(at, rel=1e-9) for name, at in own.items()}
+    both = "\n".join(
+        f"    - bearing: {{at: {at}, kxx: 30 MN/m, kyy: 30 MN/m, cxx: 2.5 kN s/m}}" for at in ("left", "right")
+    )
+    assert placed(response(", antinodes_of: 1", both, k=30, mass=40)) == {
+        name: pytest.approx(at, rel=1e-9) for name, at in own.items()
+    }
+
+
 @pytest.mark.parametrize("rule", ("antinodes_of: 1", "antinodes_of: 2", "at: end"))
 def test_response_is_that_of_such_unbalances(rule):
     """In the place of the machine's own, which do not count then."""
