@@ -12,8 +12,6 @@
 
 // ---------------------------------------------------------------- reading
 
-enum { MOST_STATIONS = 8 }; // of a list
-
 /// Where bearings are springs the parameter is their stiffness, in N/m.
 static void check_bearings(case_reader *reader, const axis_parts *axis) {
     char shown[SHOWN_SIZE];
@@ -52,40 +50,56 @@ static void read_name(case_reader *reader, const plan_parts *parts, resting_part
                        "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
 }
 
-/// Appends the name of a station; false after a problem.
-static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine,
+/// Appends the station that the first of the names in `text` is, and goes behind it; false after a problem.
+static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char **text,
                         char names[WHIRL_NAME_SIZE]) {
-    char advice[WHY_SIZE], shown[SHOWN_SIZE];
-    const size_t used = strlen(names);
-    if (where->kind != NODE_TEXT || named_find(&machine->stations, where->text) == machine->stations.count) {
-        machine_advise(machine, where->kind == NODE_TEXT ? where->text : "", false, advice);
-        problem_at(reader->problems, where, "is %s, which is no station, %s", node_shown(where, shown), advice);
+    char advice[WHY_SIZE], shown[SHOWN_SIZE], name[WHIRL_NAME_SIZE];
+    const size_t used = strlen(names), length = strcspn(*text, " ,");
+    snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 0, *text);
+    *text += length;
+    if (named_find(&machine->stations, name) == machine->stations.count) {
+        machine_advise(machine, name, false, advice);
+        problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
         return false;
     }
-    if (used + strlen(where->text) + 2 > WHIRL_NAME_SIZE) {
+    if (used + length + 2 > WHIRL_NAME_SIZE) {
         problem_at(reader->problems, where, "is one name too many, expected names of at most %d letters together",
                    WHIRL_NAME_SIZE - 1);
         return false;
     }
-    snprintf(names + used, WHIRL_NAME_SIZE - used, "%s%s", used ? " " : "", where->text);
+    if (used > 0) names[used] = ' ';
+    memcpy(names + used + (used > 0), name, length + 1);
     return true;
 }
 
-/// A station, or a list of some, which options have as names with blanks between; `most` of them.
+/// The stations of a text, which blanks separate.
+static bool add_stations(case_reader *reader, const file_node *where, const machine_parts *machine,
+                         char names[WHIRL_NAME_SIZE]) {
+    char shown[SHOWN_SIZE];
+    const char *text = where->kind == NODE_TEXT ? where->text : "";
+    if (!text[strspn(text, " ,")]) {
+        problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
+        return false;
+    }
+    while (*(text += strspn(text, " ,")))
+        if (!add_station(reader, where, machine, &text, names)) return false;
+    return true;
+}
+
+/// A station, or several as a list or with blanks between, which is how options have them.
 static void read_stations(case_reader *reader, const machine_parts *machine, const setting_list *keys, const char *key,
-                          size_t most) {
+                          bool several) {
     char names[WHIRL_NAME_SIZE] = "";
     for (size_t i = 0; i < keys->count; i++) {
         setting *given = &keys->items[i];
         if (strcmp(given->key->name, key) != 0) continue;
-        const file_node *where = given->place;
-        if (where->kind == NODE_LIST && (where->count == 0 || where->count > most)) {
-            problem_at(reader->problems, where, "is a list of %zu, expected 1 to %zu stations", where->count, most);
+        const file_node *where = given->place, *first = where->kind == NODE_LIST ? where->first : where;
+        for (const file_node *one = first; one; one = where->kind == NODE_LIST ? one->next : NULL)
+            if (!add_stations(reader, one, machine, names)) return;
+        if (!*names || (!several && strchr(names, ' '))) {
+            problem_at(reader->problems, where, "names %s station, expected one", *names ? "more than one" : "no");
             return;
         }
-        const file_node *first = where->kind == NODE_LIST ? where->first : where;
-        for (const file_node *one = first; one; one = where->kind == NODE_LIST ? one->next : NULL)
-            if (!add_station(reader, one, machine, names)) return;
         given->word = arena_text(reader->arena, names, strlen(names));
         reader->no_memory = reader->no_memory || !given->word;
     }
@@ -107,9 +121,9 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     const bool varies = settings_find(&axis->keys, "parameter") != NULL;
     if (varies) plan_read_axis(reader, axis);
     check_bearings(reader, axis);
-    read_stations(reader, machine, &axis->keys, "at", 1);
-    read_stations(reader, machine, &axis->keys, "probes_at", MOST_STATIONS);
-    read_stations(reader, machine, &axis->keys, "coupling", MOST_STATIONS);
+    read_stations(reader, machine, &axis->keys, "at", false);
+    read_stations(reader, machine, &axis->keys, "probes_at", true);
+    read_stations(reader, machine, &axis->keys, "coupling", true);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");

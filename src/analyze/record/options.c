@@ -42,18 +42,17 @@ static const whirl_member members[] = {
           "N running_to, W kg on bearings; 0: its own"),
     MEMBER(whirl_record_options, WORD, "placed_at", placed_at, "unbalance", false, "at", "", "", WHIRL_KEY_CHOICE,
            false, "", WHIRL_ANY, "", "a station where one such unbalance stands", ""),
-    MEMBER(
-        whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "", WHIRL_KEY_CHOICE,
-        false, "", WHIRL_ANY, "",
-        "stations, separated by blanks, whose vibration is limited where it runs: by it responses are scaled; absent: "
-        "those with the clearance of a bearing, or all",
-        ""),
+    MEMBER(whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "",
+           WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
+           "a station or a list of them, whose vibration is limited where it runs: by it responses are scaled; absent: "
+           "those with the clearance of a bearing, or all",
+           ""),
     MEMBER(whirl_record_options, NUMBER, "placed_weight", placed_weight, "unbalance", false, "weight", "W", "kg",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "mass that it goes by; 0: what hangs over there",
            ""),
     MEMBER(whirl_record_options, WORD, "coupling", coupling, "statics", false, "coupling", "", "", WHIRL_KEY_CHOICE,
            false, "", WHIRL_ANY, "",
-           "names of stations, separated by blanks: bearings are raised until shafts carry neither moment nor shear "
+           "a station or a list of them: bearings are raised until shafts carry neither moment nor shear "
            "there",
            ""),
     MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
