@@ -79,10 +79,12 @@ _whirl_options() {
         ;;
     merge) echo '-o --output= --set= --threads= --json --json=full --force --refine --refine= --max-time= --quiet --help' ;;
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
-    report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --quiet --help' ;;
+    report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --lateral --weasyprint= --quiet --help' ;;
+    figure) echo '-o --output= --list --format= --units= --log= --panels= --gnuplot= --force --help' ;;
     show) echo '--json --json=full --help' ;;
     export) echo '--csv= --mat= --npz= --force --help' ;;
     check) echo '--set= --help' ;;
+    balance) echo '--json --help' ;;
     describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
@@ -111,7 +113,7 @@ _whirl() {
     --csv | --mat | --npz) _whirl_files "$word"; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
-    --gnuplot) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
+    --gnuplot | --weasyprint) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
     --set) _whirl_words "$word" "$(_whirl_settings "$whirl" "$(_whirl_case)")"; return ;;
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
@@ -124,13 +126,13 @@ _whirl() {
         return
     fi
     case $command in
-    '') _whirl_words "$word" 'new import run merge verify check describe report show export help' ;;
+    '') _whirl_words "$word" 'new import run merge verify check describe report figure show export balance help' ;;
     new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
     import) _whirl_files "$word" toml json ;;
-    run | merge | verify | check) _whirl_files "$word" yaml yml ;;
-    report | show | export) _whirl_files "$word" h5 ;;
+    run | merge | verify | check | balance) _whirl_files "$word" yaml yml ;;
+    report | figure | show | export) _whirl_files "$word" h5 ;;
     describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
-    help) _whirl_words "$word" 'new import run merge verify check describe report show export' ;;
+    help) _whirl_words "$word" 'new import run merge verify check describe report figure show export balance' ;;
     esac
 }
 

@@ -549,20 +549,21 @@ typedef struct whirl_kind {
     bool still;  ///< also of machines that stand still, of which no revolutions are counted
 } whirl_kind;
 
+// clang-format off
 /// The studies of machines at rest: name, what it is of, source, and `STILL` where it is also of machines that stand
 /// still, else `TURNING`. Each is an analysis, and a part of a study, of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
-          "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft",                   \
-          STILL) study(unbalance, "synchronous response to unbalance about where the machine rests",                   \
-                       "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                  \
-        study(critical_speeds, "critical speeds without damping, all at once, forward and backward",                   \
-              "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                           \
-            study(stability,                                                                                           \
-                  "decrements over the cross coupling of stages, its limit, and what seals and impellers do",          \
-                  "Wachel, von Nimitz 1981; API 617", TURNING)                                                         \
-                study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings", \
-                      "Przemieniecki 1968", STILL)
+          "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
+    study(unbalance, "synchronous response to unbalance about where the machine rests",                                \
+          "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                               \
+    study(critical_speeds, "critical speeds without damping, all at once, forward and backward",                       \
+          "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                               \
+    study(stability, "decrements over the cross coupling of stages, its limit, and what seals and impellers do",       \
+          "Wachel, von Nimitz 1981; API 617", TURNING)                                                                 \
+    study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings",             \
+          "Przemieniecki 1968", STILL)
+// clang-format on
 
 /// An analysis as it describes itself.
 typedef struct whirl_analysis {
@@ -674,7 +675,7 @@ typedef struct whirl_resting {
     /// those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
-    const void *context; ///< handed to at_speed
+    const void *context;        ///< handed to at_speed
     size_t placed_count;        ///< of placed
     const whirl_placed *placed; ///< [placed_count] unbalances that it has in the place of its own
 } whirl_resting;

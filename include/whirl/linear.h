@@ -90,12 +90,12 @@ typedef struct whirl_critical_speeds {
 whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl_machine *faster,
                                        whirl_critical_speeds **speeds);
 
-/// Unbalances that excite a mode (after API 617; which edition counts is for the user to check): on the shaft that moves
-/// most, one between any two nodes of the shape, to one side or to the other by its sign, at the station where it
+/// Unbalances that excite a mode (after API 617; which edition counts is for the user to check): on the shaft that
+/// moves most, one between any two nodes of the shape, to one side or to the other by its sign, at the station where it
 /// excites the mode most: at the antinode, as far as the masses that follow are the same. Each is `factor` kg m times a
 /// mass in kg: beyond the outer bearings what hangs over there; where the shape has no node between two bearings what
-/// both carry; else what the nearest one carries. Parts between nodes where it moves less than a tenth of the most count
-/// for none. shape [dimension][2]; statics [probe_count]; out [probe_count]; how many.
+/// both carry; else what the nearest one carries. Parts between nodes where it moves less than a tenth of the most
+/// count for none. shape [dimension][2]; statics [probe_count]; out [probe_count]; how many.
 size_t whirl_antinodes(const whirl_system *system, const double *shape, const whirl_station_statics *statics,
                        double factor, whirl_placed *out);
 

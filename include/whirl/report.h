@@ -29,8 +29,8 @@ typedef struct whirl_report_options {
 
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
 /// DIR/NAME/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
-/// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same; or when weasyprint is not
-/// there, and all but the PDF is written.
+/// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same; or when weasyprint is
+/// not there, and all but the PDF is written.
 whirl_status whirl_report_write(const whirl_result *const *results, const char *const *names, size_t count,
                                 const char *directory, const whirl_report_options *options);
 

@@ -62,9 +62,9 @@ typedef struct whirl_batch {
     /// 0: all points are computed.
     size_t refine;
     double second_bounds[2];    ///< of the second parameter of curves
-    size_t given_count;         ///< of them
+    size_t given_count;         ///< of given
     const whirl_given *given;   ///< [given_count] parameters that all machines have at these values; borrowed
-    size_t placed_count;        ///< of them, which the run finds (whirl_placement)
+    size_t placed_count;        ///< of placed, which a run finds where its options ask for them
     const whirl_placed *placed; ///< [placed_count] unbalances in the place of the machine's own; borrowed
     double second_value;        ///< of the machine that is asked for; of the batch itself that of the case
     double third_value;         ///< the same of the third parameter of a map
@@ -77,7 +77,7 @@ typedef struct whirl_batch {
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;
     double speed;          ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
-    double variant_value;  ///< of that variant
+    double variant_value;  ///< of the variant that is asked for
     whirl_variant variant; ///< of it; of the batch itself that which is studied
     size_t start;          ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0
     whirl_carry carry;     ///< whether points start where their neighbours end

@@ -166,7 +166,7 @@ typedef struct whirl_machine {
     double clock, speed;   ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
     double length;         ///< m of one unit of displacement
     double cross_coupling; ///< N/m, the sum of those of all stages
-    /// [probe_count] where they were asked for (WHIRL_STATICS), else NULL; with them
+    /// [probe_count] where they were asked for (WHIRL_WITH_STATICS), else NULL; with them
     const whirl_station_statics *statics;
     /// [probe_count][probe_count] N/m, the load of the bearings at the first by raising those at the second; 0: none.
     const double *influence;

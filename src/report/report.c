@@ -136,8 +136,7 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
 }
 
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
-                               size_t count, const char *directory, const whirl_report_options *options,
-                               bool lateral) {
+                               size_t count, const char *directory, const whirl_report_options *options, bool lateral) {
     report_file file;
     const whirl_status status = report_file_open(&file, directory, lateral ? "lateral.html" : "report.html");
     if (status.code != WHIRL_OK) return status;

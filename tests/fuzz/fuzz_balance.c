@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "whirl/balance.h"
+#include "whirl/case.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

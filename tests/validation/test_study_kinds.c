@@ -47,6 +47,22 @@ static const char films[] = "whirl: 1\n"
                             "    - gravity: 9.8 m/s2\n"
                             "study:\n";
 
+static const char beam[] = "whirl: 1\n"
+                           "parameters: {kappa: 10, omega: 100 rad/s}\n"
+                           "rotor:\n"
+                           "  speed: = omega\n"
+                           "  length_scale: 1 mm\n"
+                           "  stations:\n"
+                           "    a: {position: 0 m}\n"
+                           "    b: {position: 0.6 m, mass: = kappa}\n"
+                           "    c: {position: 1 m}\n"
+                           "  elements:\n"
+                           "    - segment: {length: 1 m, outer: 50 mm}\n"
+                           "    - bearing: {at: a, kxx: 10 MN/m, cxx: 2 kN s/m}\n"
+                           "    - bearing: {at: c, kxx: 10 MN/m, cxx: 2 kN s/m}\n"
+                           "    - stage: {at: b, power: 100 kW, diameter: 0.4 m, width: 10 mm}\n"
+                           "study:\n";
+
 #define MOTION                                                                                                         \
     "  initial: {disc: {x: = x0, y: = y0}}\n  integrate: {method: rk4, steps_per_revolution: 64, transient: 20, "      \
     "record: 10}\n"
@@ -78,6 +94,9 @@ static const struct {
     {machine, "  modes: {parameter: omega, from: 1, to: 4, points: 3}\n"},
     {machine, "  unbalance: {parameter: omega, from: 1, to: 4, points: 3}\n"},
     {machine, "  critical_speeds: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
+    {beam, "  stability: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
+    {beam, "  statics: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
+    {beam, "  unbalance: {parameter: omega, from: 100, to: 200, points: 3, antinodes_of: 1, running_to: 200 rad/s}\n"},
 };
 enum { STUDIES = sizeof studies / sizeof *studies };
 

@@ -56,8 +56,7 @@ static void tell_critical(const page *to, size_t result, const whirl_table *tabl
     html_printf(to->stream, "%s%s: ", (*told)++ ? "; " : "", table->name);
     for (size_t point = 0; point < table->count; point++) {
         const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
-        for (size_t i = 0; row && field && whirl_table_done(table, point) && i < field->rows;
-             i++, row += field->columns)
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (row[0] >= 1.0 && row[0] <= 3.0)
                 html_printf(to->stream, "%s%s%.5g rpm", found++ ? ", " : "",
                             row[0] < 1.5   ? ""

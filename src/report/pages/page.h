@@ -50,8 +50,8 @@ void lateral_write(const page *to);
 /// Sections.
 void page_head(const page *to, const char *title);
 void page_style(FILE *stream);
-void page_claims(const page *to);                  ///< the table of claims and what was not reproduced
-void page_found(const page *to, size_t result);    ///< verdicts in numbers, and the main figure
+void page_claims(const page *to);               ///< the table of claims and what was not reproduced
+void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_provenance(const page *to, size_t result);

@@ -38,10 +38,10 @@ static void with_key(const char *part, const char *key, const char *value, whirl
     char text[1024], line[256];
     const bool of_study = strcmp(part, "study") == 0;
     const bool placed = strcmp(key, "antinodes_of") == 0 || strcmp(key, "at") == 0 || strcmp(key, "weight") == 0;
-    const char *axis = !is_study(part)               ? ""
-                       : !placed                     ? "parameter: q, values: [1, 2], "
+    const char *axis = !is_study(part)              ? ""
+                       : !placed                    ? "parameter: q, values: [1, 2], "
                        : strcmp(key, "weight") != 0 ? "running_to: 9, "
-                                                     : "running_to: 9, at: yes, ";
+                                                    : "running_to: 9, at: yes, ";
     if (of_study)
         snprintf(line, sizeof line, "  %s: %s", key, value);
     else
