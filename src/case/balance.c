@@ -6,12 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "excerpt.h"
-#include "exhausted.h"
+#include "file.h"
 #include "keys.h"
 #include "problem.h"
-#include "settings.h"
-#include "source.h"
 
 enum { VERSION = 1, MOST_ROWS = 10000 };
 
@@ -103,6 +100,11 @@ static void *room_for(case_reader *reader, const setting_list *file, const char 
     return room;
 }
 
+/// Which way angles on the rotor are told: 1, or -1 against the rotation.
+static double way_of(const whirl_balance *of) {
+    return of->against ? -1.0 : 1.0;
+}
+
 static void set_vector(double size, double angle, double out[2]) {
     out[0] = size * cos(angle);
     out[1] = size * sin(angle);
@@ -116,7 +118,7 @@ static void read_planes(case_reader *reader, const setting_list *file, whirl_bal
         settings_text(reader, &item, "name", plane->name, sizeof plane->name);
         plane->radius = number_of(reader, &item, "radius");
         plane->holes = (int)number_of(reader, &item, "holes");
-        plane->first_hole = (out->against ? -1.0 : 1.0) * fmod(number_of(reader, &item, "first_hole"), two_pi);
+        plane->first_hole = way_of(out) * fmod(number_of(reader, &item, "first_hole"), two_pi);
         for (const whirl_balance_plane *other = out->planes; other < plane; other++)
             if (strcmp(other->name, plane->name) == 0 && *plane->name)
                 problem_at(reader->problems, at, "is a second plane '%s', expected names of their own", plane->name);
@@ -153,8 +155,7 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
         if (mass > 0.0 && radius == 0.0)
             problem_at(reader->problems, settings_find(&item, "mass")->place,
                        "needs the radius of plane '%s', or moment in its place", out->planes[trial->plane].name);
-        set_vector(mass > 0.0 ? mass * radius : moment, (out->against ? -1.0 : 1.0) * number_of(reader, &item, "angle"),
-                   trial->moment);
+        set_vector(mass > 0.0 ? mass * radius : moment, way_of(out) * number_of(reader, &item, "angle"), trial->moment);
     }
     for (size_t p = 0; p < out->plane_count && first; p++)
         if (!tried[p])
@@ -199,72 +200,39 @@ static void check_runs(case_reader *reader, const setting_list *file, const whir
     }
 }
 
-static void read_file(case_reader *reader, const file_node *root, whirl_balance *out) {
-    setting_list file;
-    char shown[SHOWN_SIZE];
-    if (root->kind != NODE_MAPPING) {
-        problem_at(reader->problems, root, "is %s, expected a mapping that begins with balance: %d",
-                   node_shown(root, shown), VERSION);
-        return;
-    }
-    settings_read(reader, root, &file_group, &file);
-    const setting *version = settings_find(&file, "balance");
-    if (version && version->good && version->value.number != (double)VERSION) {
-        problem_at(reader->problems, version->place, "is %s, expected %d, the version of the format",
-                   node_shown(version->place, shown), VERSION);
-        return;
-    }
-    settings_text(reader, &file, "title", out->title, sizeof out->title);
-    out->against = strcmp(settings_word(&file, "angles"), "against") == 0;
-    out->leads = strcmp(settings_word(&file, "phases"), "lead") == 0;
-    out->mass = number_of(reader, &file, "mass");
-    out->grade = number_of(reader, &file, "grade");
-    out->service_speed = number_of(reader, &file, "service_speed");
-    read_planes(reader, &file, out);
+static void fill(case_reader *reader, const setting_list *file, void *into) {
+    whirl_balance *out = into;
+    settings_text(reader, file, "title", out->title, sizeof out->title);
+    out->against = strcmp(settings_word(file, "angles"), "against") == 0;
+    out->leads = strcmp(settings_word(file, "phases"), "lead") == 0;
+    out->mass = number_of(reader, file, "mass");
+    out->grade = number_of(reader, file, "grade");
+    out->service_speed = number_of(reader, file, "service_speed");
+    read_planes(reader, file, out);
     if (out->plane_count == 0) return; // said already
-    read_trials(reader, &file, out);
-    read_vibration(reader, &file, out);
-    check_runs(reader, &file, out);
+    read_trials(reader, file, out);
+    read_vibration(reader, file, out);
+    check_runs(reader, file, out);
 }
+
+static void release(void *made) {
+    whirl_balance_free(made);
+}
+
+static const file_kind kind = {&file_group, VERSION, sizeof(whirl_balance), fill, release};
 
 whirl_status whirl_balance_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                                  whirl_balance **out) {
-    whirl_problems own = {0};
-    memory_arena arena = {0};
-    file_node *root;
-    const parameter_table none = {0};
-    *out = NULL;
-    if (!problems) problems = &own;
-    snprintf(problems->file, sizeof problems->file, "%s", name);
-    case_reader reader = {.arena = &arena, .problems = problems, .parameters = &none};
-    const int before = exhausted_watch();
-    whirl_balance *balance = calloc(1, sizeof *balance);
-    reader.no_memory = !balance;
-    if (balance) {
-        const whirl_status status = tree_read(text, length, &arena, problems, &root);
-        reader.no_memory = status.code == WHIRL_NO_MEMORY;
-        if (status.code == WHIRL_OK) read_file(&reader, root, balance);
-    }
-    problems_sort(problems);
-    problems_quote(problems, text, length);
-    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
-    const whirl_status status = reader_outcome(&reader, name);
-    arena_free(&arena);
-    whirl_problems_free(&own);
-    if (status.code == WHIRL_OK)
-        *out = balance;
-    else
-        whirl_balance_free(balance);
+    void *made;
+    const whirl_status status = file_parse(&kind, text, length, name, problems, &made);
+    *out = made;
     return status;
 }
 
 whirl_status whirl_balance_load(const char *path, whirl_problems *problems, whirl_balance **balance) {
-    char *text;
-    size_t length;
-    *balance = NULL;
-    whirl_status status = source_load(path, problems, &text, &length);
-    if (status.code == WHIRL_OK) status = whirl_balance_parse(text, length, path, problems, balance);
-    free(text);
+    void *made;
+    const whirl_status status = file_load(&kind, path, problems, &made);
+    *balance = made;
     return status;
 }
 

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "content.h"
-#include "excerpt.h"
 #include "exhausted.h"
+#include "file.h"
 #include "path.h"
 #include "plan_resting.h"
 #include "problem.h"
@@ -42,6 +42,21 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 
+/// Whether an earlier batch at rest has the machine of this one's point at an end of its own: studies of one machine at
+/// rest, at the same conditions over the same parameter. Where nothing is wrong so far it was good.
+static bool is_checked(const case_reader *reader, const study_plan *plan, size_t index, size_t point) {
+    const whirl_batch *own = &plan->batches[index];
+    const whirl_kind *kind = whirl_analysis_kind(own->analyses);
+    for (size_t b = 0; b < index && !kind->moves && !kind->found && reader->problems->count == 0; b++) {
+        const whirl_batch *other = &plan->batches[b];
+        if (whirl_analysis_kind(other->analyses) != kind || !other->values || other->given != own->given) continue;
+        if (strcmp(other->parameter, own->parameter) != 0) continue;
+        if (other->values[0] == own->values[point] || other->values[other->count - 1] == own->values[point])
+            return true;
+    }
+    return false;
+}
+
 /// The ends of a sweep, or the corners of a map, stand for all of it; what fails between them fails while running.
 static void check_ends(case_reader *reader, case_content *content) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
@@ -53,8 +68,8 @@ static void check_ends(case_reader *reader, case_content *content) {
         if (!batch->values) continue;
         if (!origin->each) {
             const size_t row = batch->row > 0 ? batch->row : batch->count;
-            check_machine_at(reader, content, b, origin->first, 0);
-            check_machine_at(reader, content, b, origin->last, row - 1);
+            if (!is_checked(reader, plan, b, 0)) check_machine_at(reader, content, b, origin->first, 0);
+            if (!is_checked(reader, plan, b, row - 1)) check_machine_at(reader, content, b, origin->last, row - 1);
             if (batch->row == 0 || reader->problems->count > 0) continue;
             const size_t plane = batch->plane > 0 ? batch->plane : batch->count;
             check_machine_at(reader, content, b, origin->across, plane - row);
@@ -101,6 +116,18 @@ static void check_statics(case_reader *reader, case_content *content, size_t ind
     free(statics);
 }
 
+/// Whether a batch needs what the weight does.
+static bool tells_weight(const whirl_batch *batch) {
+    return whirl_analysis_has(batch->analyses, "statics") || batch->record.antinodes_of > 0 || *batch->record.placed_at;
+}
+
+/// Whether an earlier part of the same study, at another condition, has asked for it as this one does.
+static bool is_weighed(const study_plan *plan, size_t index) {
+    for (size_t b = 0; b < index; b++)
+        if (tells_weight(&plan->batches[b]) && plan->origins[b].place == plan->origins[index].place) return true;
+    return false;
+}
+
 /// What the analyses refuse (too many fields, a record that lacks what they need).
 static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
     whirl_rotor *rotor;
@@ -115,9 +142,7 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
-        if (whirl_analysis_has(batch->analyses, "statics") || batch->record.antinodes_of > 0 ||
-            *batch->record.placed_at)
-            check_statics(reader, content, b, v);
+        if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
     }
     whirl_rotor_free(rotor);
 }
@@ -175,11 +200,13 @@ static bool may_stand_still(const setting *study) {
     return false;
 }
 
-static void read_content(case_reader *reader, const file_node *root, case_content *content) {
+static void read_content(case_reader *reader, const file_node *root, void *into) {
+    case_content *content = into;
     setting_list file;
     plan_parts parts = {0};
     char shown[SHOWN_SIZE];
     const parameter_table none = {0};
+    content->root = root;
     if (root->kind != NODE_MAPPING) {
         problem_at(reader->problems, root, "is %s, expected a mapping that begins with whirl: %d",
                    node_shown(root, shown), SCHEMA_VERSION);
@@ -207,18 +234,8 @@ static void read_content(case_reader *reader, const file_node *root, case_conten
 
 /// Fills `content`, whose overrides are set, from the text of the case.
 static whirl_status make_content(const whirl_case *object, case_content *content, whirl_problems *problems) {
-    file_node *root;
-    const int before = exhausted_watch();
     case_reader reader = {.arena = &content->arena, .problems = problems};
-    snprintf(problems->file, sizeof problems->file, "%s", object->name);
-    const whirl_status status = tree_read(object->text, object->length, &content->arena, problems, &root);
-    reader.no_memory = status.code == WHIRL_NO_MEMORY;
-    content->root = root;
-    if (status.code == WHIRL_OK) read_content(&reader, root, content);
-    problems_sort(problems);
-    problems_quote(problems, object->text, object->length);
-    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
-    return reader_outcome(&reader, object->name);
+    return file_read(&reader, object->text, object->length, object->name, read_content, content);
 }
 
 static whirl_case *new_case(const char *text, size_t length, const char *name) {

@@ -1,6 +1,5 @@
 // Reading a claims file: the same tree, tables and problems as for cases.
 #include "whirl/claims.h"
-#include "exhausted.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,11 +7,9 @@
 #include <string.h>
 
 #include "claims_read.h"
-#include "excerpt.h"
+#include "file.h"
 #include "problem.h"
 #include "schema.h"
-#include "settings.h"
-#include "source.h"
 
 enum { MAX_CLAIMS = 1000 };
 
@@ -143,65 +140,33 @@ static void read_items(case_reader *reader, const file_node *where, whirl_claims
         read_claim(reader, item, &claims->items[claims->count++]);
 }
 
-static void read_file(case_reader *reader, const file_node *root, whirl_claims *claims) {
-    setting_list file;
-    char shown[SHOWN_SIZE];
-    if (root->kind != NODE_MAPPING) {
-        problem_at(reader->problems, root, "is %s, expected a mapping that begins with claims: %d",
-                   node_shown(root, shown), SCHEMA_VERSION);
-        return;
-    }
-    settings_read(reader, root, &schema_claims, &file);
-    const setting *version = settings_find(&file, "claims"), *items = settings_find(&file, "items");
-    if (version && version->good && version->value.number != (double)SCHEMA_VERSION) {
-        problem_at(reader->problems, version->place, "is %s, expected %d, the version of the format",
-                   node_shown(version->place, shown), SCHEMA_VERSION);
-        return;
-    }
-    settings_text(reader, &file, "source", claims->source, sizeof claims->source);
-    settings_text(reader, &file, "parameter", claims->parameter, sizeof claims->parameter);
-    settings_text(reader, &file, "station", claims->station, sizeof claims->station);
+static void fill(case_reader *reader, const setting_list *file, void *into) {
+    whirl_claims *claims = into;
+    const setting *items = settings_find(file, "items");
+    settings_text(reader, file, "source", claims->source, sizeof claims->source);
+    settings_text(reader, file, "parameter", claims->parameter, sizeof claims->parameter);
+    settings_text(reader, file, "station", claims->station, sizeof claims->station);
     if (items) read_items(reader, items->place, claims);
 }
 
+static void release(void *made) {
+    whirl_claims_free(made);
+}
+
+static const file_kind kind = {&schema_claims, SCHEMA_VERSION, sizeof(whirl_claims), fill, release};
+
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                           whirl_claims **out) {
-    whirl_problems own = {0};
-    memory_arena arena = {0};
-    file_node *root;
-    const parameter_table none = {0};
-    *out = NULL;
-    if (!problems) problems = &own;
-    snprintf(problems->file, sizeof problems->file, "%s", name);
-    case_reader reader = {.arena = &arena, .problems = problems, .parameters = &none};
-    const int before = exhausted_watch();
-    whirl_claims *claims = calloc(1, sizeof *claims);
-    reader.no_memory = !claims;
-    if (claims) {
-        whirl_status status = tree_read(text, length, &arena, problems, &root);
-        reader.no_memory = status.code == WHIRL_NO_MEMORY;
-        if (status.code == WHIRL_OK) read_file(&reader, root, claims);
-    }
-    problems_sort(problems);
-    problems_quote(problems, text, length);
-    reader.no_memory = reader.no_memory || exhausted(before) || problems_blame_memory(problems);
-    const whirl_status status = reader_outcome(&reader, name);
-    arena_free(&arena);
-    whirl_problems_free(&own);
-    if (status.code == WHIRL_OK)
-        *out = claims;
-    else
-        whirl_claims_free(claims);
+    void *made;
+    const whirl_status status = file_parse(&kind, text, length, name, problems, &made);
+    *out = made;
     return status;
 }
 
 whirl_status whirl_claims_load(const char *path, whirl_problems *problems, whirl_claims **claims) {
-    char *text;
-    size_t length;
-    *claims = NULL;
-    whirl_status status = source_load(path, problems, &text, &length);
-    if (status.code == WHIRL_OK) status = claims_parse(text, length, path, problems, claims);
-    free(text);
+    void *made;
+    const whirl_status status = file_load(&kind, path, problems, &made);
+    *claims = made;
     return status;
 }
 

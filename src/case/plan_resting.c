@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "name_list.h"
 #include "problem.h"
 #include "schema.h"
 #include "whirl/analyze.h"
@@ -50,13 +51,11 @@ static void read_name(case_reader *reader, const plan_parts *parts, resting_part
                        "is another %s of the same name, expected a name of its own: {name: ..., ...}", group);
 }
 
-/// Appends the station that the first of the names in `text` is, and goes behind it; false after a problem.
-static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char **text,
+/// Appends a name; false after a problem.
+static bool add_station(case_reader *reader, const file_node *where, const machine_parts *machine, const char *name,
                         char names[WHIRL_NAME_SIZE]) {
-    char advice[WHY_SIZE], shown[SHOWN_SIZE], name[WHIRL_NAME_SIZE];
-    const size_t used = strlen(names), length = strcspn(*text, " ,");
-    snprintf(name, sizeof name, "%.*s", length < sizeof name ? (int)length : 0, *text);
-    *text += length;
+    char advice[WHY_SIZE], shown[SHOWN_SIZE];
+    const size_t used = strlen(names), length = strlen(name);
     if (named_find(&machine->stations, name) == machine->stations.count) {
         machine_advise(machine, name, false, advice);
         problem_at(reader->problems, where, "is %s, which is no station, %s", text_shown(name, shown), advice);
@@ -72,18 +71,16 @@ static bool add_station(case_reader *reader, const file_node *where, const machi
     return true;
 }
 
-/// The stations of a text, which blanks separate.
+/// The stations of a text; false after a problem.
 static bool add_stations(case_reader *reader, const file_node *where, const machine_parts *machine,
                          char names[WHIRL_NAME_SIZE]) {
-    char shown[SHOWN_SIZE];
+    char shown[SHOWN_SIZE], name[WHIRL_NAME_SIZE];
     const char *text = where->kind == NODE_TEXT ? where->text : "";
-    if (!text[strspn(text, " ,")]) {
-        problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
-        return false;
-    }
-    while (*(text += strspn(text, " ,")))
-        if (!add_station(reader, where, machine, &text, names)) return false;
-    return true;
+    bool any = false;
+    for (; name_list_next(&text, name); any = true)
+        if (!add_station(reader, where, machine, name, names)) return false;
+    if (!any) problem_at(reader->problems, where, "is %s, expected the name of a station", node_shown(where, shown));
+    return any;
 }
 
 /// A station, or several as a list or with blanks between, which is how options have them.

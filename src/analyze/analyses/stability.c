@@ -1,7 +1,6 @@
 // Stability by logarithmic decrements: over the cross coupling of stages with bearings alone (Level I of API 617), and
 // with seals and impellers station by station and all together (Level II).
 #include <math.h>
-#include <stdlib.h>
 
 #include "analysis.h"
 

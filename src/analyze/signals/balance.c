@@ -75,16 +75,8 @@ static void find_rows(const whirl_balance *of, whirl_correction *out) {
     }
 }
 
-/// The largest trial, by which they are scaled.
-static double trial_scale(const whirl_balance *of) {
-    double largest = 0.0;
-    for (size_t i = 0; i < of->trial_count; i++)
-        largest = fmax(largest, hypot(of->trials[i].moment[0], of->trials[i].moment[1]));
-    return largest;
-}
-
 static whirl_status find_influence(const whirl_balance *of, whirl_balance_row *row) {
-    const double scale = trial_scale(of), rpm = two_pi / 60.0;
+    const double rpm = two_pi / 60.0;
     normal equations = {.n = of->plane_count + 1};
     size_t runs = 0;
     for (size_t i = 0; i < of->vibration_count; i++) {
@@ -92,7 +84,7 @@ static whirl_status find_influence(const whirl_balance *of, whirl_balance_row *r
         if (!is_row(row, &of->vibrations[i])) continue;
         for (size_t t = 0; t < of->trial_count; t++)
             if (of->trials[t].run == of->vibrations[i].run)
-                for (int c = 0; c < 2; c++) a[1 + of->trials[t].plane][c] += of->trials[t].moment[c] / scale;
+                for (int c = 0; c < 2; c++) a[1 + of->trials[t].plane][c] += of->trials[t].moment[c];
         normal_add(&equations, (const double(*)[2])a, of->vibrations[i].vibration, 1.0);
         runs++;
     }
@@ -103,8 +95,7 @@ static whirl_status find_influence(const whirl_balance *of, whirl_balance_row *r
             "without and one more for every plane",
             row->probe, row->speed / rpm, runs, runs == 1 ? "" : "s", of->plane_count, of->plane_count == 1 ? "" : "s");
     memcpy(row->before, equations.side[0], sizeof row->before);
-    for (size_t p = 0; p < of->plane_count; p++)
-        for (int c = 0; c < 2; c++) row->influence[p][c] = equations.side[1 + p][c] / scale;
+    memcpy(row->influence, equations.side + 1, of->plane_count * sizeof *row->influence);
     return whirl_ok();
 }
 

@@ -3,32 +3,28 @@
 #include <math.h>
 #include <string.h>
 
+#include "name_list.h"
 #include "whirl/analyze.h"
 
-static double number(const whirl_table *table, size_t point, const char *field, size_t station, size_t column) {
-    const double *at = whirl_table_field(table, point, field, station);
-    return at ? at[column] : (double)NAN;
-}
-
-/// Whether a list of names separated by blanks has one.
-static bool lists(const char *list, const char *name) {
-    const size_t length = strlen(name);
-    for (const char *at = list; (at = strstr(at, name)) != NULL; at += length)
-        if ((at == list || strchr(" ,", at[-1])) && strchr(" ,", at[length])) return true;
+/// Whether a list of names has one.
+static bool lists(const char *list, const char *wanted) {
+    char name[WHIRL_NAME_SIZE];
+    while (name_list_next(&list, name))
+        if (strcmp(name, wanted) == 0) return true;
     return false;
 }
 
 /// Whether any station has a clearance.
 static bool has_clearances(const whirl_result *result, const whirl_table *table) {
     for (size_t s = 0; s < result->station_count; s++)
-        if (table->count > 0 && number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, s, 0) > 0.0) return true;
+        if (table->count > 0 && whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, s) > 0.0) return true;
     return false;
 }
 
 static bool has_probes(const whirl_result *result, const whirl_table *table, size_t station, bool clearances) {
     const char *list = table->record.probes_at;
     if (*list) return lists(list, result->stations[station].name);
-    return !clearances || number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station, 0) > 0.0;
+    return !clearances || whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station) > 0.0;
 }
 
 const char *const scaled_lacks =
@@ -46,12 +42,12 @@ bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out
     *out = (scaled){.limit = 25.4e-6 * fmin(1.0, sqrt(12000.0 * rpm / high))};
     if (!(high > 0.0)) return false;
     for (size_t point = 0; point < table->count; point++) {
-        const double speed = number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0, 0);
+        const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
         if (!whirl_table_done(table, point) || speed < low * (1.0 - 1e-9) || speed > high * (1.0 + 1e-9)) continue;
         for (size_t s = 0; s < result->station_count; s++)
             for (size_t probe = 0; probe < 2 && has_probes(result, table, s, clearances); probe++) {
                 const double seen = 2.0 * whirl_result_length_scale(result, table, point) *
-                                    number(table, point, WHIRL_FIELD_UNBALANCE_PROBE, s, probe);
+                                    whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE, s)[probe];
                 if (seen > out->largest) out->largest = seen, out->station = s;
             }
     }
@@ -66,14 +62,14 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
         scaled_row row = {.station = s, .axis = -1.0};
         for (size_t point = 0; point < table->count; point++) {
             const double length = 2.0 * whirl_result_length_scale(result, table, point);
-            const double axis = by->factor * length * number(table, point, WHIRL_FIELD_UNBALANCE_AXES, s, 0);
-            const double clearance = length * number(table, point, WHIRL_FIELD_UNBALANCE_CLEARANCE, s, 0);
+            const double axis = by->factor * length * whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_AXES, s);
+            const double clearance = length * whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_CLEARANCE, s);
             if (!whirl_table_done(table, point) || !(clearance > 0.0) ||
                 !(axis / clearance > row.axis / row.clearance || row.axis < 0.0))
                 continue;
             row.axis = axis;
             row.clearance = clearance;
-            row.speed = number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0, 0);
+            row.speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
         }
         row.holds = row.axis <= share * row.clearance;
         if (row.axis >= 0.0) rows[count++] = row;

@@ -65,22 +65,8 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
     fprintf(out, "    %s\n", text);
 }
 
-/// Of many points the first and the last.
 static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
-    for (size_t point = 0; point < table->count; point++) {
-        if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
-        if (*table->parameter)
-            fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-        print_point(out, result, table, point);
-    }
-}
-
-static void write_cell(FILE *stream, double value) {
-    if (isfinite(value))
-        fprintf(stream, "<td class=\"number\">%.5g</td>", value);
-    else
-        fputs("<td></td>", stream);
+    summary_ends(out, result, table, print_point);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {
@@ -90,12 +76,11 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
     fputs(
         "<p>The least logarithmic decrement of forward modes up to the speed, or of the first where that is faster: "
-        "with bearings alone, with the cross "
-        "coupling "
-        "of stages (anticipated, and its limit, where the decrement is 0), and with seals and impellers. After API 617 "
-        "(which edition counts is for the user to check) bearings and stages tell enough where that limit is 2 times "
-        "the "
-        "anticipated or more and the decrement 0.1 or more; else it is to be above 0.1 with seals and impellers.</p>\n",
+        "with "
+        "bearings alone, with the cross coupling of stages (anticipated, and its limit, where the decrement is 0), and "
+        "with seals and impellers. After API 617 (which edition counts is for the user to check) bearings and stages "
+        "tell enough where that limit is 2 times the anticipated or more and the decrement 0.1 or more; else it is to "
+        "be above 0.1 with seals and impellers.</p>\n",
         to->stream);
     html_table(to->stream, "Stability", "");
     fputs("<thead><tr><th>at</th><th class=\"number\">anticipated (N/m)</th><th class=\"number\">limit (N/m)</th>"
@@ -110,7 +95,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         else
             fputs("<tr><th>the speed of the case</th>", to->stream);
         for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
-            write_cell(to->stream, number(table, point, shown[i]));
+            html_number(to->stream, number(table, point, shown[i]));
         judge(table, point, text);
         fputs("<td>", to->stream);
         html_text(to->stream, text);

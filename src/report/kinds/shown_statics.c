@@ -11,20 +11,16 @@ typedef struct row {
     double load, deflection, slope, moment, elevation, mass[2]; ///< N, shown length, mrad, N m, shown length, kg
 } row;
 
-static double number(const whirl_table *table, size_t point, const char *field, size_t station, size_t column) {
-    const double *at = whirl_table_field(table, point, field, station);
-    return at ? at[column] : (double)NAN;
-}
-
 static row row_of(const whirl_result *result, const whirl_table *table, size_t point, size_t station, double unit) {
     const double length = whirl_result_length_scale(result, table, point) / unit;
-    return (row){.load = number(table, point, WHIRL_FIELD_STATICS_LOAD, station, 0),
-                 .deflection = length * number(table, point, WHIRL_FIELD_STATICS_DEFLECTION, station, 0),
-                 .slope = 1e3 * number(table, point, WHIRL_FIELD_STATICS_SLOPE, station, 0),
-                 .moment = number(table, point, WHIRL_FIELD_STATICS_MOMENT, station, 0),
-                 .elevation = length * number(table, point, WHIRL_FIELD_STATICS_ELEVATION, station, 0),
-                 .mass = {number(table, point, WHIRL_FIELD_STATICS_MASS, station, 0),
-                          number(table, point, WHIRL_FIELD_STATICS_MASS, station, 1)}};
+    const double *mass = whirl_table_field(table, point, WHIRL_FIELD_STATICS_MASS, station);
+    return (row){
+        .load = whirl_table_number(table, point, WHIRL_FIELD_STATICS_LOAD, station),
+        .deflection = length * whirl_table_number(table, point, WHIRL_FIELD_STATICS_DEFLECTION, station),
+        .slope = 1e3 * whirl_table_number(table, point, WHIRL_FIELD_STATICS_SLOPE, station),
+        .moment = whirl_table_number(table, point, WHIRL_FIELD_STATICS_MOMENT, station),
+        .elevation = length * whirl_table_number(table, point, WHIRL_FIELD_STATICS_ELEVATION, station),
+        .mass = {whirl_table_number(table, point, WHIRL_FIELD_STATICS_MASS, station), mass ? mass[1] : (double)NAN}};
 }
 
 static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
@@ -42,23 +38,9 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
     }
 }
 
-/// Of several points the first and the last.
 static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
     if (*table->record.coupling) fprintf(out, "  aligned for no moment and no shear at %s\n", table->record.coupling);
-    for (size_t point = 0; point < table->count; point++) {
-        if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
-        if (*table->parameter)
-            fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-        print_point(out, result, table, point);
-    }
-}
-
-static void write_cell(FILE *stream, double value) {
-    if (isfinite(value))
-        fprintf(stream, "<td class=\"number\">%.6g</td>", value);
-    else
-        fputs("<td></td>", stream);
+    summary_ends(out, result, table, print_point);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {
@@ -84,7 +66,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         html_text(to->stream, result->stations[station].name);
         fputs("</th>", to->stream);
         const double cells[] = {at.load, at.elevation, at.deflection, at.slope, at.moment, at.mass[0], at.mass[1]};
-        for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) write_cell(to->stream, cells[i]);
+        for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) html_number(to->stream, cells[i]);
         fputs("</tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);

@@ -1,5 +1,6 @@
 #include "html.h"
 
+#include <math.h>
 #include <stdarg.h>
 
 #include "utf8.h"
@@ -49,4 +50,11 @@ void html_table(FILE *stream, const char *label, const char *class) {
     fputs("<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"", stream);
     html_text(stream, label);
     fprintf(stream, *class ? "\"><table class=\"%s\">\n" : "\"><table>%s\n", class);
+}
+
+void html_number(FILE *stream, double value) {
+    if (isfinite(value))
+        fprintf(stream, "<td class=\"number\">%.6g</td>", value);
+    else
+        fputs("<td></td>", stream);
 }

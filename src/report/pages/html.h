@@ -19,4 +19,7 @@ void html_printf(FILE *stream, const char *format, ...)
 /// name, which the keyboard can reach. Ends with </table></div>.
 void html_table(FILE *stream, const char *label, const char *class);
 
+/// A cell of a table with a number of six digits; an empty one where it is not finite.
+void html_number(FILE *stream, double value);
+
 #endif

@@ -23,6 +23,12 @@ whirl_unit summary_length_unit(const whirl_shown_units *units);
 /// The one point of a response, or every attractor that its starts lead to. WHIRL_NO_MEMORY.
 whirl_status summarize_response(FILE *out, const whirl_result *result, const whirl_table *table);
 
+/// Tells a point of a table.
+typedef void summary_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point);
+
+/// The first and the last point, with their values where there is a parameter.
+void summary_ends(FILE *out, const whirl_result *result, const whirl_table *table, summary_point *tell);
+
 /// What was done again.
 void summarize_refinement(FILE *out, const whirl_table *table);
 

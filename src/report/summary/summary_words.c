@@ -27,6 +27,16 @@ whirl_shown_units summary_units(const whirl_result *result) {
     return units;
 }
 
+void summary_ends(FILE *out, const whirl_result *result, const whirl_table *table, summary_point *tell) {
+    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
+        if (*table->parameter)
+            fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        tell(out, result, table, point);
+    }
+}
+
 void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *out) {
     fprintf(out, "  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
             rate / 6.283185307179586);

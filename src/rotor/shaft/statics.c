@@ -1,11 +1,11 @@
 // What the weight of shafts does: they lie on bearings that hold them, each shaft for itself.
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "building.h"
 #include "matrix.h"
+#include "name_list.h"
 
 /// m/s2. All is solved with it, and scaled to that of the design, which may have none.
 static const double standard_gravity = 9.80665;
@@ -114,25 +114,17 @@ static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) 
 
 // ---------------------------------------------------------------- alignment
 
-/// The node of the first name of a list, which is taken from it; `nodes` where it is none of this shaft.
-static size_t take_name(const beam *of, const char **list, char name[WHIRL_NAME_SIZE]) {
-    *list += strspn(*list, " ,");
-    const size_t length = strcspn(*list, " ,");
-    snprintf(name, WHIRL_NAME_SIZE, "%.*s", (int)length, *list);
-    *list += length;
-    size_t node = 0;
-    while (node < of->nodes && (station_of(of, node)->hidden || strcmp(station_of(of, node)->name, name) != 0)) node++;
-    return node;
-}
-
 enum { MOST_COUPLINGS = 8 };
 
+/// Nodes of those of the listed stations that this shaft has; how many.
 static size_t find_couplings(const beam *of, const char *list, size_t node[MOST_COUPLINGS]) {
     char name[WHIRL_NAME_SIZE];
     size_t count = 0;
-    while (list[strspn(list, " ,")] && count < MOST_COUPLINGS) {
-        node[count] = take_name(of, &list, name);
-        count += node[count] < of->nodes;
+    while (count < MOST_COUPLINGS && name_list_next(&list, name)) {
+        size_t n = 0;
+        while (n < of->nodes && (station_of(of, n)->hidden || strcmp(station_of(of, n)->name, name) != 0)) n++;
+        node[count] = n;
+        count += n < of->nodes;
     }
     return count;
 }
@@ -320,11 +312,9 @@ static whirl_status fill(const building *b, const char *couplings, size_t *suppo
 
 /// Every name is a station of a shaft.
 static whirl_status check_couplings(const building *b, const char *list) {
-    while (list[strspn(list, " ,")]) {
-        char name[WHIRL_NAME_SIZE];
+    char name[WHIRL_NAME_SIZE];
+    while (name_list_next(&list, name)) {
         size_t station = 0;
-        const beam none = {.nodes = 0};
-        take_name(&none, &list, name);
         while (station < b->design->station_count && strcmp(b->design->stations[station].name, name) != 0) station++;
         if (station == b->design->station_count)
             return whirl_fail(WHIRL_BAD_INPUT, "coupling: '%s' is no station", name);

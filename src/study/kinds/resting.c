@@ -16,8 +16,7 @@ enum { RESTING_PIECE = 8 };
 typedef struct worker {
     study_run *run;
     const pass *pass;
-    whirl_batch batch;    ///< with what was placed
-    whirl_placed *placed; ///< which it points to
+    const whirl_batch *batch; ///< with what was placed
     whirl_table *table;
     bool has_modes;
     resting_machine before; ///< the point before, where it is known
@@ -54,9 +53,9 @@ static whirl_status locate(worker *w, size_t slot, const resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
     if (slot == 0) return status;
-    if (!w->before.modes) status = resting_new(w->run->study, &w->batch, w->table->values[slot - 1], &w->before);
+    if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
     return status.code == WHIRL_OK
-               ? critical_locate(w->run->study, &w->batch, &w->before, own, w->found, w->most, &w->count)
+               ? critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count)
                : status;
 }
 
@@ -78,7 +77,7 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
 }
 
 static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
-    const place at = {w->run->study, &w->batch, own->value};
+    const place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     const whirl_resting point = {.system = machine->system,
                                  .start = machine->start,
@@ -89,21 +88,21 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .critical = w->found,
                                  .at_speed = at_speed,
                                  .context = &at,
-                                 .placed_count = w->batch.placed_count,
-                                 .placed = w->batch.placed};
+                                 .placed_count = w->batch->placed_count,
+                                 .placed = w->batch->placed};
     whirl_status status =
-        whirl_analyze_resting(&point, &w->pass->record, w->batch.analyses, &w->table->layout, block_of(w, slot));
+        whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
     // A machine that could not be made for it has told already where.
-    if (status.code == WHIRL_BAD_INPUT && *w->batch.parameter && strncmp(status.message, "at ", 3) != 0)
-        status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch.parameter, own->value, status.message);
+    if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)
+        status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
     return status;
 }
 
 static whirl_status compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
-    whirl_status status = w->has_modes ? resting_new(w->run->study, &w->batch, value, &own)
-                                       : w->run->study->machine(w->run->study->family, &w->batch, value, &own.machine);
+    whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
+                                       : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // what was computed since a stop means nothing
@@ -153,26 +152,33 @@ static whirl_status work(study_run *run, const pass *p) {
     deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
+    // Once for all threads.
+    whirl_placed *placed;
+    whirl_batch batch = run->study->batches[p->batch];
+    const whirl_status found = placement_find(run->study, &batch, &placed, &batch.placed_count);
+    batch.placed = placed;
+    if (found.code != WHIRL_OK) {
+        free(placed);
+        return found;
+    }
 #pragma omp parallel num_threads(run->threads)
     {
         worker w = {.run = run,
                     .pass = p,
-                    .batch = run->study->batches[p->batch],
+                    .batch = &batch,
                     .table = &run->result->tables[p->batch],
                     .most = (size_t)p->record.modes + 1};
-        w.has_modes = (w.batch.analyses & modes) != 0;
+        w.has_modes = (w.batch->analyses & modes) != 0;
         w.found = calloc(w.most, sizeof *w.found);
         w.block = calloc(w.table->layout.size + 1, sizeof *w.block);
         whirl_status status =
             w.found && w.block ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
-        if (status.code == WHIRL_OK) status = placement_find(run->study, &w.batch, &w.placed, &w.batch.placed_count);
-        w.batch.placed = w.placed;
         if (status.code == WHIRL_OK) status = work_at_pieces(&w, &pieces);
-        free(w.placed);
         free(w.found);
         free(w.block);
         if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);
     }
+    free(placed);
     return whirl_ok();
 }
 

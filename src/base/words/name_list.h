@@ -1,0 +1,12 @@
+/// Names in one text, with blanks or commas between.
+#ifndef BASE_NAME_LIST_H
+#define BASE_NAME_LIST_H
+
+#include <stdbool.h>
+
+#include "whirl/descriptor.h"
+
+/// Takes the first name off the list (cut to WHIRL_NAME_SIZE - 1 bytes); false where there is none.
+bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]);
+
+#endif
