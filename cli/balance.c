@@ -34,13 +34,19 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 }
 
 static int balance(const balance_arguments *arguments, const whirl_balance *of) {
-    whirl_correction *found;
-    const whirl_status status = whirl_balance_solve(of, &found);
-    if (status.code != WHIRL_OK) return complain_of(&status);
-    const whirl_status written =
-        arguments->json ? whirl_balance_write_json(of, found, stdout) : whirl_balance_write_summary(of, found, stdout);
+    whirl_problems problems = {0};
+    whirl_balance_model *model;
+    whirl_correction *found = NULL;
+    whirl_status status = whirl_balance_consult(of, arguments->path, &problems, &model);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    whirl_problems_free(&problems);
+    status = whirl_balance_solve(of, model, &found);
+    if (status.code == WHIRL_OK)
+        status = arguments->json ? whirl_balance_write_json(of, model, found, stdout)
+                                 : whirl_balance_write_summary(of, model, found, stdout);
     whirl_correction_free(found);
-    return written.code == WHIRL_OK ? finish_output() : complain_of(&written);
+    whirl_balance_model_free(model);
+    return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
 }
 
 static int run(int argc, char **argv) {
@@ -50,8 +56,9 @@ static int run(int argc, char **argv) {
         .args_doc = "FILE.yaml",
         .doc =
             "Finds the weights that balance a rotor from vibrations that were read with and without trial weights, by "
-            "influence coefficients: several planes, speeds and probes, least squares. `whirl describe balance` tells "
-            "the keys of FILE.",
+            "influence coefficients: several planes, speeds and probes, least squares; mode by mode, by sets of "
+            "weights that act on one alone; with a model, a case of the rotor, also without trial weights, or it "
+            "proposes these. `whirl describe balance` tells the keys of FILE.",
     };
     balance_arguments arguments = {.path = NULL};
     whirl_problems problems = {0};

@@ -23,11 +23,23 @@ static const whirl_key file_keys[] = {
                "what phases of vibrations are: by how much the peak comes after the mark "
                "passes the probe, or before"),
     CHOICE_KEY("planes", REQUIRED, "", "a list of planes in which weights are put"),
-    CHOICE_KEY("trials", REQUIRED, "", "a list of the weights that runs had"),
+    CHOICE_KEY("trials", OPTIONAL, "",
+               "a list of the weights that runs had; absent: none, the model proposes some or balances by itself"),
     CHOICE_KEY("vibration", REQUIRED, "", "a list of what probes saw in runs"),
     NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "of the rotor, for what ISO 21940-11 allows"),
     NUMBER_KEY("grade", "G", "mm/s", OPTIONAL, WHIRL_POSITIVE, "balance quality grade"),
     NUMBER_KEY("service_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "largest speed in service"),
+    CHOICE_KEY("modes", OPTIONAL, "", "a list of modes that are balanced one by one, by sets of weights"),
+    CHOICE_KEY("keep_rigid", DEFAULT("no"), "yes|no",
+               "whether sets have no resultant and no couple: N + 2 planes for N modes, in place of N"),
+    CHOICE_KEY("probes", OPTIONAL, "", "a list of what is known of probes beside what they saw"),
+    CHOICE_KEY("model", OPTIONAL, "", "path of a case of the rotor, from the folder of this file"),
+    CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "where influence coefficients come from"),
+    NUMBER_KEY("model_error", "", "1", DEFAULT("0.03"), WHIRL_FROM_TO(0, 0.5),
+               "share by which the model's critical speeds may be wrong; what would be left then is told"),
+    CHOICE_KEY("amplitudes", DEFAULT("0-p"), "0-p|p-p|rms", "what amplitudes are, for the model"),
+    NUMBER_KEY("keyphasor", "", "rad", DEFAULT("0"), WHIRL_ANY,
+               "where the mark is seen, from the model's x axis towards y"),
 };
 
 static const whirl_key plane_keys[] = {
@@ -35,11 +47,29 @@ static const whirl_key plane_keys[] = {
     NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "at which weights sit"),
     WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360), "evenly spaced, for weights; absent: they go anywhere"),
     NUMBER_KEY("first_hole", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle of hole 1; holes are numbered as angles grow"),
+    CHOICE_KEY("station", OPTIONAL, "", "of the model; absent: that of the plane's name"),
+    NUMBER_KEY("position", "", "m", OPTIONAL, WHIRL_ANY, "along the rotor, for keep_rigid; absent: the model's"),
+};
+
+static const whirl_key mode_keys[] = {
+    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE,
+               "near its critical speed; readings are of the mode of the nearest speed"),
+    CHOICE_KEY("shape", OPTIONAL, "", "a list of a number for every plane; absent: the model's, at that speed"),
+};
+
+static const whirl_key probe_keys[] = {
+    CHOICE_KEY("name", REQUIRED, "", "as readings call it"),
+    CHOICE_KEY("station", OPTIONAL, "", "of the model; absent: that of the probe's name"),
+    NUMBER_KEY("angle", "", "rad", DEFAULT("0"), WHIRL_ANY, "from the model's x axis towards y"),
+    NUMBER_KEY("limit", "", "m", OPTIONAL, WHIRL_POSITIVE, "that trial weights must not take it beyond"),
+    NUMBER_KEY("repeatability", "", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "by which readings of equal runs differ"),
 };
 
 static const whirl_key trial_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run that had it"),
-    CHOICE_KEY("plane", REQUIRED, "", "its plane"),
+    CHOICE_KEY("plane", OPTIONAL, "", "its plane; this or set"),
+    WHOLE_KEY("set", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_PLANES),
+              "number of the mode whose set of weights it was, times moment"),
     NUMBER_KEY("moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "mass times radius; this or mass"),
     NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "at the radius of the plane"),
     NUMBER_KEY("angle", "", "rad", REQUIRED, WHIRL_ANY, "where on the rotor"),
@@ -62,11 +92,16 @@ static const whirl_group plane_group = {
     "plane", "a plane in which weights are put", "", plane_keys, COUNT(plane_keys), NULL, NULL};
 static const whirl_group trial_group = {"trial", "a weight that a run had", "", trial_keys, COUNT(trial_keys), NULL,
                                         NULL};
+static const whirl_group mode_group = {
+    "mode", "a mode that is balanced by itself", "", mode_keys, COUNT(mode_keys), NULL, NULL};
+static const whirl_group probe_group = {
+    "probe", "what is known of a probe beside what it saw", "", probe_keys, COUNT(probe_keys), NULL, NULL};
 static const whirl_group vibration_group = {
     "vibration", "what a probe saw in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
 
 const whirl_group *const *whirl_balance_groups(void) {
-    static const whirl_group *const groups[] = {&file_group, &plane_group, &trial_group, &vibration_group, NULL};
+    static const whirl_group *const groups[] = {&file_group, &plane_group, &trial_group, &vibration_group,
+                                                &mode_group, &probe_group, NULL};
     return groups;
 }
 
@@ -119,6 +154,8 @@ static void read_planes(case_reader *reader, const setting_list *file, whirl_bal
         plane->radius = number_of(reader, &item, "radius");
         plane->holes = (int)number_of(reader, &item, "holes");
         plane->first_hole = way_of(out) * fmod(number_of(reader, &item, "first_hole"), two_pi);
+        plane->position = settings_find(&item, "position") ? number_of(reader, &item, "position") : (double)NAN;
+        settings_text(reader, &item, "station", plane->station, sizeof plane->station);
         for (const whirl_balance_plane *other = out->planes; other < plane; other++)
             if (strcmp(other->name, plane->name) == 0 && *plane->name)
                 problem_at(reader->problems, at, "is a second plane '%s', expected names of their own", plane->name);
@@ -137,6 +174,107 @@ static size_t find_plane(case_reader *reader, const setting_list *item, const wh
     return 0;
 }
 
+/// A number for every plane.
+static void read_shape(case_reader *reader, const setting *given, size_t planes, whirl_balance_mode *out) {
+    char shown[SHOWN_SIZE];
+    if (given->place->kind != NODE_LIST || given->place->count != planes) {
+        problem_at(reader->problems, given->place, "is %s, expected a list of %zu number%s, one for every plane",
+                   node_shown(given->place, shown), planes, planes == 1 ? "" : "s");
+        return;
+    }
+    size_t p = 0;
+    for (const file_node *at = given->place->first; at; at = at->next) {
+        char *end = NULL;
+        const double number = at->kind == NODE_TEXT ? strtod(at->text, &end) : 0.0;
+        if (!end || end == at->text || *end || !(fabs(number) <= 1e9)) {
+            problem_at(reader->problems, at, "is %s, expected a plain number", node_shown(at, shown));
+            return;
+        }
+        out->shape[p++] = number;
+    }
+    out->shaped = true;
+}
+
+static void read_modes(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    for (const file_node *at = items_of(reader, file, "modes", WHIRL_MAX_PLANES); at; at = at->next) {
+        setting_list item;
+        whirl_balance_mode *mode = &out->modes[out->mode_count++];
+        settings_read(reader, at, &mode_group, &item);
+        mode->speed = number_of(reader, &item, "speed");
+        const setting *shape = settings_find(&item, "shape");
+        if (shape) read_shape(reader, shape, out->plane_count, mode);
+        if (!shape && !*out->model && at->kind == NODE_MAPPING)
+            problem_missing(reader->problems, at, "shape", "is missing, and there is no model that would tell it");
+        for (const whirl_balance_mode *other = out->modes; other < mode; other++)
+            if (other->speed == mode->speed && mode->speed > 0.0)
+                problem_at(reader->problems, at, "is a second mode at that speed, expected speeds of their own");
+    }
+    out->keep_rigid = settings_yes(file, "keep_rigid");
+    if (out->keep_rigid && !settings_find(file, "modes"))
+        problem_at(reader->problems, settings_find(file, "keep_rigid")->place,
+                   "is said of sets of weights, expected modes, too");
+}
+
+static void read_probes(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    for (const file_node *at = items_of(reader, file, "probes", WHIRL_MAX_BALANCE_PROBES); at; at = at->next) {
+        setting_list item;
+        whirl_balance_probe *probe = &out->probes[out->probe_count++];
+        settings_read(reader, at, &probe_group, &item);
+        settings_text(reader, &item, "name", probe->name, sizeof probe->name);
+        settings_text(reader, &item, "station", probe->station, sizeof probe->station);
+        if (!*probe->station) memcpy(probe->station, probe->name, sizeof probe->station);
+        probe->angle = number_of(reader, &item, "angle");
+        probe->limit = number_of(reader, &item, "limit");
+        if (!(probe->limit > 0.0)) probe->limit = INFINITY;
+        probe->repeatability = number_of(reader, &item, "repeatability");
+        for (const whirl_balance_probe *other = out->probes; other < probe; other++)
+            if (strcmp(other->name, probe->name) == 0 && *probe->name)
+                problem_at(reader->problems, at, "is a second probe '%s', expected names of their own", probe->name);
+    }
+}
+
+static void read_model(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    const char *kind = settings_word(file, "amplitudes");
+    settings_text(reader, file, "model", out->model, sizeof out->model);
+    out->by_model = strcmp(settings_word(file, "influence"), "model") == 0;
+    out->model_error = number_of(reader, file, "model_error");
+    out->kind = strcmp(kind, "p-p") == 0 ? 2.0 : strcmp(kind, "rms") == 0 ? sqrt(0.5) : 1.0;
+    out->keyphasor = number_of(reader, file, "keyphasor");
+    if (out->by_model && !settings_find(file, "model"))
+        problem_at(reader->problems, settings_find(file, "influence")->place, "is model, expected a model, too");
+}
+
+/// The plane or set of a trial.
+static void read_place(case_reader *reader, const file_node *at, const setting_list *item, const whirl_balance *of,
+                       whirl_balance_trial *out) {
+    const setting *set = settings_find(item, "set");
+    const double number = number_of(reader, item, "set");
+    if (at->kind == NODE_MAPPING && !set == !settings_find(item, "plane") && !settings_misspelt(item, "plane"))
+        problem_at(reader->problems, at, "expected either plane or set");
+    out->plane = set ? WHIRL_BALANCE_SET : find_plane(reader, item, of);
+    out->mode = set && number >= 1.0 && number <= (double)of->mode_count ? (size_t)number - 1 : 0;
+    if (set && number > (double)of->mode_count)
+        problem_at(reader->problems, set->place, "is %g, and there %s %zu mode%s", number,
+                   of->mode_count == 1 ? "is" : "are", of->mode_count, of->mode_count == 1 ? "" : "s");
+    if (out != of->trials && (out->plane == WHIRL_BALANCE_SET) != (of->trials->plane == WHIRL_BALANCE_SET))
+        problem_at(reader->problems, at, "is of a %s, and trials before of %ss, expected one kind",
+                   set ? "set" : "plane", set ? "plane" : "set");
+}
+
+/// The radius at which a mass of a trial sits.
+static double radius_of(case_reader *reader, const setting *mass, const whirl_balance *of,
+                        const whirl_balance_trial *trial) {
+    if (trial->plane == WHIRL_BALANCE_SET) {
+        problem_at(reader->problems, mass->place, "is that of a set, expected moment in its place");
+        return 0.0;
+    }
+    const whirl_balance_plane *plane = &of->planes[trial->plane];
+    if (plane->radius == 0.0)
+        problem_at(reader->problems, mass->place, "needs the radius of plane '%s', or moment in its place",
+                   plane->name);
+    return plane->radius;
+}
+
 static void read_trials(case_reader *reader, const setting_list *file, whirl_balance *out) {
     bool tried[WHIRL_MAX_PLANES] = {false};
     out->trials = room_for(reader, file, "trials", sizeof *out->trials);
@@ -146,19 +284,16 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
         whirl_balance_trial *trial = &out->trials[out->trial_count++];
         settings_read(reader, at, &trial_group, &item);
         trial->run = (int)number_of(reader, &item, "run");
-        trial->plane = find_plane(reader, &item, out);
-        tried[trial->plane] = true;
+        read_place(reader, at, &item, out, trial);
+        if (trial->plane != WHIRL_BALANCE_SET) tried[trial->plane] = true;
         const double mass = number_of(reader, &item, "mass"), moment = number_of(reader, &item, "moment");
-        const double radius = out->planes[trial->plane].radius;
         if (at->kind == NODE_MAPPING && (mass > 0.0) == (moment > 0.0))
             problem_at(reader->problems, at, "expected either moment or mass");
-        if (mass > 0.0 && radius == 0.0)
-            problem_at(reader->problems, settings_find(&item, "mass")->place,
-                       "needs the radius of plane '%s', or moment in its place", out->planes[trial->plane].name);
+        const double radius = mass > 0.0 ? radius_of(reader, settings_find(&item, "mass"), out, trial) : 0.0;
         set_vector(mass > 0.0 ? mass * radius : moment, way_of(out) * number_of(reader, &item, "angle"), trial->moment);
     }
     for (size_t p = 0; p < out->plane_count && first; p++)
-        if (!tried[p])
+        if (!tried[p] && !out->by_model && out->trials->plane != WHIRL_BALANCE_SET)
             problem_at(reader->problems, settings_find(file, "trials")->place, "has no weight in plane '%s'",
                        out->planes[p].name);
 }
@@ -210,6 +345,12 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     out->service_speed = number_of(reader, file, "service_speed");
     read_planes(reader, file, out);
     if (out->plane_count == 0) return; // said already
+    read_model(reader, file, out);
+    read_modes(reader, file, out);
+    read_probes(reader, file, out);
+    if (!settings_find(file, "trials") && !settings_find(file, "modes") && !settings_find(file, "model") &&
+        !settings_misspelt(file, "trials"))
+        problem_missing(reader->problems, file->place, "trials", "is missing, and there is no model or mode");
     read_trials(reader, file, out);
     read_vibration(reader, file, out);
     check_runs(reader, file, out);

@@ -39,7 +39,7 @@ static double way_of_phases(const whirl_balance *of) {
 
 static void print_plane(FILE *out, const whirl_balance *of, size_t p, const double moment[2]) {
     const whirl_balance_plane *plane = &of->planes[p];
-    fprintf(out, "  %s: %.6g g mm at %.4g deg", plane->name, size_of(moment) / gram_mm,
+    fprintf(out, "%s: %.6g g mm at %.4g deg", plane->name, size_of(moment) / gram_mm,
             degrees_of(moment, way_of_angles(of)));
     if (plane->radius > 0.0)
         fprintf(out, ", %.5g g at a radius of %.4g mm", 1e3 * size_of(moment) / plane->radius, 1e3 * plane->radius);
@@ -54,46 +54,198 @@ static void print_plane(FILE *out, const whirl_balance *of, size_t p, const doub
 }
 
 /// The static part and the couple about the middle of two planes, half of the difference in each.
-static void print_static(FILE *out, const whirl_balance *of, const whirl_correction *found) {
-    if (of->plane_count != 2) return;
-    double sum[2], half[2];
+static void find_static(const whirl_correction *found, double sum[2], double half[2]) {
     for (int c = 0; c < 2; c++) {
         sum[c] = found->moment[0][c] + found->moment[1][c];
         half[c] = 0.5 * (found->moment[0][c] - found->moment[1][c]);
     }
+}
+
+static void print_static(FILE *out, const whirl_balance *of, const whirl_correction *found) {
+    double sum[2], half[2];
+    if (of->plane_count != 2) return;
+    find_static(found, sum, half);
     fprintf(out, "  static: %.6g g mm at %.4g deg; couple: %.6g g mm at %.4g deg in %s, against it in %s\n",
             size_of(sum) / gram_mm, degrees_of(sum, way_of_angles(of)), size_of(half) / gram_mm,
             degrees_of(half, way_of_angles(of)), of->planes[0].name, of->planes[1].name);
 }
 
-whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_correction *found, FILE *out) {
+static void print_influence(FILE *out, const whirl_balance *of, const whirl_correction *found) {
+    const size_t count = found->by_set ? of->mode_count : of->plane_count;
+    fprintf(out, "influence, um a kg mm (amplitudes as the file has them)%s:\n", of->by_model ? ", by the model" : "");
+    for (size_t r = 0; r < found->row_count; r++) {
+        const whirl_balance_row *row = &found->rows[r];
+        const char *separator = "";
+        fprintf(out, "  %s at %.6g rpm:", row->probe, row->speed / rpm);
+        for (size_t n = 0; n < count; n++) {
+            if (found->by_set && !found->used[n]) continue;
+            fprintf(out, "%s %.5g at %.4g deg (", separator, size_of(row->influence[n]) * 1e-3 / um,
+                    degrees_of(row->influence[n], way_of_phases(of)));
+            if (found->by_set)
+                fprintf(out, "set %zu)", n + 1);
+            else
+                fprintf(out, "%s)", of->planes[n].name);
+            separator = ",";
+        }
+        fputc('\n', out);
+    }
+    const double difference = whirl_balance_difference(of, found);
+    if (isfinite(difference))
+        fprintf(out, "  the model's differ from these by up to %.3g %% of the largest\n", 100.0 * difference);
+}
+
+static void print_sets(FILE *out, const whirl_balance *of, const whirl_balance_model *model,
+                       const whirl_correction *found) {
+    if (found->set_count == 0) return;
+    fprintf(out, "sets of weights, each of one mode and of none of the others%s:\n",
+            of->keep_rigid ? ", nor of the rigid rotor" : "");
+    for (size_t n = 0; n < found->set_count; n++) {
+        fprintf(out, "  set %zu (%.6g rpm", n + 1, of->modes[n].speed / rpm);
+        if (model && !of->modes[n].shaped) fprintf(out, ", the model's mode of %.6g rpm", model->natural[n] / rpm);
+        fputs("):", out);
+        for (size_t p = 0; p < of->plane_count; p++)
+            fprintf(out, "%s %s %.5g at %.4g deg", p ? "," : "", of->planes[p].name, size_of(found->sets[n][p]),
+                    degrees_of(found->sets[n][p], way_of_angles(of)));
+        if (found->used[n])
+            fprintf(out, "; %.6g g mm at %.4g deg of it", size_of(found->amount[n]) / gram_mm,
+                    degrees_of(found->amount[n], way_of_angles(of)));
+        fputc('\n', out);
+    }
+}
+
+/// What the plane or set of a proposal is called.
+static void name_proposal(const whirl_balance *of, size_t n, char *text, size_t size) {
+    if (of->mode_count > 0)
+        snprintf(text, size, "set %zu", n + 1);
+    else
+        snprintf(text, size, "%s", of->planes[n].name);
+}
+
+enum { SENTENCE = 512 };
+
+/// Why a trial weight is as large as it is, and what it does.
+static void explain(const whirl_balance_model *model, const whirl_correction *found, size_t n, char text[SENTENCE]) {
+    const whirl_balance_proposal *own = &found->proposals[n];
+    const whirl_balance_row *row = &found->rows[own->row];
+    const char *at = model && *model->bearing[own->bearing] ? model->bearing[own->bearing] : "";
+    char load[WHIRL_NAME_SIZE + 96] = "a tenth of the load on the bearing";
+    if (own->load > 0.0)
+        snprintf(load, sizeof load, "a tenth of the %.4g N on %s%s", own->load,
+                 *at ? "the bearing at " : "a bearing, half of the weight", at);
+    int used = 0;
+    if (own->reason == WHIRL_TRIAL_BY_FORCE)
+        used = snprintf(text, SENTENCE, "its force at %.6g rpm is %s", own->speed / rpm, load);
+    else if (own->reason == WHIRL_TRIAL_BY_LEAST)
+        used = snprintf(text, SENTENCE, "less would not be clear at %s at %.6g rpm", row->probe, row->speed / rpm);
+    else if (own->reason == WHIRL_TRIAL_BY_MOST)
+        used = snprintf(text, SENTENCE, "more would change %s at %.6g rpm by more than it is", row->probe,
+                        row->speed / rpm);
+    else if (own->reason == WHIRL_TRIAL_BY_LIMIT)
+        used =
+            snprintf(text, SENTENCE, "more would take %s at %.6g rpm beyond its limit", row->probe, row->speed / rpm);
+    else
+        snprintf(text, SENTENCE, "nothing vibrates, and no load on a bearing is known");
+    if (own->reason != WHIRL_TRIAL_BY_NOTHING && isfinite(own->change))
+        snprintf(text + used, SENTENCE - (size_t)used, "; it changes %s at %.6g rpm by %.3g %%", row->probe,
+                 row->speed / rpm, 100.0 * own->change);
+}
+
+/// A warning by its index; false past the last.
+static bool warn(const whirl_balance *of, const whirl_correction *found, size_t index, char text[SENTENCE]) {
+    char name[WHIRL_NAME_SIZE];
+    for (size_t n = 0; n < found->proposal_count; n++) {
+        const whirl_balance_proposal *own = &found->proposals[n];
+        name_proposal(of, n, name, sizeof name);
+        if (own->over < found->row_count && index-- == 0) {
+            const whirl_balance_row *row = &found->rows[own->over];
+            snprintf(text, SENTENCE,
+                     "the trial weight of %s: the model predicts %.4g um for %s at %.6g rpm, above its limit, and "
+                     "%.4g um is what it has now",
+                     name, size_of(own->predicted) / um, row->probe, row->speed / rpm, size_of(row->before) / um);
+            return true;
+        }
+        if (own->unclear && index-- == 0) {
+            snprintf(text, SENTENCE,
+                     "the trial weight of %s changes no probe by 30 %% and 5 times its repeatability: limits allow no "
+                     "more",
+                     name);
+            return true;
+        }
+    }
+    return false;
+}
+
+static void print_proposals(FILE *out, const whirl_balance *of, const whirl_balance_model *model,
+                            const whirl_correction *found) {
+    char text[SENTENCE];
+    if (found->proposal_count == 0) return;
+    fputs("trial weights that the model proposes, each where it reduces the vibration, for a run of its own:\n", out);
+    for (size_t n = 0; n < found->proposal_count; n++) {
+        explain(model, found, n, text);
+        for (size_t p = 0; p < of->plane_count; p++) {
+            double moment[2];
+            whirl_balance_proposed(found, n, p, moment);
+            if (!(size_of(moment) > 1e-12 * size_of(found->proposals[n].moment))) continue;
+            if (of->mode_count > 0) fprintf(out, "  set %zu,", n + 1);
+            fputs(of->mode_count > 0 ? " " : "  ", out);
+            print_plane(out, of, p, moment);
+        }
+        fprintf(out, "    %s\n", text);
+    }
+}
+
+static void print_vibration(FILE *out, const whirl_balance *of, const whirl_correction *found) {
+    fprintf(out, "vibration%s:\n", found->found ? " before and, by the coefficients, after" : "");
+    for (size_t r = 0; r < found->row_count; r++) {
+        const whirl_balance_row *row = &found->rows[r];
+        fprintf(out, "  %s at %.6g rpm: %.4g um at %.4g deg", row->probe, row->speed / rpm, size_of(row->before) / um,
+                degrees_of(row->before, way_of_phases(of)));
+        if (found->found) fprintf(out, ", %.4g um", left_of(found, row) / um);
+        if (isfinite(row->worst))
+            fprintf(out, " (up to %.4g um where critical speeds are %.3g %% off the model's)", row->worst / um,
+                    100.0 * of->model_error);
+        fputc('\n', out);
+    }
+}
+
+/// kg m in all planes together.
+static double sum_of(const whirl_balance *of, const whirl_correction *found) {
+    double sum = 0.0;
+    for (size_t p = 0; p < of->plane_count; p++) sum += size_of(found->moment[p]);
+    return sum;
+}
+
+static void print_grade(FILE *out, const whirl_balance *of, const whirl_correction *found) {
+    const double allowed = whirl_balance_allowed(of), sum = sum_of(of, found);
+    if (!isfinite(allowed)) return;
+    fprintf(out,
+            "residual unbalance allowed in all by ISO 21940-11, grade G %.4g (check which edition counts): %.6g g mm\n",
+            of->grade, allowed / gram_mm);
+    if (found->found)
+        fprintf(out, "the rotor as it was: %.6g g mm in all, G %.4g: %s\n", sum / gram_mm, of->grade * sum / allowed,
+                sum <= allowed ? "within the grade" : "beyond the grade");
+}
+
+whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_balance_model *model,
+                                         const whirl_correction *found, FILE *out) {
+    char text[SENTENCE];
     if (*of->title) fprintf(out, "%s\n", of->title);
     fprintf(out, "angles are told %s the rotation from the mark, phases as %s\n", of->against ? "against" : "with",
             of->leads ? "leads" : "lags");
-    fputs("influence, um a kg mm (amplitudes as the file has them):\n", out);
-    for (size_t r = 0; r < found->row_count; r++) {
-        const whirl_balance_row *row = &found->rows[r];
-        fprintf(out, "  %s at %.6g rpm:", row->probe, row->speed / rpm);
-        for (size_t p = 0; p < of->plane_count; p++)
-            fprintf(out, "%s %.5g at %.4g deg (%s)", p ? "," : "", size_of(row->influence[p]) * 1e-3 / um,
-                    degrees_of(row->influence[p], way_of_phases(of)), of->planes[p].name);
-        fputc('\n', out);
+    if (found->found) print_influence(out, of, found);
+    print_sets(out, of, model, found);
+    if (found->found) {
+        fputs("correction:\n", out);
+        for (size_t p = 0; p < of->plane_count; p++) {
+            fputs("  ", out);
+            print_plane(out, of, p, found->moment[p]);
+        }
+        print_static(out, of, found);
     }
-    fputs("correction:\n", out);
-    for (size_t p = 0; p < of->plane_count; p++) print_plane(out, of, p, found->moment[p]);
-    print_static(out, of, found);
-    fputs("vibration before and, by the coefficients, after:\n", out);
-    for (size_t r = 0; r < found->row_count; r++) {
-        const whirl_balance_row *row = &found->rows[r];
-        fprintf(out, "  %s at %.6g rpm: %.4g um at %.4g deg, %.4g um\n", row->probe, row->speed / rpm,
-                size_of(row->before) / um, degrees_of(row->before, way_of_phases(of)), left_of(found, row) / um);
-    }
-    const double allowed = whirl_balance_allowed(of);
-    if (isfinite(allowed))
-        fprintf(
-            out,
-            "residual unbalance allowed in all by ISO 21940-11, grade G %.4g (check which edition counts): %.6g g mm\n",
-            of->grade, allowed / gram_mm);
+    print_proposals(out, of, model, found);
+    print_vibration(out, of, found);
+    print_grade(out, of, found);
+    for (size_t i = 0; warn(of, found, i, text); i++) fprintf(out, "warning: %s\n", text);
     return whirl_ok();
 }
 
@@ -106,30 +258,122 @@ static json_t *vector(bool *well, const double of[2], const char *size, double w
     return made;
 }
 
-static json_t *row_of(bool *well, const whirl_balance *of, const whirl_balance_row *row) {
-    json_t *made = json_object(), *influence = json_object();
-    document_put(well, made, "probe", document_text(row->probe));
-    document_put(well, made, "speed", document_number(row->speed));
-    document_put(well, made, "before", vector(well, row->before, "amplitude", way_of_phases(of)));
-    document_put(well, made, "after", vector(well, row->after, "amplitude", way_of_phases(of)));
+/// A vector for every plane.
+static json_t *by_plane(bool *well, const whirl_balance *of, const double (*vectors)[2], const char *size, double way) {
+    json_t *made = json_object();
     for (size_t p = 0; p < of->plane_count; p++)
-        document_put(well, influence, of->planes[p].name,
-                     vector(well, row->influence[p], "amplitude", way_of_phases(of)));
-    document_put(well, made, "influence", influence);
+        document_put(well, made, of->planes[p].name, vector(well, vectors[p], size, way));
     return made;
 }
 
-whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_correction *found, FILE *out) {
+static json_t *row_of(bool *well, const whirl_balance *of, const whirl_correction *found,
+                      const whirl_balance_row *row) {
+    json_t *made = json_object();
+    const double way = way_of_phases(of);
+    document_put(well, made, "probe", document_text(row->probe));
+    document_put(well, made, "speed", document_number(row->speed));
+    document_put(well, made, "before", vector(well, row->before, "amplitude", way));
+    if (found->found) document_put(well, made, "after", vector(well, row->after, "amplitude", way));
+    if (isfinite(row->worst)) document_put(well, made, "worst", document_number(row->worst));
+    if (row->model) document_put(well, made, "model", by_plane(well, of, row->model->influence, "amplitude", way));
+    if (!found->found) return made;
+    if (!found->by_set) {
+        document_put(well, made, "influence", by_plane(well, of, row->influence, "amplitude", way));
+        return made;
+    }
+    json_t *sets = json_array();
+    for (size_t n = 0; n < found->set_count; n++)
+        document_append(well, sets, found->used[n] ? vector(well, row->influence[n], "amplitude", way) : json_null());
+    document_put(well, made, "influence_of_sets", sets);
+    return made;
+}
+
+static json_t *plane_of(bool *well, const whirl_balance *of, const whirl_correction *found, size_t p) {
+    json_t *made = vector(well, found->moment[p], "moment", way_of_angles(of)), *holes = json_array();
+    int hole[2];
+    double moments[2];
+    if (of->planes[p].holes > 0) {
+        whirl_balance_split(of, p, found->moment[p], hole, moments);
+        for (int k = 0; k < 2 && (k == 0 || moments[k] > 0.0); k++) {
+            json_t *one = json_object();
+            document_put(well, one, "hole", json_integer(hole[k]));
+            document_put(well, one, "moment", document_number(moments[k]));
+            document_append(well, holes, one);
+        }
+    }
+    if (of->planes[p].radius > 0.0)
+        document_put(well, made, "mass", document_number(size_of(found->moment[p]) / of->planes[p].radius));
+    document_put(well, made, "holes", holes);
+    return made;
+}
+
+static json_t *set_of(bool *well, const whirl_balance *of, const whirl_balance_model *model,
+                      const whirl_correction *found, size_t n) {
+    json_t *made = json_object();
+    const double way = way_of_angles(of);
+    document_put(well, made, "speed", document_number(of->modes[n].speed));
+    if (model && !of->modes[n].shaped) document_put(well, made, "natural", document_number(model->natural[n]));
+    document_put(well, made, "weights", by_plane(well, of, found->sets[n], "weight", way));
+    if (found->used[n]) document_put(well, made, "amount", vector(well, found->amount[n], "moment", way));
+    return made;
+}
+
+static json_t *proposal_of(bool *well, const whirl_balance *of, const whirl_balance_model *model,
+                           const whirl_correction *found, size_t n) {
+    static const char *const reasons[] = {"force", "least", "most", "limit", "nothing"};
+    const whirl_balance_proposal *own = &found->proposals[n];
+    json_t *made = vector(well, own->moment, "moment", way_of_angles(of));
+    double weights[WHIRL_MAX_PLANES][2];
+    char text[SENTENCE];
+    explain(model, found, n, text);
+    for (size_t p = 0; p < of->plane_count; p++) whirl_balance_proposed(found, n, p, weights[p]);
+    if (of->mode_count > 0)
+        document_put(well, made, "set", json_integer((json_int_t)n + 1));
+    else
+        document_put(well, made, "plane", document_text(of->planes[n].name));
+    document_put(well, made, "weights", by_plane(well, of, (const double(*)[2])weights, "moment", way_of_angles(of)));
+    document_put(well, made, "reason", document_text(reasons[own->reason]));
+    document_put(well, made, "sentence", document_text(text));
+    document_put(well, made, "change", document_number(own->change));
+    return made;
+}
+
+static void put_correction(bool *well, json_t *all, const whirl_balance *of, const whirl_correction *found) {
+    const double allowed = whirl_balance_allowed(of), sum = sum_of(of, found), way = way_of_angles(of);
+    double whole[2], half[2];
+    json_t *planes = json_object();
+    for (size_t p = 0; p < of->plane_count; p++)
+        document_put(well, planes, of->planes[p].name, plane_of(well, of, found, p));
+    document_put(well, all, "correction", planes);
+    document_put(well, all, "unbalance", document_number(sum));
+    if (isfinite(allowed)) document_put(well, all, "grade", document_number(of->grade * sum / allowed));
+    if (of->plane_count != 2) return;
+    find_static(found, whole, half);
+    document_put(well, all, "static", vector(well, whole, "moment", way));
+    document_put(well, all, "couple", vector(well, half, "moment", way));
+}
+
+whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balance_model *model,
+                                      const whirl_correction *found, FILE *out) {
     bool well = true;
-    json_t *all = json_object(), *planes = json_object(), *rows = json_array();
+    char text[SENTENCE];
+    json_t *all = json_object(), *rows = json_array(), *sets = json_array(), *trials = json_array(),
+           *warnings = json_array();
     document_put(&well, all, "title", document_text(of->title));
     document_put(&well, all, "angles", document_text(of->against ? "against" : "with"));
     document_put(&well, all, "phases", document_text(of->leads ? "lead" : "lag"));
-    for (size_t p = 0; p < of->plane_count; p++)
-        document_put(&well, planes, of->planes[p].name, vector(&well, found->moment[p], "moment", way_of_angles(of)));
-    document_put(&well, all, "correction", planes);
-    for (size_t r = 0; r < found->row_count; r++) document_append(&well, rows, row_of(&well, of, &found->rows[r]));
+    if (found->found) put_correction(&well, all, of, found);
+    for (size_t r = 0; r < found->row_count; r++)
+        document_append(&well, rows, row_of(&well, of, found, &found->rows[r]));
+    for (size_t n = 0; n < found->set_count; n++) document_append(&well, sets, set_of(&well, of, model, found, n));
+    for (size_t n = 0; n < found->proposal_count; n++)
+        document_append(&well, trials, proposal_of(&well, of, model, found, n));
+    for (size_t i = 0; warn(of, found, i, text); i++) document_append(&well, warnings, document_text(text));
     document_put(&well, all, "vibration", rows);
+    document_put(&well, all, "sets", sets);
+    document_put(&well, all, "proposals", trials);
+    document_put(&well, all, "warnings", warnings);
+    document_put(&well, all, "difference", document_number(whirl_balance_difference(of, found)));
     document_put(&well, all, "allowed", document_number(whirl_balance_allowed(of)));
     if (document_write(well, all, out) && fputc('\n', out) != EOF) return whirl_ok();
     return whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON, or it cannot be written");

@@ -14,19 +14,49 @@ static void require(int condition) {
     if (!condition) abort();
 }
 
-static void check(const whirl_balance *balance) {
+static void solve(const whirl_balance *balance, const whirl_balance_model *model) {
     static FILE *nowhere;
     whirl_correction *found;
     if (!nowhere) nowhere = fopen("/dev/null", "w");
-    require(balance->plane_count >= 1 && balance->plane_count <= WHIRL_MAX_PLANES);
-    for (size_t i = 0; i < balance->trial_count; i++) require(balance->trials[i].plane < balance->plane_count);
-    const whirl_status status = whirl_balance_solve(balance, &found);
+    const whirl_status status = whirl_balance_solve(balance, model, &found);
     require((status.code == WHIRL_OK) == (found != NULL));
     require(status.code == WHIRL_OK || status.message[0] != '\0');
     if (!found || !nowhere) return;
-    whirl_balance_write_summary(balance, found, nowhere);
-    whirl_balance_write_json(balance, found, nowhere);
+    whirl_balance_write_summary(balance, model, found, nowhere);
+    whirl_balance_write_json(balance, model, found, nowhere);
     whirl_correction_free(found);
+}
+
+/// Some model of the right sizes, without the case that the file names.
+static void make_up(const whirl_balance *balance, whirl_balance_model *out) {
+    *out = (whirl_balance_model){.row_count = balance->vibration_count};
+    out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
+    for (size_t i = 0; i < balance->vibration_count && out->rows; i++) {
+        whirl_modelled_row *row = &out->rows[i];
+        row->speed = balance->vibrations[i].speed;
+        row->probe = balance->vibrations[i].probe;
+        for (size_t p = 0; p < balance->plane_count; p++) row->influence[p][i % 2] = 1.0 + (double)(i * p % 5);
+    }
+    for (size_t p = 0; p < balance->plane_count; p++) {
+        out->load[p] = p % 2 ? (double)NAN : 1000.0;
+        out->position[p] = 0.1 * (double)p;
+        for (size_t n = 0; n < balance->mode_count; n++) out->shape[n][p][n % 2] = sin(1.0 + (double)((n + 1) * p));
+    }
+}
+
+static void check(const whirl_balance *balance) {
+    require(balance->plane_count >= 1 && balance->plane_count <= WHIRL_MAX_PLANES);
+    require(balance->mode_count <= WHIRL_MAX_PLANES && balance->probe_count <= WHIRL_MAX_BALANCE_PROBES);
+    for (size_t i = 0; i < balance->trial_count; i++) {
+        const whirl_balance_trial *trial = &balance->trials[i];
+        require(trial->plane == WHIRL_BALANCE_SET ? trial->mode < balance->mode_count
+                                                  : trial->plane < balance->plane_count);
+    }
+    whirl_balance_model model;
+    make_up(balance, &model);
+    solve(balance, NULL);
+    if (model.rows) solve(balance, &model);
+    free(model.rows);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

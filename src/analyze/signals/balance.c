@@ -5,139 +5,274 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "balance_parts.h"
 #include "matrix.h"
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Complex least squares: unknowns x [n] of rows a x = b, each of its weight, by their normal equations.
-typedef struct normal {
-    size_t n;
-    double matrix[(WHIRL_MAX_PLANES + 1) * (WHIRL_MAX_PLANES + 1)][2], side[WHIRL_MAX_PLANES + 1][2];
-} normal;
+// ---------------------------------------------------------------- least squares
 
-static void normal_add(normal *of, const double (*a)[2], const double b[2], double weight) {
+void balance_add(balance_normal *of, const double complex *a, double complex b, double weight) {
     for (size_t i = 0; i < of->n; i++) {
-        of->side[i][0] += weight * (a[i][0] * b[0] + a[i][1] * b[1]);
-        of->side[i][1] += weight * (a[i][0] * b[1] - a[i][1] * b[0]);
-        for (size_t j = 0; j < of->n; j++) {
-            double *out = of->matrix[i * of->n + j];
-            out[0] += weight * (a[i][0] * a[j][0] + a[i][1] * a[j][1]);
-            out[1] += weight * (a[i][0] * a[j][1] - a[i][1] * a[j][0]);
-        }
+        of->side[i] += weight * conj(a[i]) * b;
+        for (size_t j = 0; j < of->n; j++) of->matrix[i][j] += weight * conj(a[i]) * a[j];
     }
 }
 
-/// The unknowns in `side`; false where the rows do not tell all of them.
-static bool normal_solve(normal *of) {
+/// Cholesky's pivots tell how much of each unknown the ones before leave.
+static bool are_told_apart(size_t n, const double complex *matrix) {
     static const double least = 1e-10; // of what remains of an unknown beside the others, in squares
-    double scale[WHIRL_MAX_PLANES + 1], rest[(WHIRL_MAX_PLANES + 1) * (WHIRL_MAX_PLANES + 1)][2];
-    const size_t n = of->n;
-    for (size_t i = 0; i < n; i++) {
-        scale[i] = sqrt(of->matrix[i * n + i][0]);
-        if (!(scale[i] > 0.0)) return false;
-    }
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < n; j++)
-            for (int c = 0; c < 2; c++) of->matrix[i * n + j][c] /= scale[i] * scale[j];
-        for (int c = 0; c < 2; c++) of->side[i][c] /= scale[i];
-    }
-    // Cholesky's pivots tell how much of each unknown the ones before leave.
-    memcpy(rest, of->matrix, sizeof rest);
+    double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];
+    memcpy(rest, matrix, n * n * sizeof *rest);
     for (size_t k = 0; k < n; k++) {
-        if (!(rest[k * n + k][0] > least)) return false;
+        const double pivot = creal(rest[k * n + k]);
+        if (!(pivot > least)) return false;
         for (size_t i = k + 1; i < n; i++)
-            for (size_t j = k + 1; j < n; j++) {
-                const double *a = rest[i * n + k], *b = rest[k * n + j], pivot = rest[k * n + k][0];
-                rest[i * n + j][0] -= (a[0] * b[0] - a[1] * b[1]) / pivot;
-                rest[i * n + j][1] -= (a[0] * b[1] + a[1] * b[0]) / pivot;
-            }
+            for (size_t j = k + 1; j < n; j++) rest[i * n + j] -= rest[i * n + k] * rest[k * n + j] / pivot;
     }
-    if (!matrix_solve_complex(n, of->matrix[0], 1, of->side[0])) return false;
-    for (size_t i = 0; i < n; i++)
-        for (int c = 0; c < 2; c++) of->side[i][c] /= scale[i];
     return true;
 }
 
-// ---------------------------------------------------------------- influence
+bool balance_unknowns(balance_normal *of) {
+    const size_t n = of->n;
+    double scale[BALANCE_UNKNOWNS];
+    double complex matrix[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS] = {0.0};
+    for (size_t i = 0; i < n; i++) {
+        scale[i] = sqrt(creal(of->matrix[i][i]));
+        if (!(scale[i] > 0.0)) return false;
+    }
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j < n; j++) matrix[i * n + j] = of->matrix[i][j] / (scale[i] * scale[j]);
+        of->side[i] /= scale[i];
+    }
+    if (!are_told_apart(n, matrix)) return false;
+    // A complex number is laid out as an array of two (C17, 6.2.5).
+    if (!matrix_solve_complex(n, (const double *)matrix, 1, (double *)of->side)) return false;
+    for (size_t i = 0; i < n; i++) of->side[i] /= scale[i];
+    return true;
+}
+
+// ---------------------------------------------------------------- rows
 
 static bool is_row(const whirl_balance_row *row, const whirl_balance_vibration *seen) {
     return row->speed == seen->speed && strcmp(row->probe, seen->probe) == 0;
 }
 
-static void find_rows(const whirl_balance *of, whirl_correction *out) {
+static const whirl_modelled_row *modelled(const whirl_balance_model *model, const whirl_balance_vibration *seen) {
+    for (size_t i = 0; model && i < model->row_count; i++)
+        if (model->rows[i].speed == seen->speed && strcmp(model->rows[i].probe, seen->probe) == 0)
+            return &model->rows[i];
+    return NULL;
+}
+
+static void find_rows(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
     for (size_t i = 0; i < of->vibration_count; i++) {
         const whirl_balance_vibration *seen = &of->vibrations[i];
         size_t r = 0;
         while (r < out->row_count && !is_row(&out->rows[r], seen)) r++;
         if (r == out->row_count)
-            out->rows[out->row_count++] =
-                (whirl_balance_row){.speed = seen->speed, .probe = seen->probe, .weight = seen->weight};
+            out->rows[out->row_count++] = (whirl_balance_row){.speed = seen->speed,
+                                                              .probe = seen->probe,
+                                                              .weight = seen->weight,
+                                                              .model = modelled(model, seen),
+                                                              .worst = NAN};
     }
 }
 
-static whirl_status find_influence(const whirl_balance *of, whirl_balance_row *row) {
+// ---------------------------------------------------------------- influence
+
+size_t balance_unknown_count(const whirl_balance *of) {
+    return of->mode_count > 0 ? of->mode_count : of->plane_count;
+}
+
+size_t balance_mode_of(const whirl_balance *of, double speed) {
+    size_t best = 0;
+    for (size_t i = 1; i < of->mode_count; i++)
+        if (fabs(of->modes[i].speed - speed) < fabs(of->modes[best].speed - speed)) best = i;
+    return best;
+}
+
+double complex balance_effect(const whirl_correction *of, const double (*influence)[2], size_t planes, size_t unknown) {
+    double complex sum = 0.0;
+    if (of->set_count == 0) return balance_number(influence[unknown]);
+    for (size_t p = 0; p < planes; p++) sum += balance_number(influence[p]) * balance_number(of->sets[unknown][p]);
+    return sum;
+}
+
+/// Which planes, or sets, trials had; how many.
+static size_t find_tried(const whirl_balance *of, bool by_set, size_t index[WHIRL_MAX_PLANES]) {
+    size_t count = 0;
+    for (size_t n = 0; n < (by_set ? of->mode_count : of->plane_count); n++) {
+        bool tried = !by_set;
+        for (size_t t = 0; t < of->trial_count && !tried; t++) tried = of->trials[t].mode == n;
+        if (tried) index[count++] = n;
+    }
+    return count;
+}
+
+/// Coefficients of the readings of runs, count of the planes or sets at index.
+static whirl_status fit(const whirl_balance *of, whirl_balance_row *row, bool by_set, const size_t *index,
+                        size_t count) {
     const double rpm = two_pi / 60.0;
-    normal equations = {.n = of->plane_count + 1};
+    balance_normal equations = {.n = count + 1};
     size_t runs = 0;
     for (size_t i = 0; i < of->vibration_count; i++) {
-        double a[WHIRL_MAX_PLANES + 1][2] = {{1.0, 0.0}};
+        double complex a[BALANCE_UNKNOWNS] = {1.0};
         if (!is_row(row, &of->vibrations[i])) continue;
         for (size_t t = 0; t < of->trial_count; t++)
-            if (of->trials[t].run == of->vibrations[i].run)
-                for (int c = 0; c < 2; c++) a[1 + of->trials[t].plane][c] += of->trials[t].moment[c];
-        normal_add(&equations, (const double(*)[2])a, of->vibrations[i].vibration, 1.0);
+            for (size_t n = 0; n < count && of->trials[t].run == of->vibrations[i].run; n++)
+                if ((by_set ? of->trials[t].mode : of->trials[t].plane) == index[n])
+                    a[1 + n] += balance_number(of->trials[t].moment);
+        balance_add(&equations, a, balance_number(of->vibrations[i].vibration), 1.0);
         runs++;
     }
-    if (runs < of->plane_count + 1 || !normal_solve(&equations))
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "probe '%.63s' at %.6g rpm was read in %zu run%s that do not tell %zu plane%s apart, expected one "
-            "without and one more for every plane",
-            row->probe, row->speed / rpm, runs, runs == 1 ? "" : "s", of->plane_count, of->plane_count == 1 ? "" : "s");
-    memcpy(row->before, equations.side[0], sizeof row->before);
-    memcpy(row->influence, equations.side + 1, of->plane_count * sizeof *row->influence);
+    if (runs < count + 1 || !balance_unknowns(&equations))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "probe '%.63s' at %.6g rpm was read in %zu run%s that do not tell %zu %s%s apart, expected "
+                          "one without and one more for every %s",
+                          row->probe, row->speed / rpm, runs, runs == 1 ? "" : "s", count, by_set ? "set" : "plane",
+                          count == 1 ? "" : "s", by_set ? "set" : "plane");
+    balance_set(row->before, equations.side[0]);
+    for (size_t n = 0; n < count; n++) balance_set(row->influence[index[n]], equations.side[1 + n]);
     return whirl_ok();
+}
+
+/// What is left of the mean of all readings of a row without the weights that runs had, by the model.
+static void take_model(const whirl_balance *of, const whirl_correction *out, whirl_balance_row *row) {
+    double complex sum = 0.0;
+    double runs = 0.0;
+    if (row->model) memcpy(row->influence, row->model->influence, sizeof row->influence);
+    for (size_t i = 0; i < of->vibration_count; i++) {
+        if (!is_row(row, &of->vibrations[i])) continue;
+        sum += balance_number(of->vibrations[i].vibration);
+        runs += 1.0;
+        for (size_t t = 0; t < of->trial_count; t++) {
+            const whirl_balance_trial *trial = &of->trials[t];
+            if (trial->run != of->vibrations[i].run) continue;
+            const double complex effect =
+                trial->plane == WHIRL_BALANCE_SET
+                    ? balance_effect(out, (const double(*)[2])row->influence, of->plane_count, trial->mode)
+                    : balance_number(row->influence[trial->plane]);
+            sum -= effect * balance_number(trial->moment);
+        }
+    }
+    balance_set(row->before, sum / runs);
+}
+
+static whirl_status find_influence(const whirl_balance *of, whirl_correction *out) {
+    size_t index[WHIRL_MAX_PLANES];
+    whirl_status status = whirl_ok();
+    const size_t count = find_tried(of, out->by_set, index);
+    for (size_t r = 0; r < out->row_count && status.code == WHIRL_OK; r++)
+        if (of->by_model || of->trial_count == 0)
+            take_model(of, out, &out->rows[r]);
+        else
+            status = fit(of, &out->rows[r], out->by_set, index, count);
+    return status;
 }
 
 // ---------------------------------------------------------------- correction
 
-static void predict(const whirl_balance *of, const whirl_correction *with, whirl_balance_row *row) {
-    memcpy(row->after, row->before, sizeof row->after);
-    for (size_t p = 0; p < of->plane_count; p++) {
-        const double *a = row->influence[p], *u = with->moment[p];
-        row->after[0] += a[0] * u[0] - a[1] * u[1];
-        row->after[1] += a[0] * u[1] + a[1] * u[0];
+/// A kg m of an unknown at a row.
+static double complex effect_of(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
+                                size_t unknown) {
+    return out->by_set ? balance_number(row->influence[unknown])
+                       : balance_effect(out, row->influence, of->plane_count, unknown);
+}
+
+/// Unknowns that the correction has: all planes; of modes those that were tried, or that something was read near to.
+static size_t find_used(const whirl_balance *of, const whirl_correction *out, size_t index[WHIRL_MAX_PLANES]) {
+    size_t count = 0;
+    if (out->by_set) return find_tried(of, true, index);
+    for (size_t n = 0; n < balance_unknown_count(of); n++) {
+        bool used = of->mode_count == 0;
+        for (size_t r = 0; r < out->row_count && !used; r++) used = balance_mode_of(of, out->rows[r].speed) == n;
+        if (used) index[count++] = n;
+    }
+    return count;
+}
+
+/// |vibration| of a row after the correction, were the model's coefficients others.
+static double after_with(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
+                         const double (*influence)[2]) {
+    double complex sum = balance_number(row->before);
+    for (size_t p = 0; p < of->plane_count; p++) sum += balance_number(influence[p]) * balance_number(out->moment[p]);
+    return cabs(sum);
+}
+
+static void predict(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
+    for (size_t r = 0; r < out->row_count; r++) {
+        whirl_balance_row *row = &out->rows[r];
+        double complex after = balance_number(row->before);
+        for (size_t n = 0; n < count; n++)
+            after += effect_of(of, out, row, index[n]) *
+                     balance_number(of->mode_count > 0 ? out->amount[index[n]] : out->moment[index[n]]);
+        balance_set(row->after, after);
+        if (of->by_model && row->model)
+            row->worst = fmax(cabs(after), fmax(after_with(of, out, row, row->model->shifted[0]),
+                                                after_with(of, out, row, row->model->shifted[1])));
     }
 }
 
-static whirl_status solve(const whirl_balance *of, whirl_correction *out) {
-    normal equations = {.n = of->plane_count};
-    whirl_status status = whirl_ok();
-    find_rows(of, out);
-    for (size_t r = 0; r < out->row_count && status.code == WHIRL_OK; r++) {
-        whirl_balance_row *row = &out->rows[r];
-        status = find_influence(of, row);
-        const double against[2] = {-row->before[0], -row->before[1]};
-        normal_add(&equations, (const double(*)[2])row->influence, against, row->weight);
+/// Weights in planes out of unknowns.
+static void place(const whirl_balance *of, const double complex *found, const size_t *index, size_t count,
+                  whirl_correction *out) {
+    for (size_t n = 0; n < count; n++) {
+        if (of->mode_count == 0) {
+            balance_set(out->moment[index[n]], found[n]);
+            continue;
+        }
+        out->used[index[n]] = true;
+        balance_set(out->amount[index[n]], found[n]);
+        for (size_t p = 0; p < of->plane_count; p++)
+            balance_set(out->moment[p],
+                        balance_number(out->moment[p]) + balance_number(out->sets[index[n]][p]) * found[n]);
     }
-    if (status.code != WHIRL_OK) return status;
-    if (!normal_solve(&equations))
+}
+
+static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
+    size_t index[WHIRL_MAX_PLANES];
+    const size_t count = find_used(of, out, index);
+    balance_normal equations = {.n = count};
+    for (size_t r = 0; r < out->row_count; r++) {
+        const whirl_balance_row *row = &out->rows[r];
+        double complex a[BALANCE_UNKNOWNS];
+        for (size_t n = 0; n < count; n++) a[n] = effect_of(of, out, row, index[n]);
+        balance_add(&equations, a, -balance_number(row->before), row->weight);
+    }
+    if (!balance_unknowns(&equations))
         return whirl_fail(
             WHIRL_BAD_INPUT,
-            "%zu probe%s at a speed do not tell the weights of %zu plane%s apart, expected as many as planes at "
-            "least, with weights above 0, which each plane moves in a way of its own",
-            out->row_count, out->row_count == 1 ? "" : "s", of->plane_count, of->plane_count == 1 ? "" : "s");
-    for (size_t p = 0; p < of->plane_count; p++) memcpy(out->moment[p], equations.side[p], sizeof out->moment[p]);
-    for (size_t r = 0; r < out->row_count; r++) predict(of, out, &out->rows[r]);
+            "%zu probe%s at a speed do not tell the weights of %zu %s%s apart, expected as many as %ss at least, with "
+            "weights above 0, which each %s moves in a way of its own",
+            out->row_count, out->row_count == 1 ? "" : "s", count, of->mode_count ? "set" : "plane",
+            count == 1 ? "" : "s", of->mode_count ? "set" : "plane", of->mode_count ? "set" : "plane");
+    place(of, equations.side, index, count, out);
+    predict(of, out, index, count);
+    out->found = true;
+    return whirl_ok();
+}
+
+static whirl_status solve(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
+    whirl_status status = whirl_ok();
+    if (of->by_model && !model)
+        return whirl_fail(WHIRL_BAD_INPUT, "influence is to be the model's, and there is no model");
+    find_rows(of, model, out);
+    out->by_set = !of->by_model && of->trial_count > 0 && of->trials[0].plane == WHIRL_BALANCE_SET;
+    if (of->mode_count > 0) status = balance_find_sets(of, model, out);
+    if (status.code == WHIRL_OK) status = find_influence(of, out);
+    if (status.code == WHIRL_OK && (of->trial_count > 0 || of->by_model)) status = correct(of, out);
+    if (status.code == WHIRL_OK && of->trial_count == 0 && model) balance_propose(of, model, out);
     return status;
 }
 
-whirl_status whirl_balance_solve(const whirl_balance *balance, whirl_correction **correction) {
+whirl_status whirl_balance_solve(const whirl_balance *balance, const whirl_balance_model *model,
+                                 whirl_correction **correction) {
     whirl_correction *out = calloc(1, sizeof *out);
     *correction = NULL;
     if (out) out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
     const whirl_status status =
-        out && out->rows ? solve(balance, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
+        out && out->rows ? solve(balance, model, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
     if (status.code == WHIRL_OK)
         *correction = out;
     else
@@ -148,6 +283,29 @@ whirl_status whirl_balance_solve(const whirl_balance *balance, whirl_correction 
 void whirl_correction_free(whirl_correction *correction) {
     if (correction) free(correction->rows);
     free(correction);
+}
+
+// ---------------------------------------------------------------- what else is said
+
+double whirl_balance_difference(const whirl_balance *balance, const whirl_correction *correction) {
+    double largest = 0.0, difference = 0.0;
+    bool modelled = false;
+    if (balance->by_model || balance->trial_count == 0) return NAN;
+    for (size_t r = 0; r < correction->row_count; r++) {
+        const whirl_balance_row *row = &correction->rows[r];
+        const size_t count = correction->by_set ? balance->mode_count : balance->plane_count;
+        for (size_t n = 0; row->model && n < count; n++) {
+            if (correction->by_set && !correction->used[n]) continue;
+            const double complex own = balance_number(row->influence[n]),
+                                 other = correction->by_set ? balance_effect(correction, row->model->influence,
+                                                                             balance->plane_count, n)
+                                                            : balance_number(row->model->influence[n]);
+            modelled = true;
+            largest = fmax(largest, cabs(own));
+            difference = fmax(difference, cabs(own - other));
+        }
+    }
+    return modelled ? difference / largest : (double)NAN;
 }
 
 void whirl_balance_split(const whirl_balance *balance, size_t plane, const double moment[2], int hole[2],

@@ -1,0 +1,135 @@
+// Trial weights that a model proposes: by the usual tenth of the load on the bearing,
+// within what readings tell apart and what limits allow, where they reduce the vibration.
+#include "balance_parts.h"
+
+#include <math.h>
+#include <string.h>
+
+static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
+
+/// A row as one unknown moves it.
+typedef struct view {
+    double complex before, effect;
+    double limit, repeatability;
+    bool own; ///< at the speed that the unknown is for
+} view;
+
+static view look(const whirl_balance *of, const whirl_correction *out, size_t r, size_t unknown) {
+    const whirl_balance_row *row = &out->rows[r];
+    view seen = {.before = balance_number(row->before), .limit = INFINITY};
+    seen.own = of->mode_count == 0 || balance_mode_of(of, row->speed) == unknown;
+    if (row->model) seen.effect = balance_effect(out, row->model->influence, of->plane_count, unknown);
+    for (size_t i = 0; i < of->probe_count; i++)
+        if (strcmp(of->probes[i].name, row->probe) == 0)
+            seen.limit = of->probes[i].limit, seen.repeatability = of->probes[i].repeatability;
+    return seen;
+}
+
+/// The one weight that makes the vibration the least: where a trial weight is to go.
+static double complex direction_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
+    double complex sum = 0.0;
+    for (size_t r = 0; r < out->row_count; r++) {
+        const view seen = look(of, out, r, unknown);
+        if (seen.own) sum -= out->rows[r].weight * conj(seen.effect) * seen.before;
+    }
+    return cabs(sum) > 0.0 ? sum / cabs(sum) : 1.0;
+}
+
+/// The plane whose bearing tells the force: that of the largest weight.
+static size_t plane_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
+    size_t best = 0;
+    if (of->mode_count == 0) return unknown;
+    for (size_t p = 1; p < of->plane_count; p++)
+        if (cabs(balance_number(out->sets[unknown][p])) > cabs(balance_number(out->sets[unknown][best]))) best = p;
+    return best;
+}
+
+/// kg m by the load on the bearing at the largest speed of the rows; 0: not known.
+static double by_force(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
+                       size_t unknown, whirl_balance_proposal *own) {
+    own->bearing = plane_of(of, out, unknown);
+    own->load = model->load[own->bearing];
+    if (isnan(own->load) && of->mass > 0.0) own->load = 0.5 * of->mass * gravity;
+    for (size_t r = 0; r < out->row_count; r++)
+        if (look(of, out, r, unknown).own) own->speed = fmax(own->speed, out->rows[r].speed);
+    return own->load > 0.0 && own->speed > 0.0 ? force_share * own->load / (own->speed * own->speed) : 0.0;
+}
+
+/// The largest size of a weight that way up to which a row stays within its limit; infinite where it always does.
+static double within(const view *seen, double complex way) {
+    const double complex effect = seen->effect * way;
+    const double b = creal(conj(seen->before) * effect), a = creal(effect * conj(effect));
+    const double c = creal(seen->before * conj(seen->before)) - seen->limit * seen->limit;
+    if (!(a > 0.0) || isinf(seen->limit)) return INFINITY;
+    return c > 0.0 ? 0.0 : (sqrt(b * b - a * c) - b) / a;
+}
+
+/// Bounds of its size, kg m, by what rows change: from which on it is clear, up to which it is no more than most_change
+/// of one; and by limits.
+typedef struct bounds {
+    double least, most, limit;
+    size_t least_row, most_row, limit_row;
+} bounds;
+
+static bounds find_bounds(const whirl_balance *of, const whirl_correction *out, size_t unknown, double complex way) {
+    bounds found = {.least = INFINITY, .most = INFINITY, .limit = INFINITY};
+    for (size_t r = 0; r < out->row_count; r++) {
+        const view seen = look(of, out, r, unknown);
+        const double effect = cabs(seen.effect), limit = within(&seen, way);
+        if (limit < found.limit && cabs(seen.before) <= seen.limit) found.limit = limit, found.limit_row = r;
+        if (!seen.own || !(effect > 0.0)) continue;
+        const double least = fmax(least_change * cabs(seen.before), clear * seen.repeatability) / effect;
+        if (least < found.least) found.least = least, found.least_row = r;
+        const double most = most_change * cabs(seen.before) / effect;
+        if (most > 0.0 && most < found.most) found.most = most, found.most_row = r;
+    }
+    if (isinf(found.least)) found.least = 0.0;
+    return found;
+}
+
+static double choose(double force, const bounds *on, whirl_balance_proposal *own) {
+    double size = force;
+    own->reason = size > 0.0 ? WHIRL_TRIAL_BY_FORCE : WHIRL_TRIAL_BY_NOTHING;
+    own->row = on->most_row;
+    if (size > on->most) size = on->most, own->reason = WHIRL_TRIAL_BY_MOST;
+    if (size < on->least) size = on->least, own->reason = WHIRL_TRIAL_BY_LEAST, own->row = on->least_row;
+    if (size > on->limit) size = on->limit, own->reason = WHIRL_TRIAL_BY_LIMIT, own->row = on->limit_row;
+    own->unclear = size < on->least * (1.0 - 1e-12);
+    return size;
+}
+
+static void propose(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
+                    size_t unknown, whirl_balance_proposal *own) {
+    const double complex way = direction_of(of, out, unknown);
+    const bounds on = find_bounds(of, out, unknown, way);
+    const double size = choose(by_force(of, model, out, unknown, own), &on, own);
+    double beyond = 1.0 + 1e-9; // times its limit
+    balance_set(own->moment, size * way);
+    own->over = out->row_count;
+    for (size_t r = 0; r < out->row_count; r++) {
+        const view seen = look(of, out, r, unknown);
+        const double complex after = seen.before + size * way * seen.effect;
+        if (r == own->row) {
+            own->change = size * cabs(seen.effect) / cabs(seen.before);
+            if (own->over == out->row_count) balance_set(own->predicted, after);
+        }
+        if (cabs(after) > beyond * seen.limit) {
+            beyond = cabs(after) / seen.limit;
+            own->over = r;
+            balance_set(own->predicted, after);
+        }
+    }
+}
+
+void balance_propose(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
+    out->proposal_count = balance_unknown_count(of);
+    for (size_t n = 0; n < out->proposal_count; n++) propose(of, model, out, n, &out->proposals[n]);
+}
+
+void whirl_balance_proposed(const whirl_correction *correction, size_t proposal, size_t plane, double moment[2]) {
+    const double complex own = balance_number(correction->proposals[proposal].moment);
+    if (correction->set_count > 0)
+        balance_set(moment, own * balance_number(correction->sets[proposal][plane]));
+    else
+        balance_set(moment, plane == proposal ? own : 0.0);
+}

@@ -1,0 +1,335 @@
+// What a case says of the rotor that is to be balanced: influence coefficients, modes, loads on bearings.
+#include "whirl/balance.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "settings.h"
+#include "whirl/case.h"
+#include "whirl/linear.h"
+
+static const double moment = 1e-6, two_pi = 6.283185307179586476925; // kg m that responses are found for
+
+/// Under way.
+typedef struct consulting {
+    const whirl_balance *balance;
+    whirl_balance_model *model;
+    whirl_study study;
+    whirl_batch batch; ///< without a parameter
+    size_t station[WHIRL_MAX_PLANES];
+} consulting;
+
+/// The responses to 1 kg m in each plane at a speed, about one place of rest.
+typedef struct responses {
+    whirl_machine machine; ///< with an unbalance in the last plane
+    size_t dimension;
+    double *rest;     ///< [dimension]
+    double *response; ///< [planes][dimension][2]
+} responses;
+
+static void release(const whirl_machine *machine) {
+    if (machine->release) machine->release(machine->owner);
+}
+
+static void let_go(responses *of) {
+    release(&of->machine);
+    free(of->rest);
+    free(of->response);
+    *of = (responses){.rest = NULL};
+}
+
+static whirl_status machine_with(const consulting *c, double speed, whirl_variant variant, const whirl_placed *placed,
+                                 whirl_machine *out) {
+    whirl_batch batch = c->batch;
+    batch.speed = speed;
+    batch.variant = variant;
+    batch.placed = placed;
+    batch.placed_count = placed ? 1 : 0;
+    return c->study.machine(c->study.family, &batch, 0.0, out);
+}
+
+/// As the machine of a plane answers.
+static whirl_status respond_to(const consulting *c, double speed, size_t plane, responses *out) {
+    const whirl_placed placed = {.station = c->station[plane], .moment = moment};
+    release(&out->machine);
+    out->machine = (whirl_machine){.system = NULL};
+    whirl_status status = machine_with(c, speed, WHIRL_AS_GIVEN, &placed, &out->machine);
+    if (status.code != WHIRL_OK) return status;
+    const size_t d = out->dimension = out->machine.system->dimension;
+    if (!out->rest) {
+        out->rest = calloc(d + 1, sizeof *out->rest);
+        out->response = calloc(2 * d * c->balance->plane_count + 1, sizeof *out->response);
+    }
+    if (!out->rest || !out->response) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of a model");
+    double *own = out->response + 2 * d * plane;
+    status = whirl_forced_response(out->machine.system, out->machine.start, out->rest, own);
+    for (size_t i = 0; i < 2 * d; i++) own[i] /= moment;
+    return status;
+}
+
+static whirl_status respond(const consulting *c, double speed, responses *out) {
+    whirl_status status = whirl_ok();
+    for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++)
+        status = respond_to(c, speed, p, out);
+    if (status.code == WHIRL_BAD_INPUT)
+        status = whirl_fail(status.code, "the model at %.6g rpm: %.300s", speed * 60.0 / two_pi, status.message);
+    return status;
+}
+
+// ---------------------------------------------------------------- stations
+
+/// The index of a station of the model. `what` and `name` have it.
+static whirl_status find_station(const whirl_system *system, const char *station, const char *what, const char *name,
+                                 size_t *index) {
+    const char *names[WHIRL_MAX_PROBES];
+    char advice[WHY_SIZE];
+    for (*index = 0; *index < system->probe_count; ++*index)
+        if (strcmp(system->probes[*index].name, station) == 0) return whirl_ok();
+    for (size_t i = 0; i < system->probe_count; i++) names[i] = system->probes[i].name;
+    describe_names(station, names, system->probe_count, advice);
+    return whirl_fail(WHIRL_BAD_INPUT, "%s '%.63s' is at station '%.63s', which the model has not, %.200s", what, name,
+                      station, advice);
+}
+
+/// What is said of a probe, by its name; what is not: along x, at the station of that name.
+static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
+    whirl_balance_probe own = {.limit = INFINITY};
+    for (size_t i = 0; i < of->probe_count; i++)
+        if (strcmp(of->probes[i].name, name) == 0) return of->probes[i];
+    snprintf(own.name, sizeof own.name, "%s", name);
+    snprintf(own.station, sizeof own.station, "%s", name);
+    return own;
+}
+
+// ---------------------------------------------------------------- rows
+
+/// What a probe sees of the responses, in the file's amplitudes and behind its mark.
+static whirl_status see(const consulting *c, const responses *at, const char *name, double (*out)[2]) {
+    const whirl_balance_probe own = probe_of(c->balance, name);
+    const whirl_system *system = at->machine.system;
+    size_t station;
+    const whirl_status status = find_station(system, own.station, "probe", name, &station);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_probe *probe = &system->probes[station];
+    const double complex turned = cexp(I * whirl_probe_way(probe) * c->balance->keyphasor);
+    for (size_t p = 0; p < c->balance->plane_count; p++) {
+        const double *x = at->response + 2 * (at->dimension * p + probe->x),
+                     *y = at->response + 2 * (at->dimension * p + probe->y);
+        double complex seen = 0.0;
+        if (whirl_probe_sees(probe, 0)) seen += cos(own.angle) * CMPLX(x[0], x[1]);
+        if (whirl_probe_sees(probe, 1)) seen += sin(own.angle) * CMPLX(y[0], y[1]);
+        seen *= turned * (at->machine.length * c->balance->kind);
+        out[p][0] = creal(seen);
+        out[p][1] = cimag(seen);
+    }
+    return status;
+}
+
+/// All rows at the speed of one; as they would be, were critical speeds others.
+static whirl_status see_at_speed(const consulting *c, double speed) {
+    whirl_status status = whirl_ok();
+    for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
+        // A machine whose critical speeds are higher by a share is at this speed what the model is at a lower one.
+        responses at = {.rest = NULL};
+        status = respond(c, speed * (1.0 - shift * c->balance->model_error), &at);
+        for (size_t r = 0; r < c->model->row_count && status.code == WHIRL_OK; r++) {
+            whirl_modelled_row *row = &c->model->rows[r];
+            if (row->speed == speed)
+                status = see(c, &at, row->probe, shift == 0 ? row->influence : row->shifted[shift > 0 ? 0 : 1]);
+        }
+        let_go(&at);
+    }
+    return status;
+}
+
+static whirl_status find_rows(consulting *c) {
+    whirl_balance_model *model = c->model;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < c->balance->vibration_count; i++) {
+        const whirl_balance_vibration *seen = &c->balance->vibrations[i];
+        size_t r = 0;
+        while (r < model->row_count &&
+               (model->rows[r].speed != seen->speed || strcmp(model->rows[r].probe, seen->probe) != 0))
+            r++;
+        if (r == model->row_count)
+            model->rows[model->row_count++] = (whirl_modelled_row){.speed = seen->speed, .probe = seen->probe};
+    }
+    for (size_t r = 0; r < model->row_count && status.code == WHIRL_OK; r++) {
+        bool known = false;
+        for (size_t k = 0; k < r; k++) known = known || model->rows[k].speed == model->rows[r].speed;
+        if (!known) status = see_at_speed(c, model->rows[r].speed);
+    }
+    return status;
+}
+
+// ---------------------------------------------------------------- modes
+
+/// Eigenvectors of a Jacobian [n][n] and, of the same eigenvalues, of its transpose.
+typedef struct both_sides {
+    size_t n;
+    double *real, *imaginary, *right, *other_real, *other_imaginary, *left;
+} both_sides;
+
+static bool decompose(const double *jacobian, both_sides *of) {
+    const size_t n = of->n;
+    double *work = calloc(n * n + 1, sizeof *work);
+    if (!work) return false;
+    memcpy(work, jacobian, n * n * sizeof *work);
+    bool well = matrix_eigen(n, work, of->real, of->imaginary, of->right);
+    for (size_t i = 0; i < n && well; i++)
+        for (size_t j = 0; j < n; j++) work[i * n + j] = jacobian[j * n + i];
+    well = well && matrix_eigen(n, work, of->other_real, of->other_imaginary, of->left);
+    free(work);
+    return well;
+}
+
+/// The left vector [n][2] of an eigenvalue.
+static const double *left_of(const both_sides *of, size_t value) {
+    size_t best = 0;
+    double least = INFINITY;
+    for (size_t i = 0; i < of->n; i++) {
+        const double distance =
+            hypot(of->other_real[i] - of->real[value], of->other_imaginary[i] - of->imaginary[value]);
+        if (distance < least) least = distance, best = i;
+    }
+    return of->left + 2 * of->n * best;
+}
+
+static double complex product(size_t n, const double *a, const double *b) {
+    double complex sum = 0.0;
+    for (size_t i = 0; i < n; i++) sum += CMPLX(a[2 * i], a[2 * i + 1]) * CMPLX(b[2 * i], b[2 * i + 1]);
+    return sum;
+}
+
+/// The mode that has the largest part in the responses: with z and q its left and right vectors that part of a response
+/// r is q (z r)/(z q), and |q| = 1. Then z r is how each plane excites it.
+static void take_mode(const consulting *c, const both_sides *of, const responses *at, size_t mode) {
+    const size_t planes = c->balance->plane_count;
+    double largest = 0.0;
+    for (size_t i = 0; i < of->n; i++) {
+        if (!(of->imaginary[i] > 0.0)) continue;
+        const double *left = left_of(of, i);
+        const double complex scale = product(of->n, left, of->right + 2 * of->n * i);
+        double complex own[WHIRL_MAX_PLANES], most = 0.0;
+        for (size_t p = 0; p < planes; p++) {
+            own[p] = product(of->n, left, at->response + 2 * of->n * p);
+            if (cabs(own[p]) > cabs(most) * (1.0 + 1e-9)) most = own[p];
+        }
+        if (!(cabs(most / scale) > largest)) continue;
+        largest = cabs(most / scale);
+        c->model->natural[mode] = of->imaginary[i] * at->machine.clock;
+        for (size_t p = 0; p < planes; p++) {
+            c->model->shape[mode][p][0] = creal(own[p] / most);
+            c->model->shape[mode][p][1] = cimag(own[p] / most);
+        }
+    }
+}
+
+static whirl_status find_mode(const consulting *c, size_t mode) {
+    responses at = {.rest = NULL};
+    whirl_status status = respond(c, c->balance->modes[mode].speed, &at);
+    const size_t n = at.dimension;
+    double *block = status.code == WHIRL_OK ? calloc(5 * n * n + 5 * n + 1, sizeof *block) : NULL;
+    if (status.code == WHIRL_OK && !block) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of a model");
+    if (block) {
+        double *jacobian = block, *slope = block + 5 * n * n;
+        both_sides of = {n, slope + n, slope + 2 * n, block + n * n, slope + 3 * n, slope + 4 * n, block + 3 * n * n};
+        status = whirl_rest_slope(at.machine.system, at.rest, slope, jacobian);
+        if (status.code == WHIRL_OK && !decompose(jacobian, &of))
+            status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "the modes of the model were not found");
+        if (status.code == WHIRL_OK) take_mode(c, &of, &at, mode);
+    }
+    free(block);
+    let_go(&at);
+    return status;
+}
+
+// ---------------------------------------------------------------- loads
+
+/// The load on the bearing that is nearest to each plane, where the machine has weight.
+static whirl_status find_loads(const consulting *c) {
+    whirl_machine machine = {.system = NULL};
+    whirl_status status = machine_with(c, 0.0, WHIRL_WITH_STATICS, NULL, &machine);
+    if (status.code == WHIRL_BAD_INPUT) return whirl_ok(); // no shaft whose weight bearings carry: loads are not known
+    for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++) {
+        const whirl_probe *probes = machine.system->probes, *own = &probes[c->station[p]];
+        double nearest = INFINITY;
+        c->model->position[p] = own->shaft ? own->position : (double)NAN;
+        for (size_t i = 0; own->shaft && i < machine.system->probe_count; i++) {
+            const double distance = fabs(probes[i].position - own->position);
+            if (probes[i].shaft != own->shaft || !(machine.statics[i].bearings > 0.0) || !(distance < nearest))
+                continue;
+            nearest = distance;
+            c->model->load[p] = fabs(9.80665 * machine.statics[i].carried);
+            snprintf(c->model->bearing[p], sizeof c->model->bearing[p], "%s", probes[i].name);
+        }
+    }
+    release(&machine);
+    return status;
+}
+
+// ---------------------------------------------------------------- all of it
+
+static whirl_status find_planes(consulting *c) {
+    whirl_machine machine = {.system = NULL};
+    whirl_status status = machine_with(c, 0.0, WHIRL_AS_GIVEN, NULL, &machine);
+    for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++) {
+        const whirl_balance_plane *own = &c->balance->planes[p];
+        c->model->load[p] = c->model->position[p] = NAN;
+        status =
+            find_station(machine.system, *own->station ? own->station : own->name, "plane", own->name, &c->station[p]);
+    }
+    release(&machine);
+    return status;
+}
+
+static whirl_status ask(const whirl_balance *balance, const whirl_case *object, whirl_balance_model *model) {
+    consulting c = {.balance = balance, .model = model};
+    whirl_status status = whirl_case_study(object, &c.study);
+    if (status.code != WHIRL_OK) return status;
+    c.batch = c.study.batches[0];
+    c.batch.parameter[0] = c.batch.second[0] = c.batch.third[0] = '\0';
+    c.batch.given_count = 0;
+    status = find_planes(&c);
+    if (status.code == WHIRL_OK) status = find_loads(&c);
+    if (status.code == WHIRL_OK) status = find_rows(&c);
+    for (size_t n = 0; n < balance->mode_count && status.code == WHIRL_OK; n++)
+        if (!balance->modes[n].shaped) status = find_mode(&c, n);
+    return status;
+}
+
+/// The path of the model, from the folder of the file.
+static void find_path(const whirl_balance *balance, const char *path, char *out, size_t size) {
+    const char *slash = strrchr(path, '/');
+    const int folder = *balance->model == '/' || !slash ? 0 : (int)(slash + 1 - path);
+    snprintf(out, size, "%.*s%s", folder, path, balance->model);
+}
+
+whirl_status whirl_balance_consult(const whirl_balance *balance, const char *path, whirl_problems *problems,
+                                   whirl_balance_model **model) {
+    char place[4096];
+    whirl_case *object;
+    *model = NULL;
+    if (!*balance->model) return whirl_ok();
+    find_path(balance, path, place, sizeof place);
+    whirl_status status = whirl_case_load(place, problems, &object);
+    if (status.code != WHIRL_OK) return status;
+    whirl_balance_model *out = calloc(1, sizeof *out);
+    if (out) out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
+    status = out && out->rows ? ask(balance, object, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a model");
+    whirl_case_free(object);
+    if (status.code == WHIRL_OK)
+        *model = out;
+    else
+        whirl_balance_model_free(out);
+    return status;
+}
+
+void whirl_balance_model_free(whirl_balance_model *model) {
+    if (model) free(model->rows);
+    free(model);
+}
