@@ -43,18 +43,3 @@ for i = 1:numel(names)
     end
 end
 end
-
-function text = answer(arguments)
-% What the command prints.
-kept = [tempname() '.txt'];
-try
-    call([arguments ' >' quoted(kept)], false);
-    text = fileread(kept);
-catch problem
-    if exist(kept, 'file')
-        delete(kept);
-    end
-    rethrow(problem);
-end
-delete(kept);
-end

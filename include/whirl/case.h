@@ -36,6 +36,8 @@ typedef struct whirl_problems {
 
 /// "paper.yaml:12:7: rotor.stations.disc.mass: is -3 kg, expected ...". Writes at most `size` bytes.
 void whirl_problem_text(const whirl_problems *problems, size_t index, char *text, size_t size);
+/// All of them, a line each, cut at `size` bytes.
+void whirl_problems_text(const whirl_problems *problems, char *text, size_t size);
 /// Frees the list, not the struct, which is empty afterwards.
 void whirl_problems_free(whirl_problems *problems);
 

@@ -120,8 +120,8 @@ static whirl_status see(const consulting *c, const responses *at, const char *na
         const double *x = at->response + 2 * (at->dimension * p + probe->x),
                      *y = at->response + 2 * (at->dimension * p + probe->y);
         double complex seen = 0.0;
-        if (whirl_probe_sees(probe, 0)) seen += cos(own.angle) * CMPLX(x[0], x[1]);
-        if (whirl_probe_sees(probe, 1)) seen += sin(own.angle) * CMPLX(y[0], y[1]);
+        if (whirl_probe_sees(probe, 0)) seen += cos(own.angle) * (x[0] + x[1] * I);
+        if (whirl_probe_sees(probe, 1)) seen += sin(own.angle) * (y[0] + y[1] * I);
         seen *= turned * (at->machine.length * c->balance->kind);
         out[p][0] = creal(seen);
         out[p][1] = cimag(seen);
@@ -201,7 +201,7 @@ static const double *left_of(const both_sides *of, size_t value) {
 
 static double complex product(size_t n, const double *a, const double *b) {
     double complex sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum += CMPLX(a[2 * i], a[2 * i + 1]) * CMPLX(b[2 * i], b[2 * i + 1]);
+    for (size_t i = 0; i < n; i++) sum += (a[2 * i] + a[2 * i + 1] * I) * (b[2 * i] + b[2 * i + 1] * I);
     return sum;
 }
 

@@ -11,24 +11,12 @@
 
 // ---------------------------------------------------------------- cases
 
-/// All problems, a line each.
-static void list_problems(const whirl_problems *problems, char *text, size_t size) {
-    size_t used = 0;
-    if (size > 0) text[0] = '\0';
-    for (size_t i = 0; i < problems->count && used + 1 < size; i++) {
-        char line[512];
-        whirl_problem_text(problems, i, line, sizeof line);
-        const int length = snprintf(text + used, size - used, "%s%s", i > 0 ? "\n" : "", line);
-        used += length > 0 ? (size_t)length : 0;
-    }
-}
-
 whirl_status whirl_case_check(const char *text, size_t length, const char *name, char *problems, size_t size,
                               whirl_case **out) {
     whirl_problems found = {0};
     *out = NULL;
     const whirl_status status = whirl_case_parse(text, length, name, &found, out);
-    list_problems(&found, problems, size);
+    whirl_problems_text(&found, problems, size);
     whirl_problems_free(&found);
     return status;
 }

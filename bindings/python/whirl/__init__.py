@@ -12,6 +12,7 @@ from importlib import import_module
 TYPE_CHECKING = False  # that of typing, without its import; checkers of types know the name
 if TYPE_CHECKING:
     from . import plot, signals, systems
+    from .balancing import Balance, balance, readings
     from .case import Case
     from .errors import BadInput, Error, FileFailure, MissingProgram, NumericalFailure, OutOfMemory, Stopped
     from .result import Parameter, Result, Station, open, read
@@ -28,6 +29,9 @@ _HOMES = {
     "open": "result",
     "read": "result",
     "run": "running",
+    "Balance": "balancing",
+    "balance": "balancing",
+    "readings": "balancing",
     "Error": "errors",
     "BadInput": "errors",
     "OutOfMemory": "errors",

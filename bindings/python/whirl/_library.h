@@ -122,6 +122,8 @@ const char *whirl_table_option(const whirl_table *table, size_t index, char *tex
 whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
                                  const char *log, char **json);
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
+whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
+                                char **json);
 void whirl_text_free(char *text);
 
 whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis);

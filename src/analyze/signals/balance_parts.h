@@ -7,7 +7,7 @@
 #include "whirl/balance.h"
 
 static inline double complex balance_number(const double of[2]) {
-    return CMPLX(of[0], of[1]);
+    return of[0] + of[1] * I;
 }
 
 static inline void balance_set(double out[2], double complex value) {

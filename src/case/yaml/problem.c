@@ -127,6 +127,17 @@ void whirl_problem_text(const whirl_problems *problems, size_t index, char *text
              problem->key[0] ? ": " : "", problem->message);
 }
 
+void whirl_problems_text(const whirl_problems *problems, char *text, size_t size) {
+    size_t used = 0;
+    if (size > 0) text[0] = '\0';
+    for (size_t i = 0; i < problems->count && used + 1 < size; i++) {
+        char line[512];
+        whirl_problem_text(problems, i, line, sizeof line);
+        const int length = snprintf(text + used, size - used, "%s%s", i > 0 ? "\n" : "", line);
+        used += length > 0 ? (size_t)length : 0;
+    }
+}
+
 void whirl_problems_free(whirl_problems *problems) {
     free(problems->items);
     *problems = (whirl_problems){0};

@@ -1,0 +1,297 @@
+"""Balancing: weights that take a rotor's vibration away, and readings out of simulations.
+
+>>> found = whirl.balance("fan-3.yaml")             # or a dict that says what such a file does
+>>> found.correction["drive"].moment, found.correction["drive"].angle
+>>> rows = whirl.readings(result, {"de": "left", "nde": ("right", numpy.radians(45))}, run=1)
+
+libwhirl computes (``whirl/balance.h``). All is in SI and radians; angles and phases are told as the file tells them.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple, Optional
+
+import numpy as np
+
+from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
+from .case import _block
+from .errors import BadInput
+from .fields import FIELD
+
+if TYPE_CHECKING:
+    from .result import Result
+    from .table import Table
+
+__all__ = ["Vector", "Weight", "Row", "Set", "Proposal", "Balance", "balance", "readings"]
+
+_PROBLEMS = 1 << 16
+
+
+class Vector(NamedTuple):
+    """A size with an angle, or an amplitude with its phase."""
+
+    size: float  #: kg m, m, or m a kg m
+    angle: float  #: rad, 0 to 2 pi, as the file tells angles or phases
+
+    @property
+    def number(self) -> complex:
+        """size exp(i angle)."""
+        return self.size * np.exp(1j * self.angle)
+
+
+@dataclass(frozen=True)
+class Weight:
+    """What goes into a plane."""
+
+    moment: float  #: kg m
+    angle: float  #: rad on the rotor, as the file tells angles
+    mass: Optional[float]  #: kg at the radius of the plane; None where that is not said
+    holes: dict[int, float]  #: kg m in each of the holes beside the angle; empty where the plane has none
+
+    @property
+    def number(self) -> complex:
+        """moment exp(i angle)."""
+        return self.moment * np.exp(1j * self.angle)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A probe at a speed."""
+
+    probe: str  #: its name
+    speed: float  #: rad/s
+    before: Vector  #: vibration without weights
+    after: Optional[Vector]  #: with the correction, by the coefficients; None without one
+    worst: Optional[
+        float
+    ]  #: amplitude after, were the model's critical speeds wrong; None but for ``influence: model``
+    influence: dict[str, Vector]  #: of a kg m in each plane; empty without a correction, or where sets were tried
+    influence_of_sets: list[Optional[Vector]]  #: ... of each set, None of those that were not tried
+    model: dict[str, Vector]  #: of a kg m in each plane, by the model; empty without one
+
+
+@dataclass(frozen=True)
+class Set:
+    """Weights that act on one mode and on none of the others."""
+
+    speed: float  #: rad/s, near which it is balanced
+    natural: Optional[float]  #: rad/s of the model's mode there
+    weights: dict[str, Vector]  #: in the planes; the largest is 1
+    amount: Optional[Vector]  #: kg m of it in the correction; None where it has none
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """A trial weight, or set of them, that the model proposes."""
+
+    plane: Optional[str]  #: of a weight
+    set: Optional[int]  #: of a set, from 1
+    moment: float  #: kg m
+    angle: float  #: rad
+    weights: dict[str, Vector]  #: kg m in the planes
+    reason: str  #: what decides its size: "force", "least", "most", "limit", "nothing"
+    sentence: str  #: the same in words
+    change: Optional[float]  #: of the vibration that changes most, over what it is
+
+
+@dataclass(frozen=True)
+class Balance:
+    """What balancing found."""
+
+    title: str  #: of the rotor
+    angles: str  #: "with" or "against" the rotation
+    phases: str  #: "lag" or "lead"
+    correction: dict[str, Weight]  #: by planes; empty where nothing was tried
+    rows: list[Row]  #: probes at speeds
+    sets: list[Set]  #: of modes
+    proposals: list[Proposal]  #: trial weights, where nothing was tried and there is a model
+    unbalance: Optional[float]  #: kg m in all planes together, as the rotor was
+    grade: Optional[float]  #: mm/s, the grade G of that by ISO 21940-11
+    allowed: Optional[float]  #: kg m, the residual unbalance that the file's grade allows
+    static: Optional[Vector]  #: kg m, of two planes: the sum of both weights
+    couple: Optional[
+        Vector
+    ]  #: kg m, of two planes: half of their difference, in the first, and against it in the second
+    difference: Optional[float]  #: of the model's coefficients from those of runs, over the largest
+    warnings: list[str]  #: what speaks against the proposals
+    document: dict = field(repr=False)  #: all of it as ``whirl balance --json`` prints it
+
+
+def _vector(of, size):
+    return None if of is None else Vector(of[size], of["angle"])
+
+
+def _vectors(of, size):
+    return {name: _vector(one, size) for name, one in (of or {}).items()}
+
+
+def _row(of) -> Row:
+    return Row(
+        of["probe"],
+        of["speed"],
+        _vector(of["before"], "amplitude"),
+        _vector(of.get("after"), "amplitude"),
+        of.get("worst"),
+        _vectors(of.get("influence"), "amplitude"),
+        [_vector(one, "amplitude") for one in of.get("influence_of_sets", [])],
+        _vectors(of.get("model"), "amplitude"),
+    )
+
+
+def _weight(of) -> Weight:
+    return Weight(of["moment"], of["angle"], of.get("mass"), {one["hole"]: one["moment"] for one in of["holes"]})
+
+
+def _proposal(of) -> Proposal:
+    weights = _vectors(of["weights"], "moment")
+    words = (of[key] for key in ("moment", "angle"))
+    return Proposal(of.get("plane"), of.get("set"), *words, weights, of["reason"], of["sentence"], of["change"])
+
+
+def _made(of) -> Balance:
+    return Balance(
+        title=of["title"],
+        angles=of["angles"],
+        phases=of["phases"],
+        correction={name: _weight(one) for name, one in of.get("correction", {}).items()},
+        rows=[_row(one) for one in of["vibration"]],
+        sets=[
+            Set(
+                one["speed"],
+                one.get("natural"),
+                _vectors(one["weights"], "weight"),
+                _vector(one.get("amount"), "moment"),
+            )
+            for one in of["sets"]
+        ],
+        proposals=[_proposal(one) for one in of["proposals"]],
+        unbalance=of.get("unbalance"),
+        grade=of.get("grade"),
+        allowed=of["allowed"],
+        static=_vector(of.get("static"), "moment"),
+        couple=_vector(of.get("couple"), "moment"),
+        difference=of["difference"],
+        warnings=of["warnings"],
+        document=of,
+    )
+
+
+def balance(source: str | os.PathLike | Mapping, *, name: str | None = None) -> Balance:
+    """Finds the weights that balance a rotor, or proposes trial weights.
+
+    Parameters
+    ----------
+    source : str, path or dict
+        Name of a file as ``whirl balance`` reads it (guide, chapter 14), or what it would say. Numbers of a dict are in
+        SI and radians, texts may have units. Keys that are None count as absent.
+    name : str, optional
+        Stands for the file in messages; its folder is where a ``model`` is looked for.
+
+    Raises
+    ------
+    BadInput
+        With the place, what was found and what is expected; ``problems`` lists all that is wrong.
+    """
+    if isinstance(source, Mapping):
+        said = {key: value for key, value in source.items() if value is not None}
+        if isinstance(said.get("model"), os.PathLike):
+            said["model"] = os.fspath(said["model"])
+        data, name = (_block({"balance": 1, **said}) + "\n").encode(), name or "balance.yaml"
+    else:
+        name = name or str(source)
+        try:
+            data = Path(source).read_bytes()
+        except (OSError, ValueError) as failure:
+            raise BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
+    problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("char **")
+    status = lib.whirl_balance_json(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
+    if status.code == BAD_INPUT:
+        found = text(problems).splitlines()
+        raise BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
+    check(status)
+    try:
+        return _made(json.loads(text(out[0])))
+    finally:
+        lib.whirl_text_free(out[0])
+
+
+# ---------------------------------------------------------------- readings
+
+
+def _parts(table):
+    """Complex vectors once a revolution along x and y, A exp(-i lag) in m: [points][stations][2]."""
+    for size, lag in (
+        (FIELD.SPECTRUM_SYNCHRONOUS, FIELD.SPECTRUM_SYNCHRONOUS_LAG),
+        (FIELD.UNBALANCE_AMPLITUDE, FIELD.UNBALANCE_LAG),
+    ):
+        if size in table:
+            amplitude, lags = table.si(size)[0], np.nan_to_num(table[lag])
+            vectors = amplitude * np.exp(-1j * np.radians(lags))
+            return vectors.reshape(-1, *vectors.shape[-2:])[..., :2]
+    raise BadInput(
+        f"the table '{table.name}' has no motion once a revolution, expected the analysis spectrum or the study unbalance"
+    )
+
+
+def readings(
+    source: "Result | Table",
+    probes: "Mapping | None" = None,
+    run: int = 1,
+    *,
+    phases: str = "lag",
+    keyphasor: float = 0.0,
+    points: "list[int] | None" = None,
+) -> list[dict]:
+    """What probes would read once a revolution in a simulated run: rows of ``vibration`` for :func:`balance`.
+
+    Of motions in time, of nonlinear machines too, that is their part once a revolution (analysis ``spectrum``); of the
+    study ``unbalance`` the synchronous response.
+
+    Parameters
+    ----------
+    source : Result or Table
+        Of a result its first table that has such motions.
+    probes : dict, optional
+        By names of probes their station, or station and angle in rad from the x axis towards y. Default: along x at
+        every station.
+    run : int
+        Number of the run.
+    phases : str
+        "lag" or "lead", as the file tells them.
+    keyphasor : float
+        rad from the x axis towards y, where the mark is seen.
+    points : list of int, optional
+        Points of the table by index; default: all of them.
+    """
+    table = source
+    if not isinstance(getattr(source, "fields", None), dict):
+        wanted = (FIELD.SPECTRUM_SYNCHRONOUS, FIELD.UNBALANCE_AMPLITUDE)
+        tables = [one for one in source.values() if any(name in one for name in wanted)]
+        if not tables:
+            raise BadInput("no table of the result has motions once a revolution, expected the analysis spectrum or the "
+                           "study unbalance")  # fmt: skip
+        table = tables[0]
+    if phases not in ("lag", "lead"):
+        raise BadInput(f"phases are {phases!r}, expected lag or lead")
+    stations, vectors = table._about.stations, _parts(table)
+    speeds = (table[FIELD.UNBALANCE_SPEED] if FIELD.UNBALANCE_SPEED in table else table.clock).ravel()
+    probes = {one.name: one.name for one in stations} if probes is None else probes
+    rows = []
+    for point in range(len(vectors)) if points is None else points:
+        for name, place in probes.items():
+            station, angle = place if isinstance(place, tuple) else (place, 0.0)
+            which = table.station(station)
+            way = -1.0 if stations[which].clockwise else 1.0
+            x, y = vectors[point, which]
+            seen = (np.cos(angle) * x + np.sin(angle) * y) * np.exp(1j * way * keyphasor)
+            if not np.isfinite(seen):
+                raise BadInput(f"station '{station}' has no vibration at point {point}: the motion left its bounds")
+            phase = float(np.angle(seen)) * (1.0 if phases == "lead" else -1.0)
+            rows.append({"run": run, "speed": float(speeds[point]), "probe": name, "amplitude": float(abs(seen)),
+                         "phase": phase})  # fmt: skip
+    return rows
