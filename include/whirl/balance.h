@@ -128,7 +128,7 @@ typedef enum whirl_trial_reason {
     WHIRL_TRIAL_BY_LEAST,  ///< a tenth would hardly be seen: a probe changes by 30 %, and 5 times its repeatability
     WHIRL_TRIAL_BY_MOST,   ///< a tenth would change a probe by more than 100 %
     WHIRL_TRIAL_BY_LIMIT,  ///< more would take a probe beyond its limit
-    WHIRL_TRIAL_BY_NOTHING ///< nothing vibrates and no load is known: there is none
+    WHIRL_TRIAL_BY_NOTHING ///< nothing that was read near its speed vibrates: there is none
 } whirl_trial_reason;
 
 /// A trial weight of a plane, or for the set of a mode, that a model proposes.

@@ -7,7 +7,7 @@
 #include "document.h"
 
 static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6,
-                    gram_mm = 1e-6;
+                    gram_mm = 1e-6, rounding = 1e-9;
 
 static double size_of(const double vector[2]) {
     return hypot(vector[0], vector[1]);
@@ -24,7 +24,7 @@ static double left_of(const whirl_correction *found, const whirl_balance_row *ro
     const double after = size_of(row->after);
     double largest = 0.0;
     for (size_t r = 0; r < found->row_count; r++) largest = fmax(largest, size_of(found->rows[r].before));
-    return after > 1e-9 * largest && largest > 0.0 ? after : 0.0;
+    return after > rounding * largest && largest > 0.0 ? after : 0.0;
 }
 
 static double way_of_angles(const whirl_balance *of) {
@@ -103,9 +103,14 @@ static void print_sets(FILE *out, const whirl_balance *of, const whirl_balance_m
         fprintf(out, "  set %zu (%.6g rpm", n + 1, of->modes[n].speed / rpm);
         if (model && !of->modes[n].shaped) fprintf(out, ", the model's mode of %.6g rpm", model->natural[n] / rpm);
         fputs("):", out);
-        for (size_t p = 0; p < of->plane_count; p++)
-            fprintf(out, "%s %s %.5g at %.4g deg", p ? "," : "", of->planes[p].name, size_of(found->sets[n][p]),
-                    degrees_of(found->sets[n][p], way_of_angles(of)));
+        for (size_t p = 0; p < of->plane_count; p++) {
+            const double *own = found->sets[n][p];
+            fprintf(out, "%s %s", p ? "," : "", of->planes[p].name);
+            if (size_of(own) > rounding)
+                fprintf(out, " %.5g at %.4g deg", size_of(own), degrees_of(own, way_of_angles(of)));
+            else
+                fputs(" 0", out);
+        }
         if (found->used[n])
             fprintf(out, "; %.6g g mm at %.4g deg of it", size_of(found->amount[n]) / gram_mm,
                     degrees_of(found->amount[n], way_of_angles(of)));
@@ -144,7 +149,7 @@ static void explain(const whirl_balance_model *model, const whirl_correction *fo
         used =
             snprintf(text, SENTENCE, "more would take %s at %.6g rpm beyond its limit", row->probe, row->speed / rpm);
     else
-        snprintf(text, SENTENCE, "nothing vibrates, and no load on a bearing is known");
+        snprintf(text, SENTENCE, "nothing that was read near its speed vibrates");
     if (own->reason != WHIRL_TRIAL_BY_NOTHING && isfinite(own->change))
         snprintf(text + used, SENTENCE - (size_t)used, "; it changes %s at %.6g rpm by %.3g %%", row->probe,
                  row->speed / rpm, 100.0 * own->change);
@@ -175,6 +180,24 @@ static bool warn(const whirl_balance *of, const whirl_correction *found, size_t 
     return false;
 }
 
+static void print_proposal(FILE *out, const whirl_balance *of, const whirl_correction *found, size_t n) {
+    const whirl_balance_proposal *own = &found->proposals[n];
+    double moment[2];
+    if (of->mode_count == 0) {
+        fputs("  ", out);
+        print_plane(out, of, n, own->moment);
+        return;
+    }
+    fprintf(out, "  set %zu: %.6g g mm at %.4g deg\n", n + 1, size_of(own->moment) / gram_mm,
+            degrees_of(own->moment, way_of_angles(of)));
+    for (size_t p = 0; p < of->plane_count; p++) {
+        whirl_balance_proposed(found, n, p, moment);
+        if (!(size_of(moment) > rounding * size_of(own->moment))) continue;
+        fputs("    ", out);
+        print_plane(out, of, p, moment);
+    }
+}
+
 static void print_proposals(FILE *out, const whirl_balance *of, const whirl_balance_model *model,
                             const whirl_correction *found) {
     char text[SENTENCE];
@@ -182,14 +205,7 @@ static void print_proposals(FILE *out, const whirl_balance *of, const whirl_bala
     fputs("trial weights that the model proposes, each where it reduces the vibration, for a run of its own:\n", out);
     for (size_t n = 0; n < found->proposal_count; n++) {
         explain(model, found, n, text);
-        for (size_t p = 0; p < of->plane_count; p++) {
-            double moment[2];
-            whirl_balance_proposed(found, n, p, moment);
-            if (!(size_of(moment) > 1e-12 * size_of(found->proposals[n].moment))) continue;
-            if (of->mode_count > 0) fprintf(out, "  set %zu,", n + 1);
-            fputs(of->mode_count > 0 ? " " : "  ", out);
-            print_plane(out, of, p, moment);
-        }
+        print_proposal(out, of, found, n);
         fprintf(out, "    %s\n", text);
     }
 }
@@ -222,7 +238,7 @@ static void print_grade(FILE *out, const whirl_balance *of, const whirl_correcti
             "residual unbalance allowed in all by ISO 21940-11, grade G %.4g (check which edition counts): %.6g g mm\n",
             of->grade, allowed / gram_mm);
     if (found->found)
-        fprintf(out, "the rotor as it was: %.6g g mm in all, G %.4g: %s\n", sum / gram_mm, of->grade * sum / allowed,
+        fprintf(out, "these weights as a residual unbalance: %.6g g mm in all, G %.4g, %s\n", sum / gram_mm, of->grade * sum / allowed,
                 sum <= allowed ? "within the grade" : "beyond the grade");
 }
 

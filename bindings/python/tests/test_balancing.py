@@ -1,7 +1,8 @@
-"""Modes balanced by sets of weights, trial weights that models propose, and machines of films balanced in simulation."""
+"""Modes balanced by sets of weights, trial weights that models propose, and a rotor on films balanced in simulation."""
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import whirl
 
@@ -189,8 +190,7 @@ def test_modes_in_closed_form(planes, rigid_kept):
 
 @pytest.mark.parametrize("planes, rigid_kept", METHODS)
 def test_modes_of_a_model(tmp_path, planes, rigid_kept):
-    """Shapes from the model of finite elements: responses at both critical speeds fall to what modes 3 and above leave
-    in closed form."""
+    """Shapes of a model of finite elements: responses at both critical speeds fall to what modes 3 and above leave."""
     (tmp_path / "shaft.yaml").write_text(shaft_text([], SPEEDS))
     file = {
         **shaft_file(planes, rigid_kept),
@@ -250,7 +250,7 @@ def model_file(tmp_path, rotation="counter-clockwise", **more):
 @pytest.mark.parametrize("rotation", ROTATIONS)
 @pytest.mark.parametrize("angles", ("with", "against"))
 def test_without_trial_runs(tmp_path, rotation, angles):
-    """The correction is the unbalance turned round, wherever the mark is seen and whatever amplitudes and angles are."""
+    """The correction is the unbalance turned round, wherever the mark is seen, however angles and sizes are told."""
     own = [("s3", 2e-4 * np.exp(0.7j)), ("s8", 1e-4 * np.exp(2.2j))]
     probes = {"a": ("s2", 0.6), "b": ("s7", -1.1)}
     rows = shaft_readings(own, [250.0, 700.0], rotation, probes, keyphasor=0.4, phases="lead")
@@ -301,7 +301,7 @@ def propose(tmp_path, unbalance, speed, second=0.5 * np.exp(1j), **probe):
 
 
 def test_trial_weight_by_its_force(tmp_path):
-    """A tenth of the weight on the bearing, half of the shaft's, where that is between 30 and 100 % of what is there."""
+    """A tenth of the weight on the bearing, half of the shaft's, where that changes probes by 30 to 100 %."""
     found, before, after = propose(tmp_path, 1.2e-4, 250.0)
     for one, seen in zip(found.proposals, after):
         assert one.reason == "force" and "a tenth of the 57.67 N" in one.sentence
@@ -408,6 +408,18 @@ def test_films_in_simulation(tmp_path):
     assert differences[0] > 0.2 > 0.01 > differences[-1]
     for plane in ("near", "far"):
         assert abs(sum(u for at, u in on if at == plane)) < 1e-6  # of kg m, where 2e-3 were
+
+
+def test_example_of_the_guide(tmp_path, monkeypatch, capsys):
+    """It prints what the guide says: the unbalance of one plane, turned round."""
+    guide = (ROOT / "docs/guide/14-balancing.md").read_text()
+    blocks = [block.split("\n", 1) for block in guide.split("```")[1::2]]
+    (case,) = [text for kind, text in blocks if text.startswith("# tested: blower.yaml")]
+    at = next(i for i, (kind, _) in enumerate(blocks) if kind == "python")
+    (tmp_path / "blower.yaml").write_text(case)
+    monkeypatch.chdir(tmp_path)
+    exec(compile(blocks[at][1], "guide", "exec"), {})
+    assert capsys.readouterr().out == blocks[at + 1][1] == f"900 g mm at {180 + np.degrees(0.7):.6g} deg\n"
 
 
 # ---------------------------------------------------------------- what is refused

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 __all__ = ["Vector", "Weight", "Row", "Set", "Proposal", "Balance", "balance", "readings"]
 
 _PROBLEMS = 1 << 16
+_WANTED = "expected the analysis spectrum or the study unbalance"
 
 
 class Vector(NamedTuple):
@@ -233,9 +234,7 @@ def _parts(table):
             amplitude, lags = table.si(size)[0], np.nan_to_num(table[lag])
             vectors = amplitude * np.exp(-1j * np.radians(lags))
             return vectors.reshape(-1, *vectors.shape[-2:])[..., :2]
-    raise BadInput(
-        f"the table '{table.name}' has no motion once a revolution, expected the analysis spectrum or the study unbalance"
-    )
+    raise BadInput(f"the table '{table.name}' has no motion once a revolution, {_WANTED}")
 
 
 def readings(
@@ -273,8 +272,7 @@ def readings(
         wanted = (FIELD.SPECTRUM_SYNCHRONOUS, FIELD.UNBALANCE_AMPLITUDE)
         tables = [one for one in source.values() if any(name in one for name in wanted)]
         if not tables:
-            raise BadInput("no table of the result has motions once a revolution, expected the analysis spectrum or the "
-                           "study unbalance")  # fmt: skip
+            raise BadInput(f"no table of the result has motions once a revolution, {_WANTED}")
         table = tables[0]
     if phases not in ("lag", "lead"):
         raise BadInput(f"phases are {phases!r}, expected lag or lead")

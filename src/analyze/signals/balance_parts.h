@@ -1,4 +1,4 @@
-/// What files on balancing share: complex numbers, least squares, and the steps of a solution.
+/// What files on balancing share: complex numbers, least squares, what is unknown.
 #ifndef ANALYZE_BALANCE_PARTS_H
 #define ANALYZE_BALANCE_PARTS_H
 
@@ -35,13 +35,7 @@ size_t balance_unknown_count(const whirl_balance *of);
 /// Which mode readings at a speed are of: the one of the nearest speed.
 size_t balance_mode_of(const whirl_balance *of, double speed);
 
-/// The sets of the modes: whirl_correction.sets.
-whirl_status balance_find_sets(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out);
-
 /// What a kg m of an unknown does at a row, by influence coefficients of planes.
 double complex balance_effect(const whirl_correction *of, const double (*influence)[2], size_t planes, size_t unknown);
-
-/// Trial weights of all unknowns, by the model.
-void balance_propose(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out);
 
 #endif

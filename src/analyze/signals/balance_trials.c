@@ -1,9 +1,11 @@
 // Trial weights that a model proposes: by the usual tenth of the load on the bearing,
 // within what readings tell apart and what limits allow, where they reduce the vibration.
-#include "balance_parts.h"
+#include "balance_trials.h"
 
 #include <math.h>
 #include <string.h>
+
+#include "balance_parts.h"
 
 static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
 
@@ -87,6 +89,13 @@ static bounds find_bounds(const whirl_balance *of, const whirl_correction *out, 
     return found;
 }
 
+/// Whether something was read at the speed that an unknown is for.
+static bool was_read(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
+    for (size_t r = 0; r < out->row_count; r++)
+        if (look(of, out, r, unknown).own) return true;
+    return false;
+}
+
 static double choose(double force, const bounds *on, whirl_balance_proposal *own) {
     double size = force;
     own->reason = size > 0.0 ? WHIRL_TRIAL_BY_FORCE : WHIRL_TRIAL_BY_NOTHING;
@@ -100,12 +109,15 @@ static double choose(double force, const bounds *on, whirl_balance_proposal *own
 
 static void propose(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
                     size_t unknown, whirl_balance_proposal *own) {
+    own->over = out->row_count;
+    own->reason = WHIRL_TRIAL_BY_NOTHING;
+    own->load = own->change = NAN;
+    if (!was_read(of, out, unknown)) return;
     const double complex way = direction_of(of, out, unknown);
     const bounds on = find_bounds(of, out, unknown, way);
     const double size = choose(by_force(of, model, out, unknown, own), &on, own);
     double beyond = 1.0 + 1e-9; // times its limit
     balance_set(own->moment, size * way);
-    own->over = out->row_count;
     for (size_t r = 0; r < out->row_count; r++) {
         const view seen = look(of, out, r, unknown);
         const double complex after = seen.before + size * way * seen.effect;
