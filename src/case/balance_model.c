@@ -49,7 +49,8 @@ static whirl_status machine_with(const consulting *c, double speed, whirl_varian
     batch.variant = variant;
     batch.placed = placed;
     batch.placed_count = placed ? 1 : 0;
-    return c->study.machine(c->study.family, &batch, 0.0, out);
+    const whirl_status status = c->study.machine(c->study.family, &batch, 0.0, out);
+    return status;
 }
 
 /// As the machine of a plane answers.

@@ -16,7 +16,7 @@ static double size_of(const double vector[2]) {
 /// From 0 to 360 degrees, of `way` (1, -1) times the angle.
 static double degrees_of(const double vector[2], double way) {
     const double angle = fmod(way * atan2(vector[1], vector[0]) / degree + 360.0, 360.0);
-    return angle < 360.0 - 1e-9 ? angle : 0.0;
+    return angle > 1e-9 && angle < 360.0 - 1e-9 ? angle : 0.0;
 }
 
 /// What is left of a vibration; 0 where that is rounding beside the largest.
@@ -53,12 +53,16 @@ static void print_plane(FILE *out, const whirl_balance *of, size_t p, const doub
     fputc('\n', out);
 }
 
-/// The static part and the couple about the middle of two planes, half of the difference in each.
+/// The static part and the couple about the middle of two planes, half of the difference in each; 0 where that is
+/// rounding.
 static void find_static(const whirl_correction *found, double sum[2], double half[2]) {
+    const double least = rounding * (size_of(found->moment[0]) + size_of(found->moment[1]));
     for (int c = 0; c < 2; c++) {
         sum[c] = found->moment[0][c] + found->moment[1][c];
         half[c] = 0.5 * (found->moment[0][c] - found->moment[1][c]);
     }
+    if (size_of(sum) < least) sum[0] = sum[1] = 0.0;
+    if (size_of(half) < least) half[0] = half[1] = 0.0;
 }
 
 static void print_static(FILE *out, const whirl_balance *of, const whirl_correction *found) {
@@ -238,8 +242,8 @@ static void print_grade(FILE *out, const whirl_balance *of, const whirl_correcti
             "residual unbalance allowed in all by ISO 21940-11, grade G %.4g (check which edition counts): %.6g g mm\n",
             of->grade, allowed / gram_mm);
     if (found->found)
-        fprintf(out, "these weights as a residual unbalance: %.6g g mm in all, G %.4g, %s\n", sum / gram_mm, of->grade * sum / allowed,
-                sum <= allowed ? "within the grade" : "beyond the grade");
+        fprintf(out, "these weights as a residual unbalance: %.6g g mm in all, G %.4g, %s\n", sum / gram_mm,
+                of->grade * sum / allowed, sum <= allowed ? "within the grade" : "beyond the grade");
 }
 
 whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_balance_model *model,
