@@ -22,6 +22,9 @@ if ~isfield(file, 'balance')
 end
 kept = [tempname(pwd()) '.yaml'];   % here, where its model is looked for
 stream = fopen(kept, 'w');
+if stream < 0
+    error('whirl:failed', 'cannot write %s, expected a folder that may be written to', kept);
+end
 fwrite(stream, jsonencode(file));   % JSON is YAML
 fclose(stream);
 try
