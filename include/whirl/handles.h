@@ -205,8 +205,8 @@ whirl_status whirl_result_figure(const whirl_result *result, const char *name, c
                                  const char *log, char **json);
 
 /// What `whirl balance` answers to the text of a file on balancing (docs/guide/14-balancing.md), as its JSON document;
-/// `name` stands for the file in messages, and its folder is where the model is looked for. Where anything is wrong with
-/// the file or its model, all of it is written to `problems` as whirl_case_check does. *json is freed by
+/// `name` stands for the file in messages, and its folder is where the model is looked for. Where anything is wrong
+/// with the file or its model, all of it is written to `problems` as whirl_case_check does. *json is freed by
 /// whirl_text_free.
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
                                 char **json);
