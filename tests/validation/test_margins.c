@@ -103,12 +103,36 @@ static void few_points(void **unused) {
     check_within("B13", "8 points in the width: points told", 8.0, widest, 0.1);
 }
 
+/// The largest between two speeds that lie between points: at its lower or upper end, or at the top of a peak.
+static void largest_in_a_range(void **unused) {
+    static const double z = 0.06;
+    static const struct {
+        const char *what;
+        double low, high, at;
+    } rows[] = {
+        {"upper end", 0.6012, 0.8034, 0.8034}, {"lower end", 1.2017, 1.6, 1.2017}, {"top", 0.9, 1.1, 1.00361955738}};
+    double r[301], size[301];
+    (void)unused;
+    for (size_t i = 0; i < 301; i++) {
+        r[i] = 0.5 + 0.005 * (double)i;
+        size[i] = r[i] * r[i] / hypot(1.0 - r[i] * r[i], 2.0 * z * r[i]);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        const double s = rows[i].at * rows[i].at, expected = s / hypot(1.0 - s, 2.0 * z * rows[i].at);
+        check_within("B13", words("largest between two speeds: %s", rows[i].what), expected,
+                     whirl_response_largest(301, r, size, rows[i].low, rows[i].high), 1e-5 * expected);
+    }
+    check_within("B13", "largest between two speeds without a point", 0.0,
+                 whirl_response_largest(301, r, size, 0.9011, 0.9039), 0.0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(amplification_of_one_degree_of_freedom),
         cmocka_unit_test(margins),
         cmocka_unit_test(other_ways),
         cmocka_unit_test(few_points),
+        cmocka_unit_test(largest_in_a_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,14 +85,34 @@ static whirl_response_peak peak_at(const curve *c, const double *lags, size_t i)
     return peak;
 }
 
+static bool is_peak(const curve *c, size_t i) {
+    return i > 0 && i + 1 < c->count && c->y[i] > c->y[i - 1] && c->y[i] >= c->y[i + 1];
+}
+
 size_t whirl_response_peaks(size_t count, const double *speeds, const double *amplitudes, const double *lags,
                             size_t most, whirl_response_peak *peaks) {
     const curve c = {count, speeds, amplitudes};
     size_t found = 0;
-    for (size_t i = 1; i + 1 < count && found < most; i++)
-        if (amplitudes[i] > amplitudes[i - 1] && amplitudes[i] >= amplitudes[i + 1])
-            peaks[found++] = peak_at(&c, lags, i);
+    for (size_t i = 1; i < count && found < most; i++)
+        if (is_peak(&c, i)) peaks[found++] = peak_at(&c, lags, i);
     return found;
+}
+
+double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high) {
+    static const double same = 1e-9; // as an end that was told in another unit than a point
+    const double first = low * (1.0 - same), last = high * (1.0 + same);
+    const curve c = {count, speeds, amplitudes};
+    double largest = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        if (speeds[i] < first || speeds[i] > last) continue;
+        largest = fmax(largest, amplitudes[i]);
+        if (i > 0 && speeds[i - 1] < first) largest = fmax(largest, between(&c, i - 1, low));
+        if (i + 1 < count && speeds[i + 1] > last) largest = fmax(largest, between(&c, i, high));
+        if (!is_peak(&c, i)) continue;
+        const double top = top_of(&c, i);
+        if (top >= low && top <= high) largest = fmax(largest, between(&c, top < speeds[i] ? i - 1 : i, top));
+    }
+    return largest;
 }
 
 double whirl_margin_required(double amplification, bool above) {

@@ -7,9 +7,8 @@
 #include "summary.h"
 #include "whirl/analyze.h"
 
-/// Speed, amplitude in m and lag of all points; how many.
-static size_t take(const whirl_result *result, const whirl_table *table, size_t station, size_t probe, double *speeds,
-                   double *sizes, double *lags) {
+size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
+                       double *speeds, double *sizes, double *lags) {
     size_t count = 0;
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
@@ -29,7 +28,7 @@ static size_t find_peaks(const whirl_result *result, const whirl_table *table, s
     double *speeds = malloc((3 * table->count + 1) * sizeof *speeds);
     if (!speeds) return 0;
     double *sizes = speeds + table->count, *lags = sizes + table->count;
-    const size_t count = take(result, table, station, probe, speeds, sizes, lags);
+    const size_t count = margin_response(result, table, station, probe, speeds, sizes, lags);
     const size_t found = whirl_response_peaks(count, speeds, sizes, lags, MARGIN_PEAKS, peaks);
     free(speeds);
     return found;

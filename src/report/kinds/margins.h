@@ -21,6 +21,11 @@ typedef struct margin_row {
 /// The unit of speeds of the shaft: the one that is shown, else rpm.
 whirl_unit margin_speed_unit(const whirl_shown_units *units);
 
+/// Speed, amplitude in m and lag [points of the table] that probe 0 or 1 of a station sees; how many, 0 where speeds do
+/// not rise along the table.
+size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
+                       double *speeds, double *sizes, double *lags);
+
 /// The peaks that both probes of a station see; none where speeds do not rise along the table, or too few points are
 /// there.
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,

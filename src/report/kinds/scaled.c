@@ -1,8 +1,10 @@
 #include "scaled.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "margins.h"
 #include "name_list.h"
 #include "whirl/analyze.h"
 
@@ -34,23 +36,36 @@ bool scaled_asked(const whirl_table *table) {
     return table->record.running_high > 0.0 || table->record.running_low > 0.0;
 }
 
+/// The largest amplitude in m that a probe sees between two speeds, at points and, along the speed, between them;
+/// `room` [3 points of the table].
+static double largest_seen(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
+                           double low, double high, double *room) {
+    double *const sizes = room + table->count;
+    const size_t rising = margin_response(result, table, station, probe, room, sizes, sizes + table->count);
+    double largest = whirl_response_largest(rising, room, sizes, low, high);
+    for (size_t point = 0; point < table->count && rising == 0; point++) {
+        const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+        if (!whirl_table_done(table, point) || speed < low * (1.0 - 1e-9) || speed > high * (1.0 + 1e-9)) continue;
+        largest = fmax(largest, whirl_result_length_scale(result, table, point) *
+                                    whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE, station)[probe]);
+    }
+    return largest;
+}
+
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out) {
     static const double rpm = 0.104719755119659774, most = 6.0;
     const double high = fmax(table->record.running_high, table->record.running_low);
     const double low = table->record.running_low > 0.0 ? table->record.running_low : high;
     const bool clearances = has_clearances(result, table);
     *out = (scaled){.limit = 25.4e-6 * fmin(1.0, sqrt(12000.0 * rpm / high))};
-    if (!(high > 0.0)) return false;
-    for (size_t point = 0; point < table->count; point++) {
-        const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
-        if (!whirl_table_done(table, point) || speed < low * (1.0 - 1e-9) || speed > high * (1.0 + 1e-9)) continue;
-        for (size_t s = 0; s < result->station_count; s++)
-            for (size_t probe = 0; probe < 2 && has_probes(result, table, s, clearances); probe++) {
-                const double seen = 2.0 * whirl_result_length_scale(result, table, point) *
-                                    whirl_table_field(table, point, WHIRL_FIELD_UNBALANCE_PROBE, s)[probe];
-                if (seen > out->largest) out->largest = seen, out->station = s;
-            }
-    }
+    double *const room = high > 0.0 ? malloc((3 * table->count + 1) * sizeof *room) : NULL;
+    if (!room) return false;
+    for (size_t s = 0; s < result->station_count; s++)
+        for (size_t probe = 0; probe < 2 && has_probes(result, table, s, clearances); probe++) {
+            const double seen = 2.0 * largest_seen(result, table, s, probe, low, high, room);
+            if (seen > out->largest) out->largest = seen, out->station = s;
+        }
+    free(room);
     out->factor = fmin(most, out->limit / out->largest);
     return out->largest > 0.0;
 }
