@@ -69,8 +69,8 @@ def test_modes(case, rotor, seals, speed, shaft):
         assert direction == pytest.approx(whirling[nearest], abs=0.1)
 
 
-# ross/tests/test_rotor_assembly.py, test_ucs_rotor9 (commit 631a249): the four lowest forward synchronous speeds, rad/s,
-# on bearings of 1e6, 10^8.5 and 1e11 N/m. ROSS's tolerance is 1e-6 of each.
+# ross/tests/test_rotor_assembly.py, test_ucs_rotor9 (commit 631a249): the four lowest forward synchronous speeds in
+# rad/s on bearings of 1e6, 10^8.5 and 1e11 N/m. ROSS's tolerance is 1e-6 of each.
 ROSS_MAP = (
     (89.61947056, 126.08902134, 1006.73169597, 2282.84557629),
     (670.08583401, 1971.00830161, 2100.24701415, 2383.54778909),
@@ -125,7 +125,7 @@ def placed(table):
 
 
 def test_unbalances_by_rule(case, rotor):
-    """API 617: 2 x 6350 W/N g mm, W of both journals at mid-span and of what hangs over, against it, at the coupling."""
+    """API 617: 2 x 6350 W/N g mm, W of both journals at mid-span, of what hangs over, against it, at the coupling."""
     bare = rotor[False]
     study = f"unbalance: {{running_from: 7000 rpm, running_to: {MAXIMUM} rpm, antinodes_of: 1}}"
     (coupling, at_coupling, opposite), (middle, in_the_middle, angle) = placed(
@@ -156,7 +156,7 @@ def test_response(case, rotor, seals):
 
 
 def test_peaks_and_margins(case, rotor, tmp_path):
-    """Criticals as the probes at the bearings see them: peak, amplification by half power, margins had and asked for."""
+    """Criticals as probes at the bearings see them: peak, amplification by half power, margins had and asked for."""
     study = (
         "unbalance: {parameter: speed, from: 4001 rpm, to: 10999 rpm, points: 101, running_from: 7000 rpm, "
         f"running_to: {MAXIMUM} rpm, antinodes_of: 1, probes_at: [bearing_0, bearing_1]}}"

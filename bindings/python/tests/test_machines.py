@@ -65,7 +65,7 @@ def test_fan():
 
 
 def test_modes_over_the_speed():
-    """test_campbell: damped frequencies in rad/s, to ROSS's 1e-7. Its 650.407866 at every speed is torsion: left out."""
+    """test_campbell: damped frequencies in rad/s, to ROSS's 1e-7, without torsion, 650.407866 at every speed."""
     expected = (
         (82.65303734, 86.65811435, 254.52047828, 274.31285391, 679.48903239),
         (82.60929602, 86.68625235, 251.70037114, 276.87787937, 652.85679897),
