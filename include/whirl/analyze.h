@@ -502,8 +502,8 @@ typedef struct whirl_response_peak {
 size_t whirl_response_peaks(size_t count, const double *speeds, const double *amplitudes, const double *lags,
                             size_t most, whirl_response_peak *peaks);
 
-/// The largest of a response [count] at rising speeds from `low` to `high`, at points, at tops between them and at both
-/// ends of that range, by cubic interpolation; 0 where no point lies in it.
+/// The largest of a response [count] at rising speeds from `low` to `high`: at points, at tops between them and at both
+/// ends of that range, by cubic interpolation; NaN where points do not reach over it.
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high);
 
 /// The separation margin, in percent of the lowest (or, `above`, the highest) running speed, that a peak of that

@@ -122,8 +122,12 @@ static void largest_in_a_range(void **unused) {
         check_within("B13", words("largest between two speeds: %s", rows[i].what), expected,
                      whirl_response_largest(301, r, size, rows[i].low, rows[i].high), 1e-5 * expected);
     }
-    check_within("B13", "largest between two speeds without a point", 0.0,
-                 whirl_response_largest(301, r, size, 0.9011, 0.9039), 0.0);
+    const double at = 0.9017, expected = at * at / hypot(1.0 - at * at, 2.0 * z * at);
+    check_within("B13", "largest at one speed between points", expected, whirl_response_largest(301, r, size, at, at),
+                 1e-5 * expected);
+    check_holds("B13", "largest between two speeds that points do not reach: none",
+                isnan(whirl_response_largest(301, r, size, 0.4, 0.9)) &&
+                    isnan(whirl_response_largest(301, r, size, 1.5, 2.1)));
 }
 
 int main(void) {

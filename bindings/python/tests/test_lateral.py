@@ -134,6 +134,14 @@ def test_scaled_responses(tmp_path):
     assert f"{100 * axes.max() / 1e-3:.3g} % of the diametral clearance 1000 um, 75 % allowed" in summary
 
 
+def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled(tmp_path):
+    own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
+    text = CASE.format(rule=", probes_at: left", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
+    whirl.run(whirl.Case(text=text.replace("from: 1000 rpm", "from: 5100 rpm")), progress=False).save(tmp_path / "r.h5")
+    summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
+    assert "responses are not scaled: points do not reach over the running speeds" in summary
+
+
 # A rigid disc, m 100 kg, K 1e7 N/m, C 4000 N s/m: its decrement is 0 at Q = C sqrt(K/m).
 DISC = """
 whirl: 1

@@ -98,19 +98,23 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
     return found;
 }
 
+/// At a speed from the first point to the last.
+static double value_at(const curve *c, double at) {
+    size_t i = 0;
+    while (i + 2 < c->count && c->x[i + 1] < at) i++;
+    return c->count > 1 ? between(c, i, at) : c->y[0];
+}
+
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high) {
     static const double same = 1e-9; // as an end that was told in another unit than a point
-    const double first = low * (1.0 - same), last = high * (1.0 + same);
     const curve c = {count, speeds, amplitudes};
-    double largest = 0.0;
+    if (count == 0 || low < speeds[0] * (1.0 - same) || high > speeds[count - 1] * (1.0 + same)) return NAN;
+    double largest = fmax(value_at(&c, low), value_at(&c, high));
     for (size_t i = 0; i < count; i++) {
-        if (speeds[i] < first || speeds[i] > last) continue;
-        largest = fmax(largest, amplitudes[i]);
-        if (i > 0 && speeds[i - 1] < first) largest = fmax(largest, between(&c, i - 1, low));
-        if (i + 1 < count && speeds[i + 1] > last) largest = fmax(largest, between(&c, i, high));
+        if (speeds[i] >= low && speeds[i] <= high) largest = fmax(largest, amplitudes[i]);
         if (!is_peak(&c, i)) continue;
         const double top = top_of(&c, i);
-        if (top >= low && top <= high) largest = fmax(largest, between(&c, top < speeds[i] ? i - 1 : i, top));
+        if (top >= low && top <= high) largest = fmax(largest, value_at(&c, top));
     }
     return largest;
 }

@@ -30,7 +30,7 @@ static bool has_probes(const whirl_result *result, const whirl_table *table, siz
 }
 
 const char *const scaled_lacks =
-    "no point lies between the running speeds, or nothing moves there: compute more points";
+    "points do not reach over the running speeds, or nothing moves there: compute more points";
 
 bool scaled_asked(const whirl_table *table) {
     return table->record.running_high > 0.0 || table->record.running_low > 0.0;
@@ -42,8 +42,9 @@ static double largest_seen(const whirl_result *result, const whirl_table *table,
                            double low, double high, double *room) {
     double *const sizes = room + table->count;
     const size_t rising = margin_response(result, table, station, probe, room, sizes, sizes + table->count);
-    double largest = whirl_response_largest(rising, room, sizes, low, high);
-    for (size_t point = 0; point < table->count && rising == 0; point++) {
+    if (rising > 0) return whirl_response_largest(rising, room, sizes, low, high);
+    double largest = 0.0;
+    for (size_t point = 0; point < table->count; point++) {
         const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
         if (!whirl_table_done(table, point) || speed < low * (1.0 - 1e-9) || speed > high * (1.0 + 1e-9)) continue;
         largest = fmax(largest, whirl_result_length_scale(result, table, point) *

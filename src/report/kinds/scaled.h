@@ -26,7 +26,7 @@ typedef struct scaled_row {
 bool scaled_asked(const whirl_table *table);
 extern const char *const scaled_lacks;
 
-/// False where the table does not tell running speeds, or has no points between them.
+/// False where the table does not tell running speeds, or its points do not reach over them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
 
 /// Rows [station count] of all stations with a clearance; how many.
