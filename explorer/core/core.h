@@ -50,8 +50,9 @@ typedef struct look {
 typedef struct plan {
     const whirl_case *object; ///< borrowed
     whirl_study study;
-    whirl_batch batch;   ///< without values
-    whirl_layout layout; ///< after explorer_plan_layout
+    whirl_batch batch;    ///< without values
+    whirl_placed *placed; ///< unbalances by rule that it borrows, or NULL
+    whirl_layout layout;  ///< after explorer_plan_layout
     size_t dimension;
     look look;
 } plan;

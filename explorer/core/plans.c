@@ -53,10 +53,14 @@ EXPORTED plan *explorer_plan_new(const whirl_case *object, const char *batch, co
     *p->batch.second = *p->batch.third = '\0'; // of a map: the case has their values
     p->batch.carry = WHIRL_CARRY_NONE;
     if (parameter) snprintf(p->batch.parameter, sizeof p->batch.parameter, "%s", parameter);
-    return p;
+    status = whirl_study_place(&p->study, &p->batch, &p->placed);
+    if (explorer_good(&status)) return p;
+    explorer_plan_free(p);
+    return NULL;
 }
 
 EXPORTED void explorer_plan_free(plan *p) {
+    if (p) free(p->placed);
     free(p);
 }
 

@@ -81,6 +81,7 @@ typedef struct whirl_record_options {
     char placed_at[WHIRL_NAME_SIZE];  ///< station that has an unbalance by rule, or ""
     char probes_at[WHIRL_NAME_SIZE];  ///< stations whose probes scale responses, or ""
     double placed_weight;             ///< kg that it goes by; 0: what hangs over there
+    double placed_factor;             ///< times as large are unbalances by rule
     char coupling[WHIRL_NAME_SIZE];   ///< of statics: stations that carry neither moment nor shear, or ""
     bool spectra;                     ///< keep whole spectra, not only their peaks
     bool waveform;                    ///< waveforms are needed (for spectra or to be kept)

@@ -64,7 +64,7 @@ typedef struct whirl_batch {
     double second_bounds[2];    ///< of the second parameter of curves
     size_t given_count;         ///< of given
     const whirl_given *given;   ///< [given_count] parameters that all machines have at these values; borrowed
-    size_t placed_count;        ///< of placed, which a run finds where its options ask for them
+    size_t placed_count;        ///< of placed, which whirl_study_place finds where its options ask for them
     const whirl_placed *placed; ///< [placed_count] unbalances in the place of the machine's own; borrowed
     double second_value;        ///< of the machine that is asked for; of the batch itself that of the case
     double third_value;         ///< the same of the third parameter of a map
@@ -232,6 +232,12 @@ typedef struct whirl_run_options {
     bool gather;
     const whirl_dealer *dealer; ///< NULL: all points are this run's, or its share
 } whirl_run_options;
+
+/// Finds the unbalances by rule (whirl_record_options.antinodes_of, placed_at) that a batch asks for, and gives them to
+/// it: of the machine as its parameters are without what varies, at the largest running speed. *placed is what the
+/// batch borrows, to be freed by free; NULL where it asks for none or has them. Runs do it by themselves.
+/// WHIRL_BAD_INPUT with a sentence where the machine has no such mode or station; WHIRL_NO_MEMORY.
+whirl_status whirl_study_place(const whirl_study *study, whirl_batch *batch, whirl_placed **placed);
 
 /// The machine of a point of a batch, by its index in `values` (0 where nothing varies); from start s that of the index
 /// plus s times the count; that of a start from a neighbour has the first start. Errors as those of study->machine.

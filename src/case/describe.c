@@ -212,8 +212,12 @@ static whirl_status describe_clock(const whirl_case *object, const whirl_result 
     const size_t index = plan_batch(&content->plan, table->name);
     table->clock_of = 0;
     table->clock_factor = 1.0;
-    if (!*table->parameter || index >= content->plan.batch_count) return whirl_ok();
+    if (index >= content->plan.batch_count) return whirl_ok();
     const whirl_batch *batch = &content->plan.batches[index];
+    // A condition that gives the speed gives it to all points alike.
+    for (size_t i = 0; i < batch->given_count && expression; i++)
+        if (case_depends(content, expression, batch->given[i].name)) table->clock_of = WHIRL_CLOCK_UNKNOWN;
+    if (!*table->parameter || table->clock_of == WHIRL_CLOCK_UNKNOWN) return whirl_ok();
     const bool traced = batch->values == NULL, keyphasor = *whirl_result_keyphasor(result) != '\0';
     const axis_values axes[] = {{batch->parameter, traced ? batch->bounds : batch->values, traced ? 2 : batch->count},
                                 {batch->second, batch->second_values ? batch->second_values : batch->second_bounds,

@@ -10,12 +10,6 @@
 #include "schema.h"
 #include "whirl/analyze.h"
 
-static whirl_integrate_options integrate_options(valuation *v, const plan_parts *parts) {
-    whirl_integrate_options options = whirl_integrate_default();
-    settings_take(v, &parts->integrate, whirl_integrate_members(), &options);
-    return options;
-}
-
 static whirl_record_options record_options(valuation *v, const plan_parts *parts, int steps) {
     whirl_record_options options = whirl_record_default();
     settings_take(v, &parts->integrate, whirl_record_members(), &options);
@@ -23,6 +17,13 @@ static whirl_record_options record_options(valuation *v, const plan_parts *parts
     if (!settings_find(&parts->keep, "samples") && options.samples_per_revolution > steps)
         options.samples_per_revolution = steps;
     return options;
+}
+
+void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
+                  whirl_record_options *record) {
+    *integrate = whirl_integrate_default();
+    settings_take(v, &parts->integrate, whirl_integrate_members(), integrate);
+    *record = record_options(v, parts, integrate->steps_per_revolution);
 }
 
 static whirl_record_options detail_options(valuation *v, const plan_parts *parts, const whirl_record_options *rest) {
@@ -555,8 +556,8 @@ static void take_starts(case_reader *reader, valuation *v, const plan_parts *par
     check_starts(reader, parts, grid ? grid->place : place_of(&parts->starts, "count"), batch);
 }
 
-static void finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
-                          whirl_batch *batch) {
+void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
+                        whirl_batch *batch) {
     settings_take(v, &parts->study, whirl_batch_members(), batch);
     take_starts(reader, v, parts, plan, batch);
     if (strcmp(batch->name, "detail") == 0) {
@@ -569,8 +570,9 @@ static void finish_points(case_reader *reader, valuation *v, const plan_parts *p
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     if (!check_all(reader, v, parts, result)) return;
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) result->origins[i].end = NAN;
-    const whirl_integrate_options integrate = integrate_options(v, parts);
-    const whirl_record_options record = record_options(v, parts, integrate.steps_per_revolution);
+    whirl_integrate_options integrate;
+    whirl_record_options record;
+    plan_options(v, parts, &integrate, &record);
     check_record(reader, parts, &record, integrate.steps_per_revolution);
     check_analyses(reader, parts, &record);
     if (parts->across.parameter)
@@ -588,7 +590,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
         if (whirl_analysis_kind(batch->analyses)->found)
             finish_found(v, parts, batch);
         else
-            finish_points(reader, v, parts, result, batch);
+            plan_finish_points(reader, v, parts, result, batch);
     }
 }
 

@@ -58,11 +58,13 @@ typedef struct axis_parts {
     formula_list values; ///< in their place, empty where there is none
 } axis_parts;
 
-/// A study of machines at rest.
-typedef struct resting_parts {
-    char name[WHIRL_NAME_SIZE]; ///< of its table
-    axis_parts axis;            ///< with the group that it is of; without a parameter: there is one point
-} resting_parts;
+/// A study of machines at rest, or of motions beside these.
+typedef struct resting_parts resting_parts;
+struct resting_parts {
+    char name[WHIRL_NAME_SIZE];      ///< of its table
+    axis_parts axis;                 ///< with the group that it is of; without a parameter: there is one point
+    const resting_parts *unbalances; ///< of motions: the study whose unbalances by rule they have, or NULL
+};
 
 /// A condition of the machine, such as its least clearance, at which studies at rest are done: parameters at values.
 typedef struct condition_parts {
@@ -79,9 +81,11 @@ enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
     size_t resting_count, condition_count;
-    resting_parts resting[PLAN_MAX_RESTING]; ///< of machines at rest, in the order of the registry and of the file
+    /// Of machines at rest, in the order of the registry and of the file, then of motions beside them.
+    resting_parts resting[PLAN_MAX_RESTING];
     condition_parts conditions[PLAN_MAX_CONDITIONS];
     bool moves;               ///< motions are followed: a response, a sweep or a map
+    bool beside;              ///< motions are followed beside studies of machines at rest (motions)
     bool branches, swept_too; ///< branches are traced; and there is a sweep
     axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
     axis_parts across;        ///< what varies from row to row of a map, else without a parameter
@@ -148,6 +152,14 @@ whirl_batch *plan_add_batch(study_plan *result, const char *name, const file_nod
 
 /// A batch along an axis, by the name of its group; NULL after a problem.
 whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, study_plan *result);
+
+/// What a study says of all its motions.
+void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
+                  whirl_record_options *record);
+
+/// The starts of a batch of motions, and what is said of them.
+void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
+                        whirl_batch *batch);
 
 /// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
 void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);

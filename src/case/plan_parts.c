@@ -250,7 +250,7 @@ static void read_branch(case_reader *reader, plan_parts *parts) {
     plan_read_part(reader, &parts->study, "branch", &schema_branch, &parts->branch);
     parts->branches = settings_find(&parts->study, "branch") != NULL;
     parts->swept_too = parts->branches && settings_find(&parts->study, "sweep");
-    if (parts->branches && !parts->moves) check_lone_keys(reader, parts, "branch", true);
+    if (parts->branches && !parts->moves && !parts->beside) check_lone_keys(reader, parts, "branch", true);
     if (parts->branches) {
         read_branch_parameter(reader, parts);
         read_branch_values(reader, parts);
@@ -340,7 +340,8 @@ static const whirl_group *find_resting(const plan_parts *parts) {
 static void read_kinds(case_reader *reader, plan_parts *parts) {
     const whirl_group *resting = find_resting(parts);
     read_kind_of_motions(reader, parts);
-    if (parts->moves || settings_find(&parts->study, schema_branch.name)) return;
+    parts->beside = settings_find(&parts->study, schema_motions.name) != NULL;
+    if (parts->moves || parts->beside || settings_find(&parts->study, schema_branch.name)) return;
     if (resting)
         check_lone_keys(reader, parts, resting->name, false);
     else
@@ -516,7 +517,7 @@ static void report_unknown_analysis(case_reader *reader, const file_node *where)
 static void read_analyses(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *given = settings_find(&parts->study, "analyze");
-    if (!parts->moves) return;
+    if (!parts->moves && !parts->beside) return;
     if (!given) {
         parts->analyses = whirl_analysis_usual();
         return;

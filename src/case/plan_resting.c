@@ -1,4 +1,5 @@
-// Studies of machines at rest: any number of them, each at every condition that the study names.
+// Studies of which a case has any number, each at every condition that it names: of machines at rest, and of motions
+// with the unbalances of these.
 #include "plan_resting.h"
 
 #include <ctype.h>
@@ -102,11 +103,41 @@ static void read_stations(case_reader *reader, const machine_parts *machine, con
     }
 }
 
+/// The study of unbalances whose own motions have.
+static void read_unbalances(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
+    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    const char *names[PLAN_MAX_RESTING];
+    const setting *given = settings_find(&resting->axis.keys, "unbalance");
+    const setting *factor = settings_find(&resting->axis.keys, "factor");
+    size_t count = 0;
+    if (factor && !given)
+        problem_at_key(reader->problems, factor->place, "needs unbalance, the study whose unbalances it multiplies");
+    if (!given) return;
+    const char *text = given->place->kind == NODE_TEXT ? given->place->text : "";
+    for (const resting_parts *one = parts->resting; one < resting; one++) {
+        const char *own = one->name;
+        if (strcmp(one->axis.keys.group->name, "unbalance") != 0) continue;
+        own += strncmp(own, "unbalance_", 10) == 0 ? 10 : 0;
+        names[count++] = own;
+        if (strcmp(own, text) == 0) resting->unbalances = one;
+    }
+    describe_names(text, names, count, advice);
+    if (!resting->unbalances)
+        problem_at(reader->problems, given->place, "is %s, which is no study of unbalance here, %s",
+                   node_shown(given->place, shown), count > 0 ? advice : "expected one beside it");
+    else if (!settings_find(&resting->unbalances->axis.keys, "antinodes_of") &&
+             !settings_find(&resting->unbalances->axis.keys, "at"))
+        problem_at(reader->problems, given->place,
+                   "is %s, which has no unbalances by rule, expected one with antinodes_of or at",
+                   node_shown(given->place, shown));
+}
+
 static void read_one(case_reader *reader, const file_node *where, const whirl_group *group,
                      const machine_parts *machine, plan_parts *parts) {
     static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
-        problem_at(reader->problems, where, "is one study too many of machines at rest, expected at most %d",
+        problem_at(reader->problems, where,
+                   "is one study too many of machines at rest and of motions beside them, expected at most %d",
                    PLAN_MAX_RESTING);
         return;
     }
@@ -121,6 +152,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     read_stations(reader, machine, &axis->keys, "at", false);
     read_stations(reader, machine, &axis->keys, "probes_at", true);
     read_stations(reader, machine, &axis->keys, "coupling", true);
+    if (group == &schema_motions) read_unbalances(reader, parts, resting);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
         if (given) problem_at_key(reader->problems, given->place, "needs the parameter that it is of");
@@ -173,20 +205,24 @@ static void read_conditions(case_reader *reader, plan_parts *parts) {
         return;
     }
     if (parts->resting_count == 0)
-        problem_at_key(reader->problems, where, "needs a study of machines at rest, which is done at each");
+        problem_at_key(reader->problems, where, "needs a study of machines at rest or motions, which is done at each");
     for (const file_node *one = where->first; one; one = one->next) read_condition(reader, one, parts);
 }
 
+/// The study, or the studies, of a kind.
+static void read_group(case_reader *reader, const whirl_group *group, const machine_parts *machine, plan_parts *parts) {
+    const setting *given = settings_find(&parts->study, group->name);
+    if (!given) return;
+    if (given->place->kind != NODE_LIST) read_one(reader, given->place, group, machine, parts);
+    if (given->place->kind == NODE_LIST && given->place->count == 0)
+        problem_at(reader->problems, given->place, "is an empty list, expected one study or a list of some");
+    const file_node *first = given->place->kind == NODE_LIST ? given->place->first : NULL;
+    for (const file_node *one = first; one; one = one->next) read_one(reader, one, group, machine, parts);
+}
+
 void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts) {
-    for (const whirl_group *group = schema_at_rest; group->name; group++) {
-        const setting *given = settings_find(&parts->study, group->name);
-        if (!given) continue;
-        if (given->place->kind != NODE_LIST) read_one(reader, given->place, group, machine, parts);
-        if (given->place->kind == NODE_LIST && given->place->count == 0)
-            problem_at(reader->problems, given->place, "is an empty list, expected one study or a list of some");
-        const file_node *first = given->place->kind == NODE_LIST ? given->place->first : NULL;
-        for (const file_node *one = first; one; one = one->next) read_one(reader, one, group, machine, parts);
-    }
+    for (const whirl_group *group = schema_at_rest; group->name; group++) read_group(reader, group, machine, parts);
+    read_group(reader, &schema_motions, machine, parts); // they name others
     read_conditions(reader, parts);
 }
 
@@ -242,10 +278,31 @@ static void check_varied(case_reader *reader, const condition_parts *condition, 
                            resting->name);
 }
 
-static void make_one(case_reader *reader, valuation *v, const resting_parts *resting, const condition_parts *condition,
-                     const whirl_given *given, study_plan *result) {
-    const setting_list *keys = &resting->axis.keys;
+/// At rest: what the study itself says.
+static void finish_resting(case_reader *reader, valuation *v, const resting_parts *resting, whirl_batch *batch) {
     whirl_analysis_set own = 0;
+    whirl_analysis_add(&own, resting->axis.keys.group->name);
+    batch->integrate = whirl_integrate_default();
+    batch->record = resting_options(v, resting, &batch->integrate);
+    check_running(reader, resting, &batch->record);
+    check_placed(reader, resting, &batch->record);
+    plan_choose_analyses(batch, own, false);
+}
+
+/// In motion: what is said of all motions, with unbalances as the study at rest finds them.
+static void finish_moving(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,
+                          const study_plan *plan, whirl_batch *batch) {
+    plan_options(v, parts, &batch->integrate, &batch->record);
+    if (resting->unbalances) {
+        settings_take(v, &resting->unbalances->axis.keys, whirl_record_members(), &batch->record);
+        settings_take(v, &resting->axis.keys, whirl_record_members(), &batch->record);
+    }
+    plan_finish_points(reader, v, parts, plan, batch);
+}
+
+static void make_one(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,
+                     const condition_parts *condition, const whirl_given *given, study_plan *result) {
+    const setting_list *keys = &resting->axis.keys;
     if (result->batch_count == WHIRL_MAX_BATCHES) {
         problem_at_key(reader->problems, keys->place, "at all conditions makes more than %d parts of a study",
                        WHIRL_MAX_BATCHES);
@@ -260,14 +317,12 @@ static void make_one(case_reader *reader, valuation *v, const resting_parts *res
                                                  : plan_add_batch(result, resting->name, keys->place);
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
-    whirl_analysis_add(&own, keys->group->name);
     batch->given = given;
     batch->given_count = condition ? condition->count : 0;
-    batch->integrate = whirl_integrate_default();
-    batch->record = resting_options(v, resting, &batch->integrate);
-    check_running(reader, resting, &batch->record);
-    check_placed(reader, resting, &batch->record);
-    plan_choose_analyses(batch, own, false);
+    if (keys->group == &schema_motions)
+        finish_moving(reader, v, parts, resting, result, batch);
+    else
+        finish_resting(reader, v, resting, batch);
 }
 
 void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
@@ -279,10 +334,10 @@ void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, st
         if (!given[c]) return;
     }
     for (size_t i = 0; i < parts->resting_count; i++) {
-        if (parts->condition_count == 0) make_one(reader, v, &parts->resting[i], NULL, NULL, result);
+        if (parts->condition_count == 0) make_one(reader, v, parts, &parts->resting[i], NULL, NULL, result);
         for (size_t c = 0; c < parts->condition_count; c++) {
             check_varied(reader, &parts->conditions[c], &parts->resting[i]);
-            make_one(reader, v, &parts->resting[i], &parts->conditions[c], given[c], result);
+            make_one(reader, v, parts, &parts->resting[i], &parts->conditions[c], given[c], result);
         }
     }
 }

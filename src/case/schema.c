@@ -52,6 +52,9 @@ static const whirl_key study_keys[] = {
         "one point; a study has this or one of sweep, map, basin, branch, or studies of machines at rest, alone or "
         "beside it:" WHIRL_STUDIES_AT_REST(AND_NAME)),
     CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
+    CHOICE_KEY(
+        "motions", OPTIONAL, "",
+        "motions with the unbalances of a study of that name, at every condition, or a list of such: see motions"),
     CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
     CHOICE_KEY(
         "basin", OPTIONAL, "",
@@ -63,8 +66,8 @@ static const whirl_key study_keys[] = {
                "curves over a second parameter, through the special points of the branches: see curves"),
     WHIRL_STUDIES_AT_REST(KEY_AT_REST) CHOICE_KEY(
         "conditions", OPTIONAL, "",
-        "names, such as minimum and maximum, with values of parameters: every study of machines at rest is done "
-        "at each of these, as NAME_CONDITION"),
+        "names, such as minimum and maximum, with values of parameters: every study of machines at rest, and every one "
+        "of motions, is done at each of these, as NAME_CONDITION"),
     CHOICE_KEY("initial", OPTIONAL, "", "names of stations with the state they start from; zero where absent"),
     CHOICE_KEY("starts", OPTIONAL, "",
                "several starts of every point of a response, sweep or map, to see which motions exist side by side: "
@@ -124,6 +127,14 @@ static const whirl_key resting_keys[] = {
     CHOICE_KEY("name", OPTIONAL, "", "what it is called beside others of its kind, behind the kind and '_'"),
 };
 
+static const whirl_key motions_keys[] = {
+    AXIS_KEYS(false),
+    CHOICE_KEY("name", OPTIONAL, "", "what they are called beside others, behind motions_"),
+    CHOICE_KEY("unbalance", OPTIONAL, "",
+               "the name of a study of unbalance, or unbalance itself: its unbalances by rule are in the place of the "
+               "machine's own; absent: its own"),
+};
+
 static const whirl_key branch_keys[] = {
     CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; that of the sweep where there is one"),
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first bound; of the sweep where absent"),
@@ -181,6 +192,8 @@ const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along 
 #define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
 #define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
+const whirl_group schema_motions =
+    GROUP("motions", "motions beside studies of machines at rest", motions_keys, of_options);
 const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
@@ -206,7 +219,8 @@ const whirl_group *const *whirl_case_groups(void) {
         &schema_map,
         &schema_basin,
         &schema_axis,
-        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_branch,
+        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
+        &schema_branch,
         &schema_curves,
         &schema_initial,
         &schema_starts,

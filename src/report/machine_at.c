@@ -22,24 +22,33 @@ whirl_case *machine_of(const whirl_result *result) {
     return machine;
 }
 
+bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out) {
+    whirl_study study;
+    if (!machine || whirl_case_study(machine, &study).code != WHIRL_OK) return false;
+    for (size_t i = 0; i < study.batch_count; i++) {
+        whirl_batch *batch = &study.batches[i];
+        if (strcmp(batch->name, table->name) != 0) continue;
+        batch->second_value = whirl_table_second(table, point);
+        batch->third_value = whirl_table_third(table, point);
+        return study.machine(study.family, batch, table->values[point], out).code == WHIRL_OK;
+    }
+    return false;
+}
+
 double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point) {
-    whirl_rotor *rotor;
-    if (!*table->parameter) return whirl_result_clock(result);
-    if (!machine || whirl_case_rotor(machine, table->parameter, table->values[point], &rotor).code != WHIRL_OK)
-        return (double)NAN;
-    const double clock = whirl_rotor_clock(rotor);
-    whirl_rotor_free(rotor);
+    whirl_machine own;
+    if (!machine_at(machine, table, point, &own)) return *table->parameter ? (double)NAN : whirl_result_clock(result);
+    const double clock = own.clock;
+    own.release(own.owner);
     return clock;
 }
 
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
                                size_t point, size_t station) {
-    const whirl_probe *probe = &result->stations[station];
-    whirl_rotor *rotor = NULL;
-    if (machine && *table->parameter &&
-        whirl_case_rotor(machine, table->parameter, table->values[point], &rotor).code == WHIRL_OK)
-        probe = &whirl_rotor_system(rotor)->probes[station];
+    whirl_machine own;
+    const bool made = machine_at(machine, table, point, &own);
+    const whirl_probe *probe = made ? &own.system->probes[station] : &result->stations[station];
     const machine_walls walls = {probe->clearance, probe->gap};
-    whirl_rotor_free(rotor);
+    if (made) own.release(own.owner);
     return walls;
 }

@@ -4,10 +4,15 @@
 
 #include "whirl/case.h"
 #include "whirl/result.h"
+#include "whirl/study.h"
 
 /// The case that a result came from, with the parameters that the run used; NULL where it holds none that can be read.
 /// Freed by whirl_case_free.
 whirl_case *machine_of(const whirl_result *result);
+
+/// The machine of a point as the study has it, with the values of its condition, but with its own unbalances where the
+/// study places others; false where it cannot be made. To be released.
+bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out);
 
 /// rad/s; NaN where it cannot be told.
 double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);

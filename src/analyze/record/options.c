@@ -50,6 +50,8 @@ static const whirl_member members[] = {
     MEMBER(whirl_record_options, NUMBER, "placed_weight", placed_weight, "unbalance", false, "weight", "W", "kg",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "mass that it goes by; 0: what hangs over there",
            ""),
+    MEMBER(whirl_record_options, NUMBER, "placed_factor", placed_factor, "motions", false, "factor", "", "1",
+           WHIRL_KEY_NUMBER, false, "1", WHIRL_POSITIVE, NULL, "times as large are the unbalances of that study", ""),
     MEMBER(whirl_record_options, WORD, "coupling", coupling, "statics", false, "coupling", "", "", WHIRL_KEY_CHOICE,
            false, "", WHIRL_ANY, "",
            "a station or a list of them: bearings are raised until shafts carry neither moment nor shear "

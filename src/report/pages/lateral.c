@@ -7,6 +7,7 @@
 #include "html.h"
 #include "machine_at.h"
 #include "margins.h"
+#include "motions_told.h"
 #include "page.h"
 #include "regimes.h"
 #include "scaled.h"
@@ -135,33 +136,14 @@ static void find_decrement(const page *to, size_t result, const whirl_table *tab
     }
 }
 
-/// What the motions of the machine were, with contacts.
+/// What the motions of the machine do to clearances, and what stands beside them.
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
-    size_t *const told = context, done = 0, doubtful = 0, touching = 0, periodic = 0;
-    double largest = 0.0;
-    for (size_t point = 0; point < table->count; point++) {
-        bool touches = false;
-        if (!whirl_table_done(table, point)) continue;
-        const whirl_verdict verdict = whirl_table_verdict(table, point);
-        for (size_t c = 0; c < to->results[result]->contact_count; c++) {
-            const double *force = whirl_table_field(table, point, WHIRL_FIELD_RUB_MAX_FORCE, c);
-            touches = touches || (force && force[0] > 0.0);
-            if (force) largest = fmax(largest, force[0]);
-        }
-        done++;
-        touching += touches;
-        periodic += verdict.regime == WHIRL_PERIODIC && verdict.period == 1;
-        doubtful += verdict.regime == WHIRL_UNDETERMINED;
-    }
-    html_printf(
-        to->stream,
-        "%s%s, with the unbalance of the case: %zu of %zu motions come back every revolution, %zu touch a stator",
-        (*told)++ ? "; " : "", table->name, periodic, done, touching);
-    if (touching) html_printf(to->stream, " (at most %.4g N)", largest);
-    if (doubtful) html_printf(to->stream, ", %zu are undetermined", doubtful);
-    if (table->source)
-        html_printf(to->stream, ", %zu motions at %zu places from %zu starts each", done, whirl_table_places(table),
-                    table->source->starts);
+    size_t *const told = context;
+    char text[MOTIONS_TOLD_SIZE];
+    whirl_case *machine = machine_of(to->results[result]);
+    motions_told(machine, to->results[result], table, text);
+    html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
+    whirl_case_free(machine);
 }
 
 static void write_found(const page *to) {
@@ -220,7 +202,7 @@ static void write_found(const page *to) {
     begin_sentence(to, "Nonlinear motions");
     told = 0;
     for_each(to, WHIRL_FIELD_REGIME_CODE, tell_motions, &told);
-    fputs(told ? "." : "Not computed (study: sweep or response beside these).", to->stream);
+    if (!told) fputs("Not computed (study: motions beside these).", to->stream);
     end_sentence(to);
     fputs("</ol>\n</section>\n", to->stream);
 }
@@ -264,8 +246,7 @@ static const chapter chapters[] = {
      "to the vibration limit beside clearances.",
      WHIRL_FIELD_UNBALANCE_AMPLITUDE},
     {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC},
-    {"Nonlinear motions",
-     "Motions in the real films with contacts, computed in time with the unbalance of the case, and judged.",
+    {"Nonlinear motions", "Motions in the real films with contacts, computed in time and judged.",
      WHIRL_FIELD_REGIME_CODE},
 };
 enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "machine_at.h"
+#include "motions_told.h"
 #include "shown_kinds.h"
 #include "whirl/report.h"
 
@@ -45,11 +47,20 @@ static void print_given(FILE *out, const whirl_result *result, const whirl_table
     if (*whirl_result_fact(result, name)) fprintf(out, "  with %s\n", whirl_result_fact(result, name));
 }
 
+/// What motions beside a lateral analysis do to clearances.
+static void print_told(FILE *out, const whirl_result *result, const whirl_table *table) {
+    char text[MOTIONS_TOLD_SIZE];
+    whirl_case *machine = machine_of(result);
+    motions_told(machine, result, table, text);
+    fprintf(out, "  %s\n", text);
+    whirl_case_free(machine);
+}
+
 static whirl_status print_table(FILE *out, const whirl_result *result, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
-    if (!kind && single) {
+    if (!kind && single && !motions_beside(table)) {
         const whirl_status status = summarize_response(out, result, table);
         summarize_refinement(out, table->source ? table->source : table);
         return status;
@@ -61,7 +72,8 @@ static whirl_status print_table(FILE *out, const whirl_result *result, const whi
     print_given(out, result, table);
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(result, table->name, table->parameter, table->values[0], out);
-    if (!kind) return summarize_points(out, result, table);
+    if (!kind && motions_beside(table)) print_told(out, result, table);
+    if (!kind) return single ? summarize_response(out, result, table) : summarize_points(out, result, table);
     kind->summarize(out, result, table);
     return whirl_ok();
 }

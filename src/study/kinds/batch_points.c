@@ -1,19 +1,24 @@
 // The points of a batch, which may lie in a plane of two parameters, or several such planes over a third. Those of a
 // map stand in the blocks: files, CSV and JSON have them as they have all fields.
 #include <math.h>
+#include <stdlib.h>
 
 #include "passes.h"
 
 whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *batch, size_t point,
                                  whirl_machine *machine) {
     whirl_batch own = *batch;
+    whirl_placed *placed;
     const size_t index = batch->starts > 1 ? point % batch->count : point;
     const double value = batch->values ? batch->values[index] : (double)NAN;
     // Motions from neighbours begin from a state of their own.
     if (batch->starts > 1) own.start = point / batch->count < batch->starts ? point / batch->count : 0;
     if (batch->second_values) own.second_value = batch->second_values[index];
     if (batch->third_values) own.third_value = batch->third_values[index];
-    return study->machine(study->family, &own, value, machine);
+    whirl_status status = whirl_study_place(study, &own, &placed);
+    if (status.code == WHIRL_OK) status = study->machine(study->family, &own, value, machine);
+    free(placed);
+    return status;
 }
 
 const double *whirl_batch_values(const whirl_batch *batch, size_t axis, const char **name, size_t *count) {

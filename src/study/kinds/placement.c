@@ -1,10 +1,10 @@
-#include "placement.h"
-
+// Unbalances by rule (API 617): where they stand and how large they are, once for all points of a batch.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "whirl/linear.h"
+#include "whirl/study.h"
 
 /// The machine that unbalances are placed on.
 typedef struct placing {
@@ -126,14 +126,13 @@ static whirl_status place_at_station(placing *p) {
     return whirl_ok();
 }
 
-whirl_status placement_find(const whirl_study *study, const whirl_batch *batch, whirl_placed **placed, size_t *count) {
+whirl_status whirl_study_place(const whirl_study *study, whirl_batch *batch, whirl_placed **placed) {
     const whirl_record_options *options = &batch->record;
     static const double rpm = 0.104719755119659774, rule = 2.0 * 6350.0e-6; // kg m rpm a kg
     placing p = {.study = study, .batch = *batch, .options = options};
     *placed = NULL;
-    *count = 0;
-    if (options->antinodes_of == 0 && !*options->placed_at) return whirl_ok();
-    p.factor = rule / (options->running_high / rpm);
+    if (batch->placed || (options->antinodes_of == 0 && !*options->placed_at)) return whirl_ok();
+    p.factor = options->placed_factor * rule / (options->running_high / rpm);
     p.batch.parameter[0] = p.batch.second[0] = p.batch.third[0] = '\0';
     whirl_status status = machine_of(&p, options->running_high, 0.0, WHIRL_WITH_STATICS, &p.machine);
     if (status.code == WHIRL_OK) {
@@ -142,7 +141,7 @@ whirl_status placement_find(const whirl_study *study, const whirl_batch *batch, 
     }
     if (status.code == WHIRL_OK) status = *options->placed_at ? place_at_station(&p) : place_at_antinodes(&p);
     release(&p.machine);
-    *placed = p.placed;
-    *count = p.count;
+    batch->placed = *placed = p.placed;
+    batch->placed_count = p.count;
     return status;
 }

@@ -7,7 +7,6 @@
 
 #include "critical.h"
 #include "deal.h"
-#include "placement.h"
 
 /// Points that one thread, or one share, takes at a time: neighbours share the modes of the point between them.
 enum { RESTING_PIECE = 8 };
@@ -152,20 +151,11 @@ static whirl_status work(study_run *run, const pass *p) {
     deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
-    // Once for all threads.
-    whirl_placed *placed;
-    whirl_batch batch = run->study->batches[p->batch];
-    const whirl_status found = placement_find(run->study, &batch, &placed, &batch.placed_count);
-    batch.placed = placed;
-    if (found.code != WHIRL_OK) {
-        free(placed);
-        return found;
-    }
 #pragma omp parallel num_threads(run->threads)
     {
         worker w = {.run = run,
                     .pass = p,
-                    .batch = &batch,
+                    .batch = &run->study->batches[p->batch],
                     .table = &run->result->tables[p->batch],
                     .most = (size_t)p->record.modes + 1};
         w.has_modes = (w.batch->analyses & modes) != 0;
@@ -178,7 +168,6 @@ static whirl_status work(study_run *run, const pass *p) {
         free(w.block);
         if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);
     }
-    free(placed);
     return whirl_ok();
 }
 

@@ -225,8 +225,17 @@ static whirl_status run_stages(study_run *run, const whirl_run_options *options)
     return status;
 }
 
+/// Unbalances by rule, once for all points; `placed` is what the batches borrow.
+static whirl_status place_all(whirl_study *study, whirl_placed *placed[WHIRL_MAX_BATCHES]) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)
+        status = whirl_study_place(study, &study->batches[i], &placed[i]);
+    return status;
+}
+
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **out) {
     whirl_study chosen = *study;
+    whirl_placed *placed[WHIRL_MAX_BATCHES] = {NULL};
     study_run run = {.study = &chosen, .keeper = options->keeper, .share = options->share, .dealer = options->dealer};
     *out = NULL;
     if (options->threads < 0) return whirl_fail(WHIRL_BAD_INPUT, "threads is %d, expected 0 or more", options->threads);
@@ -235,6 +244,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
                           run.share.count, run.share.count);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
     whirl_status status = check_study(study);
+    if (status.code == WHIRL_OK) status = place_all(&chosen, placed);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code == WHIRL_OK) status = whirl_study_outline(&chosen, &run.result);
     for (size_t i = 0; i < chosen.batch_count; i++) chosen.batches[i].integrate.stop = options->stop;
@@ -248,7 +258,7 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     }
     refined_maps_free(&run);
     neighbours_free(&run);
-    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]);
+    for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]), free(placed[i]);
     if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
         tables_blank(run.result);
         run.result->partial = true;

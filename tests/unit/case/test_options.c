@@ -28,9 +28,9 @@ static bool is_study(const char *part) {
 #undef NAMED
 }
 
-/// The part of a study that is said beside a sweep, and has points of its own.
-static bool is_beside(const char *part) {
-    return strcmp(part, "branch") == 0;
+/// The batch of a part of a study that is said beside a sweep, and has points of its own.
+static size_t batch_of(const char *part) {
+    return strcmp(part, "branch") == 0 ? 1 : strcmp(part, "motions") == 0 ? 2 : 0;
 }
 
 /// The study of a small case with one key of one part said.
@@ -42,7 +42,11 @@ static void with_key(const char *part, const char *key, const char *value, whirl
                        : !placed                    ? "parameter: q, values: [1, 2], "
                        : strcmp(key, "weight") != 0 ? "running_to: 9, "
                                                     : "running_to: 9, at: yes, ";
-    if (of_study)
+    if (strcmp(part, "motions") == 0)
+        snprintf(line, sizeof line,
+                 "  unbalance: {at: yes, weight: 1, running_to: 9}\n  %s: {unbalance: unbalance, %s: %s}", part, key,
+                 value);
+    else if (of_study)
         snprintf(line, sizeof line, "  %s: %s", key, value);
     else
         snprintf(line, sizeof line, "  %s: {%s%s: %s}", part, axis, key, value);
@@ -67,7 +71,7 @@ static void follow(const whirl_member *member, size_t offset) {
         if (!member->name || !*member->part) continue;
         const char *value = other_value(&member->key, buffer);
         with_key(member->part, member->key.name, value, &object, &study);
-        whirl_batch *batch = &study.batches[is_beside(member->part) ? 1 : 0];
+        whirl_batch *batch = &study.batches[batch_of(member->part)];
         whirl_member_text(member, (char *)batch + offset, found);
         whirl_batch wanted = {.count = 1};
         if (member->key.kind == WHIRL_KEY_CHOICE)

@@ -318,7 +318,18 @@ static void structure(void **state) {
     expect_problem("  sweep: {", "  modes: {name: a-b}\n  sweep: {",
                    "t:19:17: study.modes.name: is a-b, expected at most 21 letters, digits and '_'");
     expect_problem("  sweep: {", "  conditions: {a: {}}\n  sweep: {",
-                   "t:19:3: study.conditions: needs a study of machines at rest, which is done at each");
+                   "t:19:3: study.conditions: needs a study of machines at rest or motions, which is done at each");
+    expect_problem("  sweep: {", "  motions: {unbalance: first}\n  sweep: {",
+                   "t:19:24: study.motions.unbalance: is first, which is no study of unbalance here, expected one "
+                   "beside it");
+    expect_problem("  sweep: {", "  unbalance: {name: fast}\n  motions: {unbalance: fest}\n  sweep: {",
+                   "t:20:24: study.motions.unbalance: is fest, which is no study of unbalance here, did you mean "
+                   "fast?");
+    expect_problem("  sweep: {", "  unbalance: {}\n  motions: {unbalance: unbalance}\n  sweep: {",
+                   "t:20:24: study.motions.unbalance: is unbalance, which has no unbalances by rule, expected one "
+                   "with antinodes_of or at");
+    expect_problem("  sweep: {", "  motions: {factor: 6}\n  sweep: {",
+                   "t:19:13: study.motions.factor: needs unbalance, the study whose unbalances it multiplies");
     expect_problem("  sweep: {", "  modes: {}\n  conditions: {a: {kapa: 2}}\n  sweep: {",
                    "t:20:20: study.conditions.a.kapa: is no parameter, did you mean kappa?");
     expect_problem("  sweep: {",

@@ -1,0 +1,188 @@
+#include "motions_told.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "machine_at.h"
+#include "quantities.h"
+#include "regimes.h"
+#include "whirl/shown.h"
+
+bool motions_beside(const whirl_table *table) {
+    static const char name[] = "motions";
+    const size_t length = sizeof name - 1;
+    return strncmp(table->name, name, length) == 0 && (!table->name[length] || table->name[length] == '_');
+}
+
+/// What is being written.
+typedef struct paragraph {
+    const whirl_case *machine;
+    const whirl_result *view;
+    const whirl_table *table;
+    whirl_unit unit; ///< of the parameter
+    char *text;
+} paragraph;
+
+static void add(const paragraph *p, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+static void add(const paragraph *p, const char *format, ...) {
+    const size_t used = strlen(p->text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(p->text + used, MOTIONS_TOLD_SIZE - used, format, arguments);
+    va_end(arguments);
+}
+
+/// " at 5700 rpm"; nothing where there is no parameter.
+static void add_place(const paragraph *p, const char *before, size_t point) {
+    if (!*p->table->parameter) return;
+    add(p, "%s%.6g%s%s", before, p->table->values[point] / p->unit.size, *p->unit.name ? " " : "", p->unit.name);
+}
+
+// ---------------------------------------------------------------- what they are
+
+static void add_unbalances(const paragraph *p) {
+    const whirl_record_options *record = &p->table->record;
+    if (record->antinodes_of > 0)
+        add(p, "with unbalances by rule at the antinodes of forward mode %d", record->antinodes_of);
+    else if (*record->placed_at)
+        add(p, "with an unbalance by rule at %s", record->placed_at);
+    else
+        add(p, "with the machine's own unbalances");
+    if (record->placed_factor != 1.0) add(p, ", %.4g times as large", record->placed_factor);
+}
+
+static void add_regimes(const paragraph *p) {
+    size_t done = 0, periodic = 0, doubtful = 0, diverged = 0;
+    for (size_t i = 0; i < p->table->count; i++) {
+        if (!whirl_table_done(p->table, i)) continue;
+        const whirl_verdict verdict = whirl_table_verdict(p->table, i);
+        done++;
+        periodic += verdict.regime == WHIRL_PERIODIC && verdict.period == 1;
+        doubtful += verdict.regime == WHIRL_UNDETERMINED || verdict.confidence == WHIRL_LOW;
+        diverged += verdict.regime == WHIRL_DIVERGING;
+    }
+    add(p, "%zu of %zu motions come back every revolution", periodic, done);
+    if (diverged > 0) add(p, ", %zu diverge", diverged);
+    if (doubtful > 0) add(p, ", %zu are in doubt", doubtful);
+    if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
+}
+
+// ---------------------------------------------------------------- clearances
+
+/// The station whose wall motions come nearest to.
+typedef struct nearest {
+    double share;
+    size_t station, point;
+    bool film; ///< the wall is that of a bearing
+} nearest;
+
+static void look_at(const paragraph *p, size_t point, nearest *found) {
+    whirl_machine own;
+    const bool made = machine_at(p->machine, p->table, point, &own);
+    const whirl_probe *probes = made ? own.system->probes : p->view->stations;
+    for (size_t s = 0; s < p->view->station_count; s++) {
+        const double radius = max_radius(p->table, point, s), walls[] = {probes[s].clearance, probes[s].gap};
+        for (int k = 0; k < 2; k++)
+            if (walls[k] > 0.0 && radius / walls[k] > found->share)
+                *found = (nearest){.share = radius / walls[k], .station = s, .point = point, .film = k == 0};
+    }
+    if (made) own.release(own.owner);
+}
+
+static void add_clearance(const paragraph *p) {
+    nearest found = {.share = -1.0};
+    for (size_t i = 0; i < p->table->count; i++)
+        if (whirl_table_done(p->table, i)) look_at(p, i, &found);
+    if (found.share < 0.0) return;
+    add(p, "; they come nearest to the wall at %s, to %.3g %% of its radial %s", p->view->stations[found.station].name,
+        100.0 * found.share, found.film ? "clearance" : "gap");
+    add_place(p, ", at ", found.point);
+}
+
+/// Where a contact touches, for how long and how hard.
+static void add_contact(const paragraph *p, size_t contact) {
+    size_t touching = 0, done = 0, first = 0, last = 0, hardest = 0;
+    double share = 0.0, force = 0.0;
+    for (size_t i = 0; i < p->table->count; i++) {
+        const double own = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_SHARE, contact);
+        const double strength = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_MAX_FORCE, contact);
+        if (!whirl_table_done(p->table, i)) continue;
+        done++;
+        if (!(own > 0.0)) continue;
+        if (touching++ == 0) first = i;
+        last = i;
+        share = fmax(share, own);
+        if (strength > force) force = strength, hardest = i;
+    }
+    add(p, "; %s ", p->view->contacts[contact]);
+    if (touching == 0) {
+        add(p, "never touches");
+        return;
+    }
+    add(p, "touches in %zu of %zu motions", touching, done);
+    add_place(p, ", from ", first);
+    add_place(p, " to ", last);
+    add(p, ", at most %.3g %% of the time and with %.4g N", 100.0 * share, force * p->view->force_scale);
+    add_place(p, " (at ", hardest);
+    if (*p->table->parameter) add(p, ")");
+}
+
+// ---------------------------------------------------------------- what else there is
+
+static void add_beside(const paragraph *p) {
+    const whirl_table *table = p->table;
+    double several = 0.0;
+    size_t first = table->count;
+    if (!table->attractors) {
+        add(p, ". Whether others stand beside them was not looked for (starts).");
+        return;
+    }
+    for (size_t i = 0; i < table->count; i++) {
+        if (table->attractors[i].beside < 2) continue;
+        several += 1.0 / (double)table->attractors[i].beside;
+        if (first == table->count || table->attractors[i].place < table->attractors[first].place) first = i;
+    }
+    if (first == table->count) {
+        add(p, ". From %zu starts a place no other motion was found", table->source->starts);
+    } else {
+        add(p, ". At %.0f of %zu places other motions stand side by side with them, found from %zu starts a place: ",
+            several, whirl_table_places(table), table->source->starts);
+        add_place(p, "first at ", first);
+        const char *before = *table->parameter ? ", " : "";
+        for (size_t i = 0; i < table->count; i++) {
+            char name[128];
+            if (table->attractors[i].place != table->attractors[first].place) continue;
+            const whirl_verdict verdict = whirl_table_verdict(table, i);
+            regime_name(&verdict, name, sizeof name);
+            add(p, "%s%s (%.3g %% of the starts)", before, name, 100.0 * table->attractors[i].share);
+            before = " and ";
+        }
+    }
+    add(p, "; one that fewer than %.2g %% of starts lead to may be missed.",
+        100.0 * whirl_missed_share(table->source->starts));
+}
+
+void motions_told(const whirl_case *machine, const whirl_result *view, const whirl_table *table,
+                  char text[MOTIONS_TOLD_SIZE]) {
+    const paragraph p = {machine, view, table, whirl_result_unit(view, table->parameter), text};
+    whirl_shown_units units;
+    *text = '\0';
+    paragraph own = p;
+    if (whirl_result_shown_units(view, NULL, &units).code == WHIRL_OK)
+        own.unit = whirl_shown_parameter(&units, table->parameter);
+    add_regimes(&own);
+    add(&own, ", ");
+    add_unbalances(&own);
+    add_clearance(&own);
+    for (size_t c = 0; c < view->contact_count; c++)
+        if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&own, c);
+    add_beside(&own);
+}
