@@ -17,7 +17,7 @@ fail() {
 base="status.h descriptor.h version.h watched.h" # everyone's
 declare -A below=(
     [base]=""
-    [rotor]="system.h ensemble.h rotor.h"
+    [rotor]="system.h ensemble.h rotor.h bearing.h"
     [integrate]="system.h ensemble.h integrate.h"
     [linear]="system.h integrate.h linear.h"
     [orbit]="system.h ensemble.h integrate.h linear.h orbit.h torus.h"

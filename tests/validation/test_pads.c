@@ -1,0 +1,237 @@
+// Bearings of fixed and of tilting pads of finite length against digits of growth.md B2 to B4, which two methods
+// (finite volumes to 7680 x 48 and bilinear elements, extrapolated) agree on.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/bearing.h"
+
+static const double pi = 3.14159265358979323846;
+enum { FINE = 1920 };
+
+/// Coefficients agree to 2e-4 of the largest of their matrix.
+static void check_matrix(const char *id, const char *what, const double expected[4], double obtained[2][2]) {
+    static const char *const names[] = {"xx", "xy", "yx", "yy"};
+    double largest = 0.0;
+    char before[96];
+    snprintf(before, sizeof before, "%s", what); // buffers of words are few
+    for (int i = 0; i < 4; i++) largest = fmax(largest, fabs(expected[i]));
+    for (int i = 0; i < 4; i++)
+        check_within(id, words("%s%s", before, names[i]), expected[i], obtained[i / 2][i % 2], 2e-4 * largest);
+}
+
+/// In the frame of Lund and Thomsen: x along the load, which is along -y, over the load.
+static void turned(double of[2][2], double load, double out[2][2]) {
+    out[0][0] = of[1][1] / load;
+    out[0][1] = -of[1][0] / load;
+    out[1][0] = -of[0][1] / load;
+    out[1][1] = of[0][0] / load;
+}
+
+static whirl_pads_state rest(const whirl_pads *bearing, double load) {
+    whirl_pads_state state;
+    require_ok(whirl_pads_rest(bearing, (const double[]){0.0, -load}, &state));
+    return state;
+}
+
+/// One pad of 360 degrees, its groove opposite to the journal: the load is what its force is there.
+static void plain(void **unused) {
+    static const struct {
+        double ratio, eps, force[2], stiffness[4], damping[4];
+    } rows[] = {
+        {0.5,
+         0.2,
+         {-0.04020339, 0.15141827},
+         {.409799, .67380, -.836177, .173146},
+         {1.53005, -.402034, -.402034, 1.514183}},
+        {0.5,
+         0.6,
+         {-0.66648939, 0.74139565},
+         {4.22846, 1.1948, -2.865433, 1.095846},
+         {6.1923, -2.221631, -2.221631, 2.471319}},
+        {1.0,
+         0.4,
+         {-0.56314615, 1.08496584},
+         {3.24242, 2.3782, -3.576686, 1.127977},
+         {7.2978, -2.815731, -2.815731, 5.424829}},
+    };
+    (void)unused;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const whirl_pads bearing = {
+            .count = 1, .pads = {{0.0, 2.0 * pi, 0.5, 0.0}}, .ratio = rows[i].ratio, .fineness = FINE};
+        const double load[] = {-rows[i].force[0], -rows[i].force[1]};
+        whirl_pads_state state;
+        require_ok(whirl_pads_rest(&bearing, load, &state));
+        char what[64];
+        snprintf(what, sizeof what, "plain, L/D %g, eccentricity %g: ", rows[i].ratio, rows[i].eps);
+        check_within("B2", words("%splace along x", what), rows[i].eps, state.at[0], 2e-6);
+        check_within("B2", words("%splace along y", what), 0.0, state.at[1], 2e-6);
+        check_matrix("B2", words("%sK", what), rows[i].stiffness, state.stiffness);
+        check_matrix("B2", words("%sC", what), rows[i].damping, state.damping);
+    }
+}
+
+static void fixed_pads(void **unused) {
+    static const struct {
+        const char *name;
+        double ratio, load, x, y, stiffness[4], damping[4];
+    } rows[] = {
+        {"two-groove",
+         .5,
+         .917,
+         .31354114,
+         -.19954761,
+         {2.1029, 4.0229, -1.3333, 1.8690},
+         {7.7176, 2.1038, 2.1038, 3.3056}},
+        {"two-groove",
+         .5,
+         .379,
+         .40645939,
+         -.39910856,
+         {3.3125, 3.6596, -.4441, 1.7042},
+         {6.7893, 1.9032, 1.9032, 1.9383}},
+        {"two-groove",
+         1.,
+         .235,
+         .34858394,
+         -.29892180,
+         {2.1677, 3.5821, -.8205, 1.5671},
+         {7.3868, 1.9233, 1.9233, 2.2429}},
+        {"elliptical",
+         1.,
+         .161,
+         .30335146,
+         -.02506156,
+         {5.6229, 3.8438, -2.3191, 1.0103},
+         {10.7522, -1.0159, -1.0159, 3.0761}},
+        {"elliptical",
+         .5,
+         .4,
+         .28524461,
+         -.03526400,
+         {7.1951, 4.0038, -3.1440, 1.1600},
+         {11.5128, -1.7321, -1.7321, 3.7053}},
+        {"three-lobe",
+         .5,
+         .3,
+         .14866780,
+         -.22870634,
+         {4.9880, 7.3867, -1.2063, 6.5894},
+         {9.8138, 3.5738, 3.5738, 8.6681}},
+    };
+    (void)unused;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        whirl_pads bearing = {.ratio = rows[i].ratio, .fineness = FINE};
+        double turn[2][2];
+        assert_true(whirl_pads_named(rows[i].name, 0.5, &bearing));
+        const double load = 1.0 / (pi * rows[i].load);
+        whirl_pads_state state = rest(&bearing, load);
+        char what[64];
+        snprintf(what, sizeof what, "%s, L/D %g, S %g: ", rows[i].name, rows[i].ratio, rows[i].load);
+        check_within("B3", words("%splace along x", what), rows[i].x, state.at[0], 2e-6);
+        check_within("B3", words("%splace along y", what), rows[i].y, state.at[1], 2e-6);
+        turned(state.stiffness, load, turn);
+        check_matrix("B3", words("%sK c/W, ", what), rows[i].stiffness, turn);
+        turned(state.damping, load, turn);
+        check_matrix("B3", words("%sC c Omega/W, ", what), rows[i].damping, turn);
+    }
+}
+
+/// Reduced coefficients of pads without inertia at a whirl ratio, over the load: what is not on the diagonal is 0 by
+/// symmetry.
+static void check_reduced(const whirl_pads *bearing, const whirl_pads_state *state, const char *what, double ratio,
+                          double load, const double expected[4]) {
+    double stiffness[2][2], damping[2][2];
+    whirl_pads_reduced(bearing, state, ratio, 0.0, stiffness, damping);
+    const double obtained[] = {stiffness[0][0], stiffness[1][1], damping[0][0], damping[1][1]};
+    static const char *const names[] = {"K*xx", "K*yy", "C*xx", "C*yy"};
+    for (int i = 0; i < 4; i++)
+        check_within("B4", words("%s at whirl ratio %g: %s/W", what, ratio, names[i]), expected[i], obtained[i] / load,
+                     2e-4 * fmax(expected[i], 4.0));
+    check_within("B4", words("%s at whirl ratio %g: K*xy/W", what, ratio), 0.0, stiffness[0][1] / load, 1e-4);
+    check_within("B4", words("%s at whirl ratio %g: C*yx/W", what, ratio), 0.0, damping[1][0] / load, 1e-4);
+}
+
+static void between_pads(void **unused) {
+    static const double loads[] = {.491796, .329563, .491796, 1.009564, 1.009564};
+    static const double tilts[] = {-.373401, -.254982, -.158595, -.207420, -.340177};
+    whirl_pads bearing = {.ratio = 0.5, .fineness = FINE};
+    const double load = 1.0 / (pi * 0.5);
+    (void)unused;
+    assert_true(whirl_pads_named("tilting-5", 0.5, &bearing));
+    whirl_pads_state state = rest(&bearing, load);
+    check_within("B4", "5 pads, load between pads: Y", -.1129304, state.at[1], 2e-6);
+    for (int i = 0; i < 5; i++) {
+        check_within("B4", words("load between pads: load of pad %d over W", i + 1), loads[i], state.load[i] / load,
+                     1e-5);
+        check_within("B4", words("load between pads: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 5e-6);
+    }
+    check_reduced(&bearing, &state, "load between pads", 1.0, load,
+                  (const double[]){6.47468, 7.60997, 7.40401, 8.13164});
+    check_reduced(&bearing, &state, "load between pads", 0.5, load,
+                  (const double[]){8.24631, 9.51679, 6.36039, 7.02622});
+    const double held[] = {9.51625, 6.66055, -7.42027, 10.7864};
+    double over[2][2];
+    for (int i = 0; i < 4; i++) over[i / 2][i % 2] = state.stiffness[i / 2][i % 2] / load;
+    check_matrix("B4", "load between pads, tilts held: K/W ", held, over);
+}
+
+static void on_pad(void **unused) {
+    whirl_pads bearing = {.ratio = 0.5, .count = 5, .tilting = true, .fineness = FINE};
+    const double load = 1.0 / (pi * 0.15);
+    (void)unused;
+    for (int i = 0; i < 5; i++) bearing.pads[i] = (whirl_pad){(54.0 + 72.0 * i) * pi / 180.0, pi / 3.0, 0.5, 0.3};
+    whirl_pads_state state = rest(&bearing, load);
+    check_within("B4", "5 pads, load on a pad: Y", -.4434533, state.at[1], 2e-6);
+    static const double loads[] = {0.0, 0.0, .127425, .921247, .127425},
+                        tilts[] = {0.0, 0.0, .159126, -.268819, -.684372};
+    for (int i = 0; i < 5; i++) {
+        check_within("B4", words("load on a pad: load of pad %d over W", i + 1), loads[i], state.load[i] / load, 1e-5);
+        check_within("B4", words("load on a pad: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 1e-5);
+    }
+    check_holds("B4", "the upper two pads have no film that holds them", !state.loaded[0] && !state.loaded[1]);
+    check_reduced(&bearing, &state, "load on a pad", 1.0, load, (const double[]){.769232, 6.9812, 1.1089, 4.41807});
+    check_reduced(&bearing, &state, "load on a pad", 0.5, load, (const double[]){1.05458, 7.87454, .92321, 3.98724});
+}
+
+/// A long time from one place to the other: pads of short bearings carry what Ocvirk's closed form says.
+static void short_limit(void **unused) {
+    (void)unused;
+    // Gumbel, closed form for L/D -> 0: f = (L/D)^2 eps/(4 (1 - eps^2)^2) (-4 eps, pi sqrt(1 - eps^2)).
+    const double eps = 0.5, ratio = 0.02, q = 1.0 - eps * eps, scale = ratio * ratio * eps / (q * q);
+    const double force[] = {-4.0 * eps * scale, pi * sqrt(q) * scale};
+    const whirl_pads bearing = {
+        .count = 1, .pads = {{pi, 2.0 * pi, 0.5, 0.0}}, .ratio = ratio, .gumbel = true, .fineness = FINE};
+    whirl_pads_state state;
+    require_ok(whirl_pads_rest(&bearing, (const double[]){-force[0], -force[1]}, &state));
+    check_within("B1", "short film, L/D 0.02: eccentricity ratio", eps, hypot(state.at[0], state.at[1]), 1e-3);
+    check_within("B1", "short film, L/D 0.02: attitude, rad", 0.0, state.at[1], 1e-3);
+}
+
+static void refused(void **unused) {
+    whirl_pads_state state;
+    whirl_pads bearing = {.ratio = 0.5};
+    const double load[] = {0.0, -1.0};
+    (void)unused;
+    assert_int_equal(whirl_pads_rest(&bearing, load, &state).code, WHIRL_BAD_INPUT);
+    assert_false(whirl_pads_named("round", 0.0, &bearing));
+    assert_true(whirl_pads_named("elliptical", 0.5, &bearing));
+    assert_int_equal(whirl_pads_rest(&bearing, (const double[]){0.0, 0.0}, &state).code, WHIRL_BAD_INPUT);
+    bearing.ratio = -1.0;
+    assert_int_equal(whirl_pads_rest(&bearing, load, &state).code, WHIRL_BAD_INPUT);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(plain),  cmocka_unit_test(fixed_pads),  cmocka_unit_test(between_pads),
+        cmocka_unit_test(on_pad), cmocka_unit_test(short_limit), cmocka_unit_test(refused),
+    };
+    return cmocka_run_group_tests_name("pads", tests, NULL, NULL);
+}
