@@ -17,7 +17,7 @@ set(above, 'Position', [0.16, 0.58, 0.8, 0.37]);
 rows = draw_both(subject.values, amplitude, false);
 from_zero(above, amplitude);
 place_legend(above, rows', {'x', 'y'}, [subject.values; subject.values], amplitude);
-end_figure(above, false, '', amplitude_label(subject.result, ['amplitude of ' subject.station]));
+end_figure(above, false, '', amplitude_label(subject));
 below = subplot(2, 1, 2);
 set(below, 'Position', [0.16, 0.15, 0.8, 0.34]);
 lag = both_ways(subject, FIELD.unbalance_lag);

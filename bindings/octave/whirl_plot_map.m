@@ -102,8 +102,9 @@ if about.columns > 1 && isfield(about, 'column_names')
 end
 what = [what owner];
 if strcmp(about.unit, 'length')
-    numbers = numbers .* length_factors(result, table);
-    label = length_label(result, what);
+    [counted, factor] = counting_of(result, about.meaning);
+    numbers = numbers .* length_factors(result, table) * factor;
+    label = length_label(result, what, counted);
 elseif strcmp(about.unit, '1')
     label = what;
 elseif isnan(about.SI_factor) || strcmp(about.SI_unit, '1')

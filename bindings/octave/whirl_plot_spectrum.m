@@ -36,5 +36,5 @@ else
     set(axes_handle, 'XLim', [0, last]);
 end
 end_figure(axes_handle, held, order_label(options.full), ...
-    amplitude_label(subject.result, ['amplitude of ' subject.station]), point_title(subject, point));
+    amplitude_label(subject), point_title(subject, point));
 end

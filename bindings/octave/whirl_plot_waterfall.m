@@ -25,7 +25,7 @@ points = 1.5 + mark_size(numel(kept));
 handle = scatter(axes_handle, order(kept), at(kept), points^2, log10(amplitude(kept)), 'filled');
 pad_values(axes_handle, subject.values, 'YLim');
 end_figure(axes_handle, held, order_label(options.full), subject.label);
-decade_bar(axes_handle, log10(amplitude(kept)), amplitude_label(subject.result, ['amplitude of ' subject.station]));
+decade_bar(axes_handle, log10(amplitude(kept)), amplitude_label(subject));
 end
 
 function [order, at, amplitude] = spectra_of(subject, full)

@@ -40,7 +40,7 @@ before(() => {
     e: Number(row['e [m]']),
     verdict: row.verdict,
     exponent: Number(row['lyapunov/largest [1/revolution]']),
-    radius: Number(row['orbit/max_radius disc [m]']),
+    radius: Number(row['orbit/max_radius disc [m 0-p]']),
   }));
   const rising = (key) => [...new Set(points.map((point) => point[key]))].sort((a, b) => a - b);
   [columns, rows] = [rising('omega'), rising('e')];

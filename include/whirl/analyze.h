@@ -634,6 +634,20 @@ const whirl_field *whirl_layout_field(const whirl_layout *layout, const char *na
 /// The names of a field's columns, "x", "y"; false where they have none.
 bool whirl_field_column_names(const whirl_field *field, char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
+/// How a displacement is counted.
+typedef enum whirl_counting {
+    WHIRL_FROM_CENTRE = 0, ///< a place, an extent, the size of a part: there is one way
+    WHIRL_ZERO_TO_PEAK,    ///< a distance from the centre: zero to peak whatever `units` says, as it is no sinusoid's
+    WHIRL_AMPLITUDE        ///< of a sinusoid: held zero to peak, shown as `units` says
+} whirl_counting;
+
+/// The unit of a column, as whirl_field.unit; besides "length/radian", "rad/s" and "parameter" (SI), of columns whose
+/// names tell so beside others. Static text, or the field's.
+const char *whirl_column_unit(const whirl_field *field, size_t column);
+
+/// How the lengths of a field are counted: its meaning says "0-p amplitude" of sinusoids, "0-p" of other distances.
+whirl_counting whirl_field_counting(const whirl_field *field);
+
 /// Whether the analyses have a field of that name whose numbers stand in rows: also where options leave one row of
 /// them.
 bool whirl_analysis_has_rows(const char *field);

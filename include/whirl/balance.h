@@ -75,6 +75,7 @@ typedef struct whirl_balance_vibration {
 typedef struct whirl_balance {
     char title[256];                                  ///< in one line
     bool against, leads;                              ///< how the file tells angles on the rotor, and phases
+    char counted[8];                                  ///< how its amplitudes are: "0-p", "p-p", "rms"; "" not said
     size_t plane_count, trial_count, vibration_count; ///< of these
     whirl_balance_plane planes[WHIRL_MAX_PLANES];     ///< [plane_count]
     whirl_balance_trial *trials;                      ///< [trial_count]

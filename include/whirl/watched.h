@@ -22,10 +22,10 @@ typedef enum whirl_fold {
 /// in the end, so that a mean is a root mean square.
 #define WHIRL_WATCHED_OF_STATIONS(X)                                                                                   \
     X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, WHIRL_FIELD_ORBIT_MAX_RADIUS, "length",                   \
-      "largest distance from the centre")                                                                              \
+      "largest distance from the centre (0-p)")                                                                        \
     X(min_radius, WHIRL_PER_STATION, 1, WHIRL_SMALLEST, true, WHIRL_FIELD_ORBIT_MIN_RADIUS, "length",                  \
-      "smallest distance from the centre")                                                                             \
-    X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_MEAN, "length", "x, y")                         \
+      "smallest distance from the centre (0-p)")                                                                       \
+    X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_MEAN, "length", "x, y (from the centre)")       \
     X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_BACKWARD, "1",                              \
       "share of the time of whirl against the rotation")
 /// The same of contacts.
@@ -34,7 +34,7 @@ typedef enum whirl_fold {
       "share of the time in contact")                                                                                  \
     X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, WHIRL_FIELD_RUB_NUMBER, "1", "times that contact began") \
     X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, WHIRL_FIELD_RUB_MAX_FORCE, "force",                   \
-      "largest normal force")
+      "largest normal force (at any instant)")
 /// All of both.
 #define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
 

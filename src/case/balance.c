@@ -22,6 +22,8 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("phases", REQUIRED, "lag|lead",
                "what phases of vibrations are: by how much the peak comes after the mark "
                "passes the probe, or before"),
+    CHOICE_KEY("amplitudes", OPTIONAL, "0-p|p-p|rms",
+               "how all amplitudes of vibrations are counted; absent: 0-p for the model"),
     CHOICE_KEY("planes", REQUIRED, "", "a list of planes in which weights are put"),
     CHOICE_KEY("trials", OPTIONAL, "",
                "a list of the weights that runs had; absent: none, the model proposes some or balances by itself"),
@@ -37,7 +39,6 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "where influence coefficients come from"),
     NUMBER_KEY("model_error", "", "1", DEFAULT("0.03"), WHIRL_FROM_TO(0, 0.5),
                "share by which the model's critical speeds may be wrong; what would be left then is told"),
-    CHOICE_KEY("amplitudes", DEFAULT("0-p"), "0-p|p-p|rms", "what amplitudes are, for the model"),
     NUMBER_KEY("keyphasor", "", "rad", DEFAULT("0"), WHIRL_ANY,
                "where the mark is seen, from the model's x axis towards y"),
 };
@@ -79,8 +80,7 @@ static const whirl_key vibration_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE,
-               "at once a revolution; 0-p, p-p or rms, one for all"),
+    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE, "at once a revolution, as `amplitudes` says"),
     NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of it"),
     NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "by which its square counts"),
 };
@@ -340,6 +340,7 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     settings_text(reader, file, "title", out->title, sizeof out->title);
     out->against = strcmp(settings_word(file, "angles"), "against") == 0;
     out->leads = strcmp(settings_word(file, "phases"), "lead") == 0;
+    snprintf(out->counted, sizeof out->counted, "%s", settings_word(file, "amplitudes"));
     out->mass = number_of(reader, file, "mass");
     out->grade = number_of(reader, file, "grade");
     out->service_speed = number_of(reader, file, "service_speed");

@@ -74,9 +74,18 @@ static void print_static(FILE *out, const whirl_balance *of, const whirl_correct
             degrees_of(half, way_of_angles(of)), of->planes[0].name, of->planes[1].name);
 }
 
+/// "um p-p"; "um" where the file does not say how amplitudes are counted.
+static const char *um_as(const whirl_balance *of) {
+    static const char *const words[] = {"um 0-p", "um p-p", "um rms"};
+    for (size_t i = 0; i < 3; i++)
+        if (strcmp(words[i] + 3, of->counted) == 0) return words[i];
+    return "um";
+}
+
 static void print_influence(FILE *out, const whirl_balance *of, const whirl_correction *found) {
     const size_t count = found->by_set ? of->mode_count : of->plane_count;
-    fprintf(out, "influence, um a kg mm (amplitudes as the file has them)%s:\n", of->by_model ? ", by the model" : "");
+    fprintf(out, "influence, %s a kg mm%s%s:\n", um_as(of), *of->counted ? "" : " (amplitudes as the file has them)",
+            of->by_model ? ", by the model" : "");
     for (size_t r = 0; r < found->row_count; r++) {
         const whirl_balance_row *row = &found->rows[r];
         const char *separator = "";
@@ -218,12 +227,12 @@ static void print_vibration(FILE *out, const whirl_balance *of, const whirl_corr
     fprintf(out, "vibration%s:\n", found->found ? " before and, by the coefficients, after" : "");
     for (size_t r = 0; r < found->row_count; r++) {
         const whirl_balance_row *row = &found->rows[r];
-        fprintf(out, "  %s at %.6g rpm: %.4g um at %.4g deg", row->probe, row->speed / rpm, size_of(row->before) / um,
-                degrees_of(row->before, way_of_phases(of)));
-        if (found->found) fprintf(out, ", %.4g um", left_of(found, row) / um);
+        fprintf(out, "  %s at %.6g rpm: %.4g %s at %.4g deg", row->probe, row->speed / rpm, size_of(row->before) / um,
+                um_as(of), degrees_of(row->before, way_of_phases(of)));
+        if (found->found) fprintf(out, ", %.4g %s", left_of(found, row) / um, um_as(of));
         if (isfinite(row->worst))
-            fprintf(out, " (up to %.4g um where critical speeds are %.3g %% off the model's)", row->worst / um,
-                    100.0 * of->model_error);
+            fprintf(out, " (up to %.4g %s where critical speeds are %.3g %% off the model's)", row->worst / um,
+                    um_as(of), 100.0 * of->model_error);
         fputc('\n', out);
     }
 }
@@ -381,6 +390,7 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
            *warnings = json_array();
     document_put(&well, all, "title", document_text(of->title));
     document_put(&well, all, "angles", document_text(of->against ? "against" : "with"));
+    document_put(&well, all, "amplitudes", *of->counted ? document_text(of->counted) : json_null());
     document_put(&well, all, "phases", document_text(of->leads ? "lead" : "lag"));
     if (found->found) put_correction(&well, all, of, found);
     for (size_t r = 0; r < found->row_count; r++)

@@ -17,13 +17,21 @@ void units_order_label(const whirl_shown_units *units, bool orders, bool full, c
         snprintf(label, size, full ? "frequency (%s, %s)" : "frequency (%s)", units->frequency_name, below);
 }
 
-void units_length_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size) {
-    snprintf(label, size, units->ratio ? "%s / %s" : "%s (%s)", quantity, units->length_name);
+const char *units_counted(const whirl_shown_units *units, whirl_counting counting) {
+    return counting == WHIRL_AMPLITUDE ? units->amplitude_name : counting == WHIRL_ZERO_TO_PEAK ? "0-p" : "";
 }
 
-void units_amplitude_label(const whirl_shown_units *units, const char *quantity, char *label, size_t size) {
-    snprintf(label, size, units->ratio ? "%s / %s (%s)" : "%s (%s %s)", quantity, units->length_name,
-             units->amplitude_name);
+double units_length(const whirl_shown_units *units, const whirl_table *table, size_t point, whirl_counting counting) {
+    return whirl_shown_length(units, table, point) * (counting == WHIRL_AMPLITUDE ? units->amplitude : 1.0);
+}
+
+void units_length_label(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *label,
+                        size_t size) {
+    const char *counted = units_counted(units, counting);
+    if (!*counted)
+        snprintf(label, size, units->ratio ? "%s / %s" : "%s (%s)", quantity, units->length_name);
+    else
+        snprintf(label, size, units->ratio ? "%s / %s (%s)" : "%s (%s %s)", quantity, units->length_name, counted);
 }
 
 void units_parameter_label(const whirl_shown_units *units, const char *name, char *label, size_t size) {

@@ -34,12 +34,12 @@ def check_csv(folder):
         rows = list(csv.DictReader(stream))
     assert len(rows) == 4
     for row in rows:
-        expect(f"CSV at c = {row['c [mm]']} mm", float(row["orbit/max_radius disc [mm]"]), RADIUS / 1e-3, EXACT)
+        expect(f"CSV at c = {row['c [mm]']} mm", float(row["orbit/max_radius disc [mm 0-p]"]), RADIUS / 1e-3, EXACT)
     with open(folder / "detail-spectrum-lines.csv", newline="", encoding="utf-8") as stream:
         lines = list(csv.DictReader(stream))
     for line in lines:
         expect("order in CSV", float(line["order [1]"]), 1.0, EXACT)
-        expect("line in CSV", float(line["x [mm]"]), RADIUS / 1e-3, EXACT)
+        expect("line in CSV", float(line["x [mm 0-p]"]), RADIUS / 1e-3, EXACT)
 
 
 def check_json(text):

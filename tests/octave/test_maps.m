@@ -87,7 +87,7 @@ for row = 1:4
   end
 end
 bar = findobj(gcf(), 'tag', 'colorbar');
-assert(get(get(bar, 'ylabel'), 'string'), 'largest distance from the centre of disc (m)');
+assert(get(get(bar, 'ylabel'), 'string'), 'largest distance from the centre of disc (m 0-p)');
 draw('map-numbers.png');
 place = get(gca(), 'position');
 whirl_plot_map(map, 1, 'orbit/max_radius');

@@ -144,10 +144,10 @@ def test_the_command_and_python_have_one_description(results, tmp_path):
 def test_panels_units_and_axes_are_chosen(map_files, good):
     result = whirl.read(map_files[1]).show_in("um")
     data = result.figure_data("map-radius-disc", log="y")
-    assert data["scale"]["label"] == "largest radius (µm)" and data["panels"][0]["y"]["log"]
+    assert data["scale"]["label"] == "largest radius (µm 0-p)" and data["panels"][0]["y"]["log"]
     _, ax = plt.subplots()
     figure = good.figure("bifurcation-disc", panels=["radius"], ax=ax)
-    assert figure is ax.figure and ax.get_ylabel().replace("\n", " ") == "largest radius (m)"
+    assert figure is ax.figure and ax.get_ylabel().replace("\n", " ") == "largest radius (m 0-p)"
     for wrong, words in (
         ({"name": "bifurcation-disk"}, "did you mean bifurcation-disc"),
         ({"panels": "z"}, "has no panel 'z'"),
@@ -192,6 +192,51 @@ def test_waterfalls_have_the_lines_of_all_spectra(good, units):
     assert scale["label"] == ("amplitude (mm p-p)" if units else "amplitude (m 0-p)")
 
 
+SYMBOL = r"\$?[xy]\$?(, \$y\$)?( of \w+)?"
+
+
+def labels_of(data):
+    axes = [axis for panel in data["panels"] for axis in (panel["x"], panel["y"])] + [data.get("scale", {})]
+    return [axis["label"].replace("\n", " ") for axis in axes if "label" in axis]
+
+
+@pytest.mark.parametrize("way", ["0-p", "p-p", "rms"])
+def test_every_length_of_every_figure_says_how_it_is_counted(results, way):
+    """Places have no way to be counted, radii one, amplitudes that which is asked for; so do figures of any field."""
+    units, seen = f"um, rpm, Hz, {way}", set()
+    for path in results:
+        result = whirl.read(path).show_in(units)
+        names = list(result.figures())
+        fields = [
+            (name + (f":{owner}" if owner else ""), field)
+            for table in result.tables.values()
+            for name, field in table.fields.items()
+            if field.rows == 1 and table.values.size > 1 and table.name == list(result.tables)[0]
+            for owner in [result.stations[0].name if field.extent == "station" else ""]
+        ]
+        for name in names:
+            for label in labels_of(result.figure_data(name)):
+                if "\u00b5m" not in label:
+                    assert not re.search(r"amplitude|radius|distance", label) or "/" in label, (path, name, label)
+                    continue
+                what, counted = re.fullmatch(r"(.*) \(\u00b5m ?(0-p|p-p|rms)?\)( per radian)?", label).groups()[:2]
+                seen.add((what.split()[0], counted))
+                expected = way if "amplitude" in what else "0-p" if "radius" in what else None
+                place = re.fullmatch(SYMBOL, what) or what.strip("$") in result.parameters
+                assert counted == expected and (counted or place), (path, name, label)
+        for name, field in fields:
+            for column in field.column_names or [""]:
+                data = result.figure_data(name + (f":{column}" if column else ""))
+                label = data["scale"]["label"] if "scale" in data else data["panels"][0]["y"]["label"]
+                if "\u00b5m" not in label:
+                    assert field.unit != "length", (name, column, label)
+                    continue
+                counted = way if "0-p amplitude" in field.meaning else "0-p" if "0-p" in field.meaning else ""
+                assert f"(\u00b5m {counted})" in label if counted else "(\u00b5m)" in label, (name, column, label)
+                seen.add((field.name, counted))
+    assert {("amplitude", way), ("largest", "0-p"), ("unbalance/amplitude", way), ("orbit/max_radius", "0-p")} <= seen
+
+
 def test_scales_have_the_ticks_of_the_data(map_files):
     result = whirl.open(map_files[1])
     data, figure = result.figure_data("map-radius-disc"), result.figure("map-radius-disc")
@@ -230,7 +275,7 @@ def test_any_field_and_any_point(good_file, map_files):
     value = table.values[2] / good._shown.size(table.parameter)
     assert good.figure_data(f"@{value:.17g}:disc") == point
     scaled = good.figure_data("orbit/max_radius", units="mm, rpm")["panels"][0]
-    assert "(mm)" in scaled["y"]["label"] and "(rpm)" in scaled["x"]["label"]
+    assert "(mm 0-p)" in scaled["y"]["label"] and "(rpm)" in scaled["x"]["label"]
     drawn = sorted((x, y) for series in scaled["series"] for x, y in zip(series["x"], series["y"]))
     radius = table["orbit/max_radius"][:, 0] * table.length_scale
     assert np.allclose(drawn, sorted(zip(table.values * 30 / np.pi, radius * 1e3)), rtol=1e-12)

@@ -36,10 +36,13 @@ class Shown:
     def parameter_label(self, name):
         return f"{name} ({self.unit(name)})" if self.unit(name) else name or "point"
 
-    def length_label(self, what):
-        return f"{what} / {self.length_unit}" if self.length_over else f"{what} ({self.length_unit})"
+    def counting(self, meaning="0-p amplitude"):
+        """How lengths of a field of that meaning are counted, "" of places, and what they are multiplied by."""
+        if "0-p amplitude" in meaning:
+            return self.amplitude_unit, self.amplitude
+        return ("0-p" if "0-p" in meaning else ""), 1.0
 
-    def amplitude_label(self, what):
+    def length_label(self, what, counted=""):
         if self.length_over:
-            return f"{what} / {self.length_unit}" + f" ({self.amplitude_unit})"
-        return f"{what} ({self.length_unit} {self.amplitude_unit})"
+            return f"{what} / {self.length_unit}" + (f" ({counted})" if counted else "")
+        return f"{what} ({self.length_unit}{' ' if counted else ''}{counted})"

@@ -69,7 +69,7 @@ class Plots:
 
     def _amplitudes(self, table):
         """What amplitudes of every point of the table are multiplied by."""
-        return self._lengths(table) * self._result._shown.amplitude
+        return self._lengths(table) * self._result._shown.counting()[1]
 
     def _parameter(self, table, second=False):
         """Values of the parameter in its unit, and a label."""
@@ -81,7 +81,8 @@ class Plots:
         return self._result._shown.length_label(what)
 
     def _amplitude(self, station):
-        return self._result._shown.amplitude_label(f"amplitude of {station}")
+        shown = self._result._shown
+        return shown.length_label(f"amplitude of {station}", shown.counting()[0])
 
     def _station(self, table, station):
         """Its index and its name; the first one where none is named."""
@@ -537,7 +538,8 @@ class Plots:
         what = columns[column] if about.columns > 1 else about.meaning.split(" (")[0]
         title = " ".join([what, *(["of", name] if name else [])])
         if about.unit == "length" and what != "order":
-            return numbers * self._lengths(table), self._displacement(title)
+            counted, factor = self._result._shown.counting(about.meaning)
+            return numbers * self._lengths(table) * factor, self._result._shown.length_label(title, counted)
         if about.unit == "force":
             return numbers * self._result.force_scale, f"{title} (N)"
         return numbers, title if about.unit in ("1", "length") else f"{title} ({about.unit})"

@@ -247,11 +247,12 @@ class Table(Mapping):
 
         Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
         are called as a column of every table is ("point", "branch", "verdict", ...) are "parameter point".
-        ``frame.attrs["units"]`` has the unit of every column.
+        ``frame.attrs["units"]`` has the unit of every column, ``frame.attrs["meanings"]`` what those of fields are, with
+        how lengths are counted ("0-p").
         """
         import pandas as pd
 
-        columns, units = {"point": self.point.ravel()}, {}
+        columns, units, meanings = {"point": self.point.ravel()}, {}, {}
         axes = ((self.parameter or "value", self.values), (self.second, self.second_values))
         for name, values in (*axes, (self.third, self.third_values)):
             if values is not None:
@@ -263,15 +264,19 @@ class Table(Mapping):
             columns.update(attractor=self.attractors.ravel(), share=self.shares.ravel())
         for name, field in self.fields.items():
             if field.rows == 1 and name not in (FIELD.MAP_SECOND, FIELD.MAP_THIRD):
-                columns.update(self._columns(name, field, units))
+                own = self._columns(name, field)
+                columns.update(own)
+                units.update(dict.fromkeys(own, field.unit))
+                meanings.update(dict.fromkeys(own, field.meaning))
         frame = pd.DataFrame(columns)
         frame.attrs["units"] = {
             **{_apart(n): self._about.parameter_unit(n) for n in (self.parameter, self.second, self.third) if n},
             **units,
         }
+        frame.attrs["meanings"] = meanings
         return frame
 
-    def _columns(self, name, field, units):
+    def _columns(self, name, field):
         """One-dimensional columns of a field of one row."""
         numbers = self[name].reshape(int(np.prod(self.shape)), field.repeat, field.columns)
         owners = {"station": [s.name for s in self._about.stations], "contact": self._about.contacts, "point": [""]}
@@ -284,7 +289,6 @@ class Table(Mapping):
                 words = [name, owners[field.extent][i], parts[k] if field.columns > 1 else ""]
                 title = " ".join(word for word in words if word)
                 found[title] = numbers[:, i, k]
-                units[title] = field.unit
         return found
 
     def to_xarray(self) -> xarray.Dataset:

@@ -1,6 +1,6 @@
 // What a diagram can show over the parameter.
 import type { StationInfo } from '../engine/protocol';
-import { amplitudeMeasure, lengthMeasure, type Units } from '../model/units';
+import { fieldMeasure, lengthMeasure, type Units } from '../model/units';
 import type { Column, Diagram, FieldInfo } from './diagram';
 import { FIELD } from './fields';
 
@@ -108,7 +108,6 @@ export function quantityOf(
   units: Units,
   symbol: string,
 ): ShownQuantity | undefined {
-  const { unit } = lengthMeasure(units, { length: 1, speed: 1, symbol });
   const name = stations[station]?.name ?? '';
   const made = (
     field: string,
@@ -120,9 +119,14 @@ export function quantityOf(
     const found = diagram.column(field, which, column);
     return found && { column: found, factor, label };
   };
-  const length = (field: string, column: number, label: string): ShownQuantity | undefined => {
+  const length = (field: string, column: number, what: string): ShownQuantity | undefined => {
     const found = diagram.column(field, station, column);
-    return found && { ...shownLengths(diagram, found, units), label };
+    if (!found) return undefined;
+    const meaning = diagram.fields.get(field)?.meaning ?? '';
+    const counted = fieldMeasure(meaning, { ...units, length: 'scale' }, { length: 1, speed: 1, symbol }).factor;
+    const { unit } = fieldMeasure(meaning, units, { length: 1, speed: 1, symbol });
+    const { column: shownColumn, factor } = shownLengths(diagram, found, units);
+    return { column: shownColumn, factor: factor * counted, label: `${what} of ${name} (${unit})` };
   };
   const quantityOfField = (): ShownQuantity | undefined => {
     const [field = '', number = '0'] = id.split(':');
@@ -132,15 +136,15 @@ export function quantityOf(
     const text = info.columns > 1 ? wordsOf(info, column) : info.meaning.replace(/ \(.*/, '');
     const label = info.unit === 'force' ? `${text} (N)` : text;
     if (info.extent === 'contact') return largestOfContacts(diagram, field, column, label);
-    if (info.unit === 'length') return length(field, column, `${text} of ${name} (${unit})`);
+    if (info.unit === 'length') return length(field, column, text);
     return made(field, station, column, 1, `${label} of ${name}`);
   };
   switch (id) {
     case 'x':
     case 'y':
-      return length(FIELD.POINCARE_SECTION, id === 'x' ? 0 : 1, `${id} of ${name} (${unit})`);
+      return length(FIELD.POINCARE_SECTION, id === 'x' ? 0 : 1, id);
     case 'radius':
-      return length(FIELD.ORBIT_MAX_RADIUS, 0, `largest radius of ${name} (${unit} 0-p)`);
+      return length(FIELD.ORBIT_MAX_RADIUS, 0, 'largest radius');
     case 'eccentricity':
       return made(FIELD.ORBIT_ECCENTRICITY, station, 0, 1, `eccentricity ratio of ${name}`);
     case 'contact':
@@ -153,20 +157,8 @@ export function quantityOf(
     case 'backward':
       return made(FIELD.ORBIT_BACKWARD, station, 0, 1, `backward whirl of ${name}, share of the time`);
     case '1x':
-    case '1y': {
-      const found = length(
-        FIELD.SPECTRUM_SYNCHRONOUS,
-        id === '1x' ? 0 : 1,
-        `1X amplitude of ${id.slice(1)} of ${name} (${unit} ${units.amplitude})`,
-      );
-      return (
-        found && {
-          ...found,
-          factor:
-            found.factor * amplitudeMeasure({ ...units, length: 'scale' }, { length: 1, speed: 1, symbol: '' }).factor,
-        }
-      );
-    }
+    case '1y':
+      return length(FIELD.SPECTRUM_SYNCHRONOUS, id === '1x' ? 0 : 1, `1X amplitude of ${id.slice(1)}`);
     case '1xlag':
     case '1ylag':
       return made(

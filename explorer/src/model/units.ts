@@ -76,6 +76,14 @@ export function amplitudeMeasure(units: Units, scales: Scales): Measure {
   return { factor: length.factor * factor, unit: `${length.unit} ${units.amplitude}` };
 }
 
+/// Of the lengths of a field: its meaning says "0-p amplitude" of sinusoids, "0-p" of other distances from the centre,
+/// which are so whatever the reader chooses.
+export function fieldMeasure(meaning: string, units: Units, scales: Scales): Measure {
+  if (meaning.includes('0-p amplitude')) return amplitudeMeasure(units, scales);
+  const { factor, unit } = lengthMeasure(units, scales);
+  return { factor, unit: meaning.includes('0-p') ? `${unit} 0-p` : unit };
+}
+
 export function frequencyMeasure(units: Units, scales: Scales): Measure {
   return units.frequency === 'Hz'
     ? { factor: scales.speed / (2 * Math.PI), unit: 'Hz' }

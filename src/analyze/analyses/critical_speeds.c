@@ -28,7 +28,8 @@ static const field_plan fields[FIELD_COUNT] = {
         {WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, "N/m",
          "kxx, kyy (of the bearings there, at the lowest of these speeds; missing without springs in their place)",
          WHIRL_PER_STATION, 2, looked_up},
-    [SHAPE] = {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1", "x_cos, x_sin, y_cos, y_sin", WHIRL_PER_STATION, 4, kept},
+    [SHAPE] = {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",
+               "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1)", WHIRL_PER_STATION, 4, kept},
 };
 
 /// Where the machine as it is given rests at a speed, as far as the stations go: at [probe_count][2].

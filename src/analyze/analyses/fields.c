@@ -70,3 +70,21 @@ bool whirl_field_column_names(const whirl_field *field, char names[WHIRL_MAX_COL
     }
     return true;
 }
+
+const char *whirl_column_unit(const whirl_field *field, size_t column) {
+    static const struct {
+        const char *field, *column, *unit;
+    } own[] = {{"length", "order", "1"},    {"length", "vx", "length/radian"}, {"length", "vy", "length/radian"},
+               {"1", "value", "parameter"}, {"1", "speed", "rad/s"},           {"1", "frequency", "rad/s"}};
+    char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
+    if (!whirl_field_column_names(field, names) || column >= field->columns) return field->unit;
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        if (strcmp(field->unit, own[i].field) == 0 && strcmp(names[column], own[i].column) == 0) return own[i].unit;
+    return field->unit;
+}
+
+whirl_counting whirl_field_counting(const whirl_field *field) {
+    return strstr(field->meaning, "0-p amplitude") ? WHIRL_AMPLITUDE
+           : strstr(field->meaning, "0-p")         ? WHIRL_ZERO_TO_PEAK
+                                                   : WHIRL_FROM_CENTRE;
+}

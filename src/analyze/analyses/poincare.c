@@ -9,8 +9,8 @@ enum { SECTION };
 
 static const field_plan fields[] = {
     [SECTION] = {WHIRL_FIELD_POINCARE_SECTION, "length",
-                 "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4,
-                 recorded_revolutions},
+                 "x, y, vx, vy (from the centre; velocities are lengths per unit of the system's time)",
+                 WHIRL_PER_STATION, 4, recorded_revolutions},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

@@ -162,11 +162,12 @@ static size_t kept_bins(const block_shape *shape) {
 enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [LINES] = {WHIRL_FIELD_SPECTRUM_LINES, "length", "order, x, y, forward, backward", WHIRL_PER_STATION,
-               SPECTRUM_COLUMNS, most_lines},
-    [AMPLITUDE] = {WHIRL_FIELD_SPECTRUM_AMPLITUDE, "length", "order, x, y, forward, backward", WHIRL_PER_STATION,
-                   SPECTRUM_COLUMNS, kept_bins},
-    [SYNCHRONOUS] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "length", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
+    [LINES] = {WHIRL_FIELD_SPECTRUM_LINES, "length", "order, x, y, forward, backward (0-p amplitudes)",
+               WHIRL_PER_STATION, SPECTRUM_COLUMNS, most_lines},
+    [AMPLITUDE] = {WHIRL_FIELD_SPECTRUM_AMPLITUDE, "length", "order, x, y, forward, backward (0-p amplitudes)",
+                   WHIRL_PER_STATION, SPECTRUM_COLUMNS, kept_bins},
+    [SYNCHRONOUS] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "length", "x, y, forward, backward (0-p amplitudes)",
+                     WHIRL_PER_STATION, 4, NULL},
     [LAG] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, "deg", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
 };
 

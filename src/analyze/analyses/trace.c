@@ -69,10 +69,12 @@ static const field_plan fields[FIELD_COUNT] = {
     [NODES] = {WHIRL_FIELD_TRACE_NODES, "1", "states at the beginnings of segments, one after the other",
                WHIRL_PER_POINT, 1, numbers_of_nodes},
     [SECTION] = {WHIRL_FIELD_TRACE_SECTION, "length",
-                 "x, y, vx, vy (velocities are lengths per unit of the system's time)", WHIRL_PER_STATION, 4,
-                 rows_of_longest_orbit},
-    [LOW] = {WHIRL_FIELD_TRACE_LOW, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [HIGH] = {WHIRL_FIELD_TRACE_HIGH, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+                 "x, y, vx, vy (from the centre; velocities are lengths per unit of the system's time)",
+                 WHIRL_PER_STATION, 4, rows_of_longest_orbit},
+    [LOW] = {WHIRL_FIELD_TRACE_LOW, "length", "x, y (least at any instant, from the centre)", WHIRL_PER_STATION, 2,
+             NULL},
+    [HIGH] = {WHIRL_FIELD_TRACE_HIGH, "length", "x, y (most at any instant, from the centre)", WHIRL_PER_STATION, 2,
+              NULL},
 };
 
 // ---------------------------------------------------------------- to numbers

@@ -12,13 +12,14 @@ static size_t placed(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_UNBALANCE_SPEED, "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
-    [REST] = {WHIRL_FIELD_UNBALANCE_REST, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [AMPLITUDE] = {WHIRL_FIELD_UNBALANCE_AMPLITUDE, "length", "x, y", WHIRL_PER_STATION, 2, NULL},
+    [REST] = {WHIRL_FIELD_UNBALANCE_REST, "length", "x, y (from the centre)", WHIRL_PER_STATION, 2, NULL},
+    [AMPLITUDE] = {WHIRL_FIELD_UNBALANCE_AMPLITUDE, "length", "x, y (0-p amplitudes)", WHIRL_PER_STATION, 2, NULL},
     [LAG] = {WHIRL_FIELD_UNBALANCE_LAG, "deg", "x, y", WHIRL_PER_STATION, 2, NULL},
-    [AXES] = {WHIRL_FIELD_UNBALANCE_AXES, "length", "major, minor", WHIRL_PER_STATION, 2, NULL},
+    [AXES] = {WHIRL_FIELD_UNBALANCE_AXES, "length", "major, minor (0-p amplitudes: semi-axes of the orbit)",
+              WHIRL_PER_STATION, 2, NULL},
     [INCLINATION] = {WHIRL_FIELD_UNBALANCE_INCLINATION, "deg", "of the major axis, from the x axis towards y",
                      WHIRL_PER_STATION, 1, NULL},
-    [PROBE] = {WHIRL_FIELD_UNBALANCE_PROBE, "length", "first, second", WHIRL_PER_STATION, 2, NULL},
+    [PROBE] = {WHIRL_FIELD_UNBALANCE_PROBE, "length", "first, second (0-p amplitudes)", WHIRL_PER_STATION, 2, NULL},
     [PROBE_LAG] = {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
     [PLACED] = {WHIRL_FIELD_UNBALANCE_PLACED, "kg m", "along x, along y (unbalance by rule, when the mark is at x)",
                 WHIRL_PER_STATION, 2, placed},

@@ -8,7 +8,8 @@ static size_t kept_samples(const block_shape *shape) {
 enum { SAMPLES };
 
 static const field_plan fields[] = {
-    [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length", "x, y", WHIRL_PER_STATION, 2, kept_samples},
+    [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length", "x, y (from the centre, at equal angles)", WHIRL_PER_STATION,
+                 2, kept_samples},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

@@ -138,7 +138,7 @@ static void add_section(whirl_figure *figure, const bifurcation *of, size_t colu
     dot *dots = malloc((rows + 1) * sizeof *dots);
     figure->failed = figure->failed || !dots;
     if (panel && dots) {
-        symbol_length(of->units, column == 0 ? "$x$" : "$y$", panel->y.label, sizeof panel->y.label);
+        symbol_length(of->units, WHIRL_FROM_CENTRE, column == 0 ? "$x$" : "$y$", panel->y.label, sizeof panel->y.label);
         add_rub_bands(figure, panel, of);
         for (size_t kind = 0; kind < bifurcation_kinds(of); kind++)
             for (int branch = 1; of->present[kind] && branch >= (of->both ? -1 : 1); branch -= 2)
@@ -312,7 +312,7 @@ static void add_radius(whirl_figure *figure, const bifurcation *of) {
     if (clearance > 0.0)
         snprintf(panel->y.label, sizeof panel->y.label, "largest eccentricity");
     else
-        symbol_length(of->units, "largest radius", panel->y.label, sizeof panel->y.label);
+        symbol_length(of->units, WHIRL_ZERO_TO_PEAK, "largest radius", panel->y.label, sizeof panel->y.label);
     add_rub_bands(figure, panel, of);
     if (of->gap > 0.0) add_gap(figure, panel, of, scale * of->gap);
     add_lines(figure, panel, of, radius_of);

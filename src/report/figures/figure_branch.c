@@ -171,7 +171,7 @@ static void add_section(whirl_figure *figure, view v, size_t column) {
     v.column = column;
     whirl_panel *panel = add_panel(figure, &v, column == 0 ? "x" : "y");
     if (!panel) return;
-    symbol_length(v.of->units, column == 0 ? "$x$" : "$y$", panel->y.label, sizeof panel->y.label);
+    symbol_length(v.of->units, WHIRL_FROM_CENTRE, column == 0 ? "$x$" : "$y$", panel->y.label, sizeof panel->y.label);
     add_sweep(figure, panel, &v);
     tori_add_bands(figure, panel, v.of, v.station, column, v.size);
     add_pieces(figure, panel, &v, true);

@@ -400,7 +400,8 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
         what->scale(&figure->scale, span_has_any(range) ? range : (span){0.0, 1.0});
         snprintf(figure->scale.label, sizeof figure->scale.label, "%s", what->label);
         if (what->per_station)
-            symbol_length(of->units, "largest radius", figure->scale.label, sizeof figure->scale.label);
+            symbol_length(of->units, WHIRL_ZERO_TO_PEAK, "largest radius", figure->scale.label,
+                          sizeof figure->scale.label);
         if (place->field) shown_label(of, place, figure->scale.label, sizeof figure->scale.label);
     }
     for (size_t k = 0; k < planes && !figure->failed; k++) add_plane(&map, what, of_points, k, planes);

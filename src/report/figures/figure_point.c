@@ -116,8 +116,8 @@ static unsigned shown_circles(const subject *of) {
 /// Two letters that stand for x and y in a label.
 static void name_both(const subject *of, char *text, size_t size) {
     char x[SYMBOL_SIZE], y[SYMBOL_SIZE];
-    symbol_length(of->units, "$x$", x, sizeof x);
-    symbol_length(of->units, "$y$", y, sizeof y);
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", x, sizeof x);
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", y, sizeof y);
     if (of->units->ratio)
         snprintf(text, size, "%.120s, %.120s", x, y);
     else
@@ -156,8 +156,8 @@ static void add_waveform(whirl_figure *figure, whirl_panel *panel, const subject
 static void show_window(whirl_panel *panel, const subject *of, const window *in) {
     axis_show(&panel->x, (span){in->x - 0.5 * in->side, in->x + 0.5 * in->side});
     axis_show(&panel->y, (span){in->y - 0.5 * in->side, in->y + 0.5 * in->side});
-    symbol_length(of->units, "$x$", panel->x.label, sizeof panel->x.label);
-    symbol_length(of->units, "$y$", panel->y.label, sizeof panel->y.label);
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
     panel->equal = true;
 }
 
@@ -361,7 +361,7 @@ static double highest_order(const subject *of) {
 
 static void label_spectrum(whirl_panel *panel, const subject *of, int full) {
     panel->keyed = true;
-    symbol_amplitude(of->units, "amplitude", panel->y.label, sizeof panel->y.label);
+    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
     units_order_label(of->units, isnan(of->order), full, panel->x.label, sizeof panel->x.label);
 }
 

@@ -152,8 +152,7 @@ static double exponent_of(const torus_view *v, size_t point, size_t station) {
 /// The larger amplitude of both coordinates of a station's second line.
 static double amplitude_of(const torus_view *v, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(v->table, point, WHIRL_FIELD_TORUS_AMPLITUDE, station);
-    return whirl_shown_length(v->of->units, v->table, point) * v->of->units->amplitude *
-           fmax(amplitude[0], amplitude[1]);
+    return units_length(v->of->units, v->table, point, WHIRL_AMPLITUDE) * fmax(amplitude[0], amplitude[1]);
 }
 
 /// Solid with discs where tori are stable, dashed with rings where not.
@@ -255,7 +254,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     if (rotation) axis_show(&rotation->y, rotations);
     if (rotation) add_resonances(figure, rotation, rotations);
     add_numbers(figure, rotation, &v, 0, "", rotation_of);
-    symbol_amplitude(of->units, "amplitude", label, sizeof label);
+    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", label, sizeof label);
     whirl_panel *amplitude = add_panel(figure, &v, "amplitude", label);
     if (amplitude) amplitude->keyed = true;
     for (size_t s = 0; s < of->result->station_count; s++)

@@ -23,7 +23,7 @@ static double length_at(const view *v, size_t point) {
 }
 
 static double amplitude_at(const view *v, size_t point) {
-    return length_at(v, point) * v->of->units->amplitude;
+    return units_length(v->of->units, v->table, point, WHIRL_AMPLITUDE);
 }
 
 static double value_at(const view *v, size_t point) {
@@ -50,7 +50,7 @@ static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
 static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view *v) {
     static const char *const names[] = {"first probe", "second probe", "major axis"};
     double most = 0.0;
-    symbol_amplitude(v->of->units, "amplitude", panel->y.label, sizeof panel->y.label);
+    symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
     panel->keyed = true;
     for (size_t which = 0; which < 3; which++) {
         whirl_series *line =
@@ -71,7 +71,7 @@ static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view 
 /// One scale for both axes, with room for the origin.
 static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
     span x = {0.0, 0.0}, y = {0.0, 0.0};
-    symbol_amplitude(v->of->units, "amplitude", panel->x.label, sizeof panel->x.label);
+    symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->x.label, sizeof panel->x.label);
     for (size_t probe = 0; probe < 2; probe++) {
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(probe), 0.53);
         for (size_t point = 0; point < v->table->count; point++) {
@@ -93,8 +93,8 @@ static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
 static void add_centreline(whirl_figure *figure, whirl_panel *panel, const view *v) {
     span x = span_empty(), y = span_empty();
     double size = 0.0;
-    symbol_length(v->of->units, "$x$", panel->x.label, sizeof panel->x.label);
-    symbol_length(v->of->units, "$y$", panel->y.label, sizeof panel->y.label);
+    symbol_length(v->of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
+    symbol_length(v->of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.53);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), 0.9);
     for (size_t point = 0; point < v->table->count; point++) {

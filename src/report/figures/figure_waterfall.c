@@ -56,7 +56,7 @@ static void gather(waterfall *of) {
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         const numbers lines = point_lines(table, i, of->axis.station);
-        const double scale = whirl_shown_length(of->axis.units, table, i) * of->axis.units->amplitude;
+        const double scale = units_length(of->axis.units, table, i, WHIRL_AMPLITUDE);
         for (size_t k = 0; k < lines.rows; k++) {
             const double *line = &lines.at[5 * k], at = of->sizes[i] * line[0];
             of->marks[of->count++] = (mark){i, at, scale * line[3]};
@@ -157,7 +157,7 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
                                              .logarithmic = true,
                                              .colours = darker,
                                              .count = sizeof darker / sizeof *darker};
-        symbol_amplitude(to->units, "amplitude", figure->scale.label, sizeof figure->scale.label);
+        symbol_length(to->units, WHIRL_AMPLITUDE, "amplitude", figure->scale.label, sizeof figure->scale.label);
         if (of.axis.both) figure->width = 17.5;
         add_panel(figure, &of, 1);
         if (of.axis.both) add_panel(figure, &of, -1);

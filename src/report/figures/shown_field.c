@@ -37,15 +37,13 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
 typedef enum measure { PLAIN, OF_LENGTH, OF_VELOCITY, OF_PARAMETER, OF_SPEED } measure;
 
 static measure measure_of(const figure_place *place) {
-    char column[WHIRL_NAME_SIZE];
-    column_of(place, column);
-    if (strcmp(place->field->unit, "length") == 0) {
-        if (strcmp(column, "order") == 0) return PLAIN;
-        return strcmp(column, "vx") == 0 || strcmp(column, "vy") == 0 ? OF_VELOCITY : OF_LENGTH;
-    }
-    if (strstr(place->field->meaning, "in SI") || strcmp(column, "value") == 0) return OF_PARAMETER;
-    if (strcmp(column, "speed") == 0 || strcmp(column, "frequency") == 0) return OF_SPEED;
-    return strcmp(place->field->unit, "rad/s") == 0 ? OF_SPEED : PLAIN;
+    static const char *const units[] = {
+        [OF_LENGTH] = "length", [OF_VELOCITY] = "length/radian", [OF_PARAMETER] = "parameter", [OF_SPEED] = "rad/s"};
+    const char *unit = whirl_column_unit(place->field, place->column);
+    if (strstr(place->field->meaning, "in SI")) return OF_PARAMETER;
+    for (measure how = OF_LENGTH; how <= OF_SPEED; how++)
+        if (strcmp(unit, units[how]) == 0) return how;
+    return PLAIN;
 }
 
 /// Frequencies and speeds in the unit that is asked for, else in that of a speed along the axis.
@@ -88,7 +86,8 @@ double shown_number(const drawing *of, const figure_place *place, size_t point, 
     if (!numbers || row >= place->field->rows || !whirl_table_done(place->table, point)) return NAN;
     const double number = numbers[row * place->field->columns + place->column];
     const measure how = measure_of(place);
-    if (how == OF_LENGTH || how == OF_VELOCITY) return number * whirl_shown_length(of->units, place->table, point);
+    if (how == OF_LENGTH || how == OF_VELOCITY)
+        return number * units_length(of->units, place->table, point, whirl_field_counting(place->field));
     return number / unit_of(of, place).size;
 }
 
@@ -102,7 +101,7 @@ void shown_label(const drawing *of, const figure_place *place, char *label, size
     snprintf(symbol, sizeof symbol, strlen(column) == 1 ? "%.*s$%s$" : "%.*s%s", (int)before, quantity,
              quantity + before);
     if (how == OF_LENGTH || how == OF_VELOCITY) {
-        symbol_length(of->units, symbol, label, size);
+        symbol_length(of->units, whirl_field_counting(place->field), symbol, label, size);
         if (how == OF_VELOCITY) snprintf(label + strlen(label), size - strlen(label), " per radian");
         return;
     }

@@ -61,12 +61,8 @@ void symbol_parameter(const whirl_shown_units *units, const char *name, char *te
     snprintf(text, size, *unit.name ? "%s (%s)" : "%s", symbol, unit.name);
 }
 
-void symbol_length(const whirl_shown_units *units, const char *quantity, char *text, size_t size) {
+void symbol_length(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *text,
+                   size_t size) {
     const whirl_shown_units marked = symbol_units(units);
-    units_length_label(&marked, quantity, text, size);
-}
-
-void symbol_amplitude(const whirl_shown_units *units, const char *quantity, char *text, size_t size) {
-    const whirl_shown_units marked = symbol_units(units);
-    units_amplitude_label(&marked, quantity, text, size);
+    units_length_label(&marked, counting, quantity, text, size);
 }

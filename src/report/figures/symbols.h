@@ -18,7 +18,7 @@ whirl_shown_units symbol_units(const whirl_shown_units *units);
 void symbol_parameter(const whirl_shown_units *units, const char *name, char *text, size_t size);
 
 /// The axis of x or y of a station, "$x$ (mm)", or of another length, "radius (mm)".
-void symbol_length(const whirl_shown_units *units, const char *quantity, char *text, size_t size);
-void symbol_amplitude(const whirl_shown_units *units, const char *quantity, char *text, size_t size);
+void symbol_length(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *text,
+                   size_t size);
 
 #endif

@@ -32,6 +32,10 @@ static bool has_probes(const whirl_result *result, const whirl_table *table, siz
 const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
 
+whirl_unit scaled_unit(const whirl_shown_units *units) {
+    return units->size.size > 0.0 ? units->size : (whirl_unit){.name = "um", .size = 1e-6};
+}
+
 bool scaled_asked(const whirl_table *table) {
     return table->record.running_high > 0.0 || table->record.running_low > 0.0;
 }

@@ -22,6 +22,9 @@ typedef struct scaled_row {
     bool holds;       ///< the axis is at most 75 % of it
 } scaled_row;
 
+/// The unit of these lengths: the one that is asked for, else um, in which the limit is told.
+whirl_unit scaled_unit(const whirl_shown_units *units);
+
 /// Whether a table tells running speeds, and what it lacks where scaled_of fails then.
 bool scaled_asked(const whirl_table *table);
 extern const char *const scaled_lacks;

@@ -39,23 +39,24 @@ static void list_placed(const whirl_result *result, const whirl_table *table, ch
 /// "  scaled by 2.1: ..." and a line for every clearance.
 static void print_scaled(FILE *out, const whirl_result *result, const whirl_table *table,
                          const whirl_shown_units *units) {
-    const whirl_unit speed = margin_speed_unit(units);
-    static const double um = 1e-6;
+    const whirl_unit speed = margin_speed_unit(units), length = scaled_unit(units);
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
     if (rows && scaled_of(result, table, &by)) {
         fprintf(
             out,
-            "  vibration limit %.4g um p-p; largest at a probe where it runs %.4g um p-p (%s): responses are scaled "
+            "  vibration limit %.4g %s p-p; largest at a probe where it runs %.4g %s p-p (%s): responses are scaled "
             "by %.4g\n",
-            by.limit / um, by.largest / um, result->stations[by.station].name, by.factor);
+            by.limit / length.size, length.name, by.largest / length.size, length.name,
+            result->stations[by.station].name, by.factor);
         const size_t count = scaled_rows(result, table, &by, rows);
         for (const scaled_row *row = rows; row < rows + count; row++)
             fprintf(out,
-                    "    %s: scaled major axis %.4g um p-p at %.6g %s, %.3g %% of the diametral clearance %.4g um, "
+                    "    %s: scaled major axis %.4g %s p-p at %.6g %s, %.3g %% of the diametral clearance %.4g %s, "
                     "75 %% allowed: %s\n",
-                    result->stations[row->station].name, row->axis / um, row->speed / speed.size, speed.name,
-                    100.0 * row->axis / row->clearance, row->clearance / um, row->holds ? "holds" : "fails");
+                    result->stations[row->station].name, row->axis / length.size, length.name, row->speed / speed.size,
+                    speed.name, 100.0 * row->axis / row->clearance, row->clearance / length.size, length.name,
+                    row->holds ? "holds" : "fails");
     } else if (scaled_asked(table)) {
         fprintf(out, "  responses are not scaled: %s\n", scaled_lacks);
     }
@@ -91,9 +92,8 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
 
 /// What scaled responses take of clearances, and the unbalances that they are by.
 static void write_scaled(const page *to, size_t index, const whirl_table *table) {
-    static const double um = 1e-6;
     const whirl_result *result = to->results[index];
-    const whirl_unit speed = margin_speed_unit(&to->units[index]);
+    const whirl_unit speed = margin_speed_unit(&to->units[index]), length = scaled_unit(&to->units[index]);
     char placed[PLACED_TEXT];
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
@@ -106,15 +106,15 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
     if (rows && scaled_of(result, table, &by)) {
         fprintf(
             to->stream,
-            "<p>The vibration limit is %.4g um p-p, the largest that a probe sees where the machine runs %.4g um p-p: "
+            "<p>The vibration limit is %.4g %s p-p, the largest that a probe sees where the machine runs %.4g %s p-p: "
             "responses are scaled by %.4g (6 at most).</p>\n",
-            by.limit / um, by.largest / um, by.factor);
+            by.limit / length.size, length.name, by.largest / length.size, length.name, by.factor);
         html_table(to->stream, "Scaled responses and clearances", "");
         fprintf(to->stream,
-                "<thead><tr><th>station</th><th class=\"number\">major axis (um p-p)</th><th class=\"number\">speed "
-                "(%s)</th><th class=\"number\">diametral clearance (um)</th><th class=\"number\">share (%%)</th>"
+                "<thead><tr><th>station</th><th class=\"number\">major axis (%s p-p)</th><th class=\"number\">speed "
+                "(%s)</th><th class=\"number\">diametral clearance (%s)</th><th class=\"number\">share (%%)</th>"
                 "<th>75 %% allowed</th></tr></thead>\n<tbody>\n",
-                speed.name);
+                length.name, speed.name, length.name);
         const size_t count = scaled_rows(result, table, &by, rows);
         for (const scaled_row *row = rows; row < rows + count; row++) {
             fputs("<tr><th>", to->stream);
@@ -122,8 +122,8 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
             fprintf(to->stream,
                     "</th><td class=\"number\">%.4g</td><td class=\"number\">%.6g</td><td class=\"number\">%.4g</td>"
                     "<td class=\"number\">%.3g</td><td>%s</td></tr>\n",
-                    row->axis / um, row->speed / speed.size, row->clearance / um, 100.0 * row->axis / row->clearance,
-                    row->holds ? "holds" : "fails");
+                    row->axis / length.size, row->speed / speed.size, row->clearance / length.size,
+                    100.0 * row->axis / row->clearance, row->holds ? "holds" : "fails");
         }
         fputs("</tbody></table></div>\n", to->stream);
     } else if (scaled_asked(table)) {

@@ -282,7 +282,7 @@ static void write_place(const point_page *to, double order, double frequency) {
 static void write_lines(const point_page *to, size_t point, size_t station) {
     const numbers lines = point_lines(to->table, point, station);
     fputs("<td class=\"wide\">", to->stream);
-    const double amplitude = whirl_shown_length(to->units, to->table, point) * to->units->amplitude;
+    const double amplitude = units_length(to->units, to->table, point, WHIRL_AMPLITUDE);
     const double clock = to->units->frequency > 0.0 ? machine_clock(to->machine, to->result, to->table, point) : 0.0;
     for (size_t i = 0; i < lines.rows && i < SHOWN_LINES; i++) {
         const double *line = &lines.at[5 * i];
@@ -318,8 +318,8 @@ static void write_size(const point_page *to, size_t point, size_t s) {
 
 static void write_sizes(const point_page *to) {
     char radius[UNIT_LABEL_SIZE], amplitude[UNIT_LABEL_SIZE];
-    units_length_label(to->units, "radius", radius, sizeof radius);
-    units_amplitude_label(to->units, "larger amplitude of x and y", amplitude, sizeof amplitude);
+    units_length_label(to->units, WHIRL_ZERO_TO_PEAK, "radius", radius, sizeof radius);
+    units_length_label(to->units, WHIRL_AMPLITUDE, "larger amplitude of x and y", amplitude, sizeof amplitude);
     begin_table(to, "Size and sense of the motion at the points in detail");
     fputs("<th>Station</th><th class=\"number\">Largest<br>", to->stream);
     html_text(to->stream, radius);
@@ -347,7 +347,7 @@ enum { SYNCHRONOUS_PARTS = 4 };
 static void write_synchronous(const point_page *to, size_t point, size_t station) {
     const double *amplitude = whirl_table_field(to->table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, station);
     const double *lag = whirl_table_field(to->table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, station);
-    const double size = whirl_shown_length(to->units, to->table, point) * to->units->amplitude;
+    const double size = units_length(to->units, to->table, point, WHIRL_AMPLITUDE);
     write_station_name(to, point, station);
     for (int i = 0; i < SYNCHRONOUS_PARTS && amplitude && lag; i++) {
         write_number(to->stream, "%.4g", size * amplitude[i]);
@@ -360,7 +360,7 @@ static void write_running_speed(const point_page *to) {
     static const char *const parts[SYNCHRONOUS_PARTS] = {"x", "y", "forward", "backward"};
     char amplitude[UNIT_LABEL_SIZE];
     if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS)) return;
-    units_amplitude_label(to->units, "Amplitudes", amplitude, sizeof amplitude);
+    units_length_label(to->units, WHIRL_AMPLITUDE, "Amplitudes", amplitude, sizeof amplitude);
     const char *keyphasor = whirl_result_keyphasor(to->result);
     fputs(*keyphasor ? "<h4>At the frequency of the " : "<h4>At the running speed", to->stream);
     html_text(to->stream, keyphasor);
@@ -402,7 +402,8 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
     snprintf(name, sizeof name, "%s%s%s", strchr(field->name, '/') + 1, *part ? " " : "", part);
     for (char *at = name; (at = strchr(at, '_')) != NULL;) *at = ' ';
     snprintf(label, sizeof label, strcmp(field->unit, "force") == 0 ? "%s (N)" : "%s", name);
-    if (strcmp(field->unit, "length") == 0) units_length_label(to->units, name, label, sizeof label);
+    if (strcmp(field->unit, "length") == 0)
+        units_length_label(to->units, whirl_field_counting(field), name, label, sizeof label);
     fputs("<th class=\"number\" title=\"", to->stream);
     html_text(to->stream, field->meaning);
     fputs("\">", to->stream);
@@ -412,7 +413,8 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
 
 /// What a number of the field is multiplied by to be shown.
 static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
-    if (strcmp(field->unit, "length") == 0) return whirl_shown_length(to->units, to->table, point);
+    if (strcmp(field->unit, "length") == 0)
+        return units_length(to->units, to->table, point, whirl_field_counting(field));
     return strcmp(field->unit, "force") == 0 ? to->result->force_scale : 1.0;
 }
 

@@ -14,8 +14,8 @@ static void print_rubs(FILE *out, const whirl_result *result, const whirl_table 
     }
 }
 
-/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm)", or "disc 231, journal 191 µm" where the case asks for a
-/// unit.
+/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm 0-p)", or "disc 231, journal 191 µm 0-p" where the case asks
+/// for a unit.
 static void print_radii(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS)) return;
     const whirl_shown_units units = summary_units(result);
@@ -27,9 +27,9 @@ static void print_radii(FILE *out, const whirl_result *result, const whirl_table
         fprintf(out, "%s %s %.4g", i ? "," : "", result->stations[i].name,
                 size * whirl_table_number(table, point, WHIRL_FIELD_ORBIT_MAX_RADIUS, i));
     if (size != 1.0 || scale == unit.size)
-        fprintf(out, " %s\n", unit.name);
+        fprintf(out, " %s 0-p\n", unit.name);
     else
-        fprintf(out, " (in %.6g %s)\n", scale / unit.size, unit.name);
+        fprintf(out, " (in %.6g %s 0-p)\n", scale / unit.size, unit.name);
 }
 
 /// "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line a station; phases as

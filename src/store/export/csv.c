@@ -53,13 +53,25 @@ static bool has_one_scale(const whirl_table *table) {
     return !table->length_scales;
 }
 
-/// A unit in brackets; scales are written out, lengths in the unit of the case: "[0.2 mm]".
-static void unit_text(const whirl_result *result, const whirl_table *table, const char *unit, char *text, size_t size) {
+/// A length, and how it is counted: "[0.2 mm 0-p]", "[mm]", "[0.2 mm per radian]".
+static void length_text(const whirl_result *result, const whirl_table *table, const whirl_field *field,
+                        const char *behind, char *text, size_t size) {
     const whirl_unit length = whirl_result_length_unit(result);
-    if (strcmp(unit, "length") == 0 && has_one_scale(table) && result->length_scale != length.size)
-        snprintf(text, size, "[%.10g %s]", result->length_scale / length.size, length.name);
-    else if (strcmp(unit, "length") == 0)
-        snprintf(text, size, "[%s]", length.name);
+    const char *counted = whirl_field_counting(field) == WHIRL_FROM_CENTRE ? "" : " 0-p";
+    if (has_one_scale(table) && result->length_scale != length.size)
+        snprintf(text, size, "[%.10g %s%s%s]", result->length_scale / length.size, length.name, counted, behind);
+    else
+        snprintf(text, size, "[%s%s%s]", length.name, counted, behind);
+}
+
+/// A unit in brackets; scales are written out, lengths in the unit of the case.
+static void unit_text(const whirl_result *result, const whirl_table *table, const whirl_field *field, size_t column,
+                      char *text, size_t size) {
+    const char *unit = whirl_column_unit(field, column);
+    if (strncmp(unit, "length", 6) == 0)
+        length_text(result, table, field, strcmp(unit, "length") == 0 ? "" : " per radian", text, size);
+    else if (strcmp(unit, "parameter") == 0)
+        snprintf(text, size, "[%s]", whirl_result_parameter_unit(result, table->parameter));
     else if (strcmp(unit, "force") == 0 && result->force_scale != 1.0)
         snprintf(text, size, "[%.10g N]", result->force_scale);
     else if (*whirl_result_keyphasor(result) && (strstr(unit, "order") || strstr(unit, "revolution")))
@@ -69,8 +81,9 @@ static void unit_text(const whirl_result *result, const whirl_table *table, cons
 }
 
 /// What the numbers of a field at a point are multiplied by to be in the unit of the heading.
-static double unit_factor(const whirl_result *result, const whirl_table *table, size_t point, const char *unit) {
-    if (strcmp(unit, "length") != 0 || has_one_scale(table)) return 1.0;
+static double unit_factor(const whirl_result *result, const whirl_table *table, size_t point, const whirl_field *field,
+                          size_t column) {
+    if (has_one_scale(table) || strncmp(whirl_column_unit(field, column), "length", 6) != 0) return 1.0;
     return whirl_result_length_scale(result, table, point) / whirl_result_length_unit(result).size;
 }
 
@@ -95,7 +108,7 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
 static void put_field_heading(line *row, const whirl_result *result, const whirl_table *table, const whirl_field *field,
                               size_t which, size_t column) {
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
-    unit_text(result, table, field->unit, unit, sizeof unit);
+    unit_text(result, table, field, column, unit, sizeof unit);
     column_text(field, column, name, sizeof name);
     const char *station = repetition_name(result, field, which);
     snprintf(text, sizeof text, "%.63s%s%.63s%s%.63s %s", field->name, *station ? " " : "", station, *name ? " " : "",
@@ -165,9 +178,9 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         put_cell(&row, method);
         const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field) {
-            const double factor = unit_factor(result, table, point, field->unit);
             for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
-                put_number_cell(&row, factor * block[field->offset + i]);
+                put_number_cell(&row, unit_factor(result, table, point, field, i % field->columns) *
+                                          block[field->offset + i]);
         }
         end_line(&row);
     }
@@ -179,22 +192,16 @@ static bool all_missing(const double *numbers, size_t count) {
     return true;
 }
 
-/// Spectra have their orders in a column beside the amplitudes, whose unit the field states.
-static bool is_order(const char *column) {
-    return strcmp(column, "order") == 0;
-}
-
 static void put_rows_headings(line *row, const whirl_result *result, const whirl_table *table,
                               const whirl_field *field) {
     put_point_headings(row, result, table);
     if (field->extent != WHIRL_PER_POINT) put_cell(row, format_extents[field->extent]);
     put_cell(row, "row");
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[2 * WHIRL_NAME_SIZE + 48];
-    unit_text(result, table, field->unit, unit, sizeof unit);
     for (size_t i = 0; i < field->columns; ++i) {
         column_text(field, i, name, sizeof name);
-        const char *own = is_order(name) ? "[1]" : unit;
-        snprintf(text, sizeof text, "%s %s", *name ? name : "value", own);
+        unit_text(result, table, field, i, unit, sizeof unit);
+        snprintf(text, sizeof text, "%s %s", *name ? name : "value", unit);
         put_cell(row, text);
     }
     end_line(row);
@@ -203,9 +210,6 @@ static void put_rows_headings(line *row, const whirl_result *result, const whirl
 /// A line for each row of a field; rows without any number are left out.
 static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     line row = {stream, false};
-    char name[WHIRL_NAME_SIZE];
-    column_text(field, 0, name, sizeof name);
-    const bool orders = is_order(name);
     put_rows_headings(&row, result, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
@@ -215,8 +219,8 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
         put_point_cells(&row, result, table, point);
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
         put_count_cell(&row, inner % field->rows + 1);
-        const double factor = unit_factor(result, table, point, field->unit);
-        for (size_t c = 0; c < field->columns; ++c) put_number_cell(&row, (c || !orders ? factor : 1.0) * numbers[c]);
+        for (size_t c = 0; c < field->columns; ++c)
+            put_number_cell(&row, unit_factor(result, table, point, field, c) * numbers[c]);
         end_line(&row);
     }
 }

@@ -19,7 +19,8 @@ whirl_status starts_add_fields(const whirl_batch *batch, size_t stations, whirl_
     if (layout->field_count + 3 > WHIRL_MAX_FIELDS)
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS - 3);
     study_add_field(layout, WHIRL_FIELD_STARTS_NUMBER, "1", "number of the start, from 1");
-    study_add_field(layout, WHIRL_FIELD_STARTS_STATE, "length", "x, y, vx, vy (where the motion began)");
+    study_add_field(layout, WHIRL_FIELD_STARTS_STATE, "length",
+                    "x, y, vx, vy (where the motion began, from the centre)");
     whirl_field *field = &layout->fields[layout->field_count - 1];
     field->extent = WHIRL_PER_STATION;
     field->repeat = stations;

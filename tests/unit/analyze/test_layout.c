@@ -37,6 +37,41 @@ static whirl_record_options options_for_test(void) {
     return options;
 }
 
+/// Whether a text has one of some words.
+static bool says(const char *text, const char *const *words) {
+    while (*words && !strstr(text, *words)) words++;
+    return *words != NULL;
+}
+
+/// Every length and force of every analysis tells how it is counted, those of sinusoids so that all who show them
+/// count as they are asked to.
+static void meanings_tell_how_lengths_are_counted(void **state) {
+    (void)state;
+    static const char *const lengths[] = {"0-p", "from the centre", "radial", "upwards", "bearings here", NULL};
+    static const char *const forces[] = {"at any instant", NULL}, *const relative[] = {"relative", NULL};
+    static const char *const sinusoids[] = {"amplitude", "spectrum", "synchronous", "/axes", "/probe", NULL};
+    whirl_layout layout;
+    assert_int_equal(whirl_layout_known(&layout).code, WHIRL_OK);
+    for (const whirl_field *field = layout.fields; field < layout.fields + layout.field_count; field++) {
+        const bool length = strcmp(field->unit, "length") == 0;
+        if (length && !says(field->meaning, lengths)) fail_msg("%s says: %s", field->name, field->meaning);
+        if (strcmp(field->unit, "force") == 0) assert_true(says(field->meaning, forces));
+        if (strstr(field->name, "shape")) assert_true(says(field->meaning, relative));
+        assert_int_equal(length && says(field->name, sinusoids), whirl_field_counting(field) == WHIRL_AMPLITUDE);
+        // Loads of machines at rest are in SI: nothing moves.
+        if (*field->unit == 'N') assert_true(strncmp(field->name, "statics/", 8) == 0 || strstr(field->unit, "N/m"));
+    }
+    const whirl_field *radius = whirl_layout_field(&layout, WHIRL_FIELD_ORBIT_MAX_RADIUS);
+    const whirl_field *section = whirl_layout_field(&layout, WHIRL_FIELD_POINCARE_SECTION);
+    const whirl_field *lines = whirl_layout_field(&layout, WHIRL_FIELD_SPECTRUM_LINES);
+    assert_int_equal(whirl_field_counting(radius), WHIRL_ZERO_TO_PEAK);
+    assert_int_equal(whirl_field_counting(section), WHIRL_FROM_CENTRE);
+    assert_string_equal(whirl_column_unit(section, 1), "length");
+    assert_string_equal(whirl_column_unit(section, 2), "length/radian");
+    assert_string_equal(whirl_column_unit(lines, 0), "1");
+    assert_string_equal(whirl_column_unit(lines, 1), "length");
+}
+
 static whirl_analysis_set all_analyses(void) {
     whirl_analysis_set set = 0;
     for (const whirl_analysis *a = whirl_analyses(); a->name; a++) assert_true(whirl_analysis_add(&set, a->name));
@@ -268,7 +303,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fields_tile_the_block), cmocka_unit_test(numbers_are_in_place),
         cmocka_unit_test(verdicts_come_back),    cmocka_unit_test(divergence),
-        cmocka_unit_test(options_decide),
+        cmocka_unit_test(options_decide),        cmocka_unit_test(meanings_tell_how_lengths_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

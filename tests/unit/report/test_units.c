@@ -21,9 +21,9 @@ static whirl_shown_units units_for(const whirl_result *result, const char *asked
 
 static void assert_labels(const whirl_shown_units *units, const char *length, const char *amplitude) {
     char label[UNIT_LABEL_SIZE];
-    units_length_label(units, "x", label, sizeof label);
+    units_length_label(units, WHIRL_FROM_CENTRE, "x", label, sizeof label);
     assert_string_equal(label, length);
-    units_amplitude_label(units, "amplitude", label, sizeof label);
+    units_length_label(units, WHIRL_AMPLITUDE, "amplitude", label, sizeof label);
     assert_string_equal(label, amplitude);
 }
 
@@ -108,7 +108,7 @@ static void points_have_scales(void **state) {
     detail->values[0] = 7e-4; // c varies by itself
     units = units_for(result, "");
     assert_true(units_for(result, "").ratio == false);
-    units_length_label(&units, "x", label, sizeof label);
+    units_length_label(&units, WHIRL_FROM_CENTRE, "x", label, sizeof label);
     assert_null(strstr(label, "/ c"));
     whirl_result_free(result);
 }

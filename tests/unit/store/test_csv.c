@@ -150,7 +150,7 @@ static void numbers_stand_under_their_headings(void **state) {
         size_t which, column;
     } columns[] = {
         {"lyapunov/error [1/revolution]", "lyapunov/error", 0, 0},
-        {"orbit/max_radius journal [0.2 mm]", "orbit/max_radius", 1, 0},
+        {"orbit/max_radius journal [0.2 mm 0-p]", "orbit/max_radius", 1, 0},
         {"orbit/mean disc y [0.2 mm]", "orbit/mean", 0, 1},
         {"orbit/eccentricity journal [1]", "orbit/eccentricity", 1, 0},
         {"rub/max_force rub at disc [4225 N]", "rub/max_force", 0, 0},
@@ -175,8 +175,15 @@ static void rows_have_files_of_their_own(void **state) {
     fixture *f = *state;
     const whirl_table *table = &f->made->tables[0];
     static cells heading, record;
-    static const char *const expected[] = {"point",      "r_k [1]",    "branch",      "station",    "row",
-                                           "x [0.2 mm]", "y [0.2 mm]", "vx [0.2 mm]", "vy [0.2 mm]"};
+    static const char *const expected[] = {"point",
+                                           "r_k [1]",
+                                           "branch",
+                                           "station",
+                                           "row",
+                                           "x [0.2 mm]",
+                                           "y [0.2 mm]",
+                                           "vx [0.2 mm per radian]",
+                                           "vy [0.2 mm per radian]"};
     // One row of the second station at the second point is missing altogether.
     const whirl_field *section = whirl_layout_field(&table->layout, "poincare/section");
     double *missing = table->blocks + table->layout.size + section->offset + (size_t)(SYNTHETIC_RECORD + 2) * 4;
