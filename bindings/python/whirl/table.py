@@ -247,7 +247,7 @@ class Table(Mapping):
 
         Names are those of the CSV files without units ("orbit/max_radius disc", "orbit/mean disc x"); parameters that
         are called as a column of every table is ("point", "branch", "verdict", ...) are "parameter point".
-        ``frame.attrs["units"]`` has the unit of every column, ``frame.attrs["meanings"]`` what those of fields are, with
+        ``frame.attrs["units"]`` has the unit of every column, ``frame.attrs["meanings"]`` what those of fields are and
         how lengths are counted ("0-p").
         """
         import pandas as pd

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
+#include "margins.h"
 
 /// A figure a point, of not too many.
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
@@ -30,7 +31,8 @@ static void add_mark(whirl_figure *figure, whirl_panel *panel, double at, double
 }
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    static const double mega = 1e6, least = 0.1;
+    static const double mega = 1e6;
+    const double least = margin_decrement;
     const whirl_table *table = place->table;
     const size_t point = (size_t)place->point;
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_STABILITY_CURVE);
@@ -48,7 +50,9 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         low = fmin(low, curve[i]);
         high = fmax(high, curve[i]);
     }
-    whirl_series *level = panel_named(figure, panel, WHIRL_LINE, "0.1", line_colour(5), 0.6);
+    char asked[16];
+    snprintf(asked, sizeof asked, "%g", least);
+    whirl_series *level = panel_named(figure, panel, WHIRL_LINE, asked, line_colour(5), 0.6);
     if (level) level->dashed = true;
     series_add(figure, level, 0.0, least);
     series_add(figure, level, coupling[field->rows - 1] / mega, least);

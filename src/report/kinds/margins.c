@@ -7,6 +7,8 @@
 #include "summary.h"
 #include "whirl/analyze.h"
 
+const double margin_decrement = 0.1;
+
 size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                        double *speeds, double *sizes, double *lags) {
     size_t count = 0;

@@ -7,6 +7,9 @@
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 
+/// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
+extern const double margin_decrement;
+
 /// A peak as it is told.
 typedef struct margin_row {
     double probe;           ///< its angle, degrees

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "html.h"
+#include "margins.h"
 #include "shown_kinds.h"
 #include "summary.h"
 
@@ -17,7 +18,8 @@ static double number(const whirl_table *table, size_t point, const char *field) 
 /// Whether bearings and stages alone tell enough, and of the whole machine whether it is damped as asked for (API 617;
 /// which edition counts is for the user to check).
 static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
-    static const double least = 0.1, ratio = 2.0;
+    static const double ratio = 2.0;
+    const double least = margin_decrement;
     const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
     const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
     const double decrement = number(table, point, WHIRL_FIELD_STABILITY_DECREMENT);
@@ -27,15 +29,15 @@ static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
         snprintf(text, SENTENCE, "no mode was found that does not go backward");
     else if (!(anticipated > 0.0))
         snprintf(text, SENTENCE,
-                 "no stages: seals and impellers decide; decrement %.3g with them, above 0.1 asked for: %s", complete,
-                 whole);
+                 "no stages: seals and impellers decide; decrement %.3g with them, above %g asked for: %s", complete,
+                 least, whole);
     else if (decrement < least || limit < ratio * anticipated)
         snprintf(
             text, SENTENCE,
-            "%s: seals and impellers are to be counted (Level II); decrement %.3g with them, above 0.1 asked for: %s",
-            decrement < least ? "decrement below 0.1" : "limit below 2 times the anticipated", complete, whole);
+            "%s: seals and impellers are to be counted (Level II); decrement %.3g with them, above %g asked for: %s",
+            decrement < least ? "decrement too small" : "limit below 2 times the anticipated", complete, least, whole);
     else
-        snprintf(text, SENTENCE, "decrement above 0.1 and limit above 2 times the anticipated: holds by Level I");
+        snprintf(text, SENTENCE, "decrement above %g and limit above 2 times the anticipated: holds by Level I", least);
 }
 
 static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {

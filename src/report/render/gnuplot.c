@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "program.h"
 #include "utf8.h"
 
 extern char **environ; // POSIX declares it nowhere
@@ -174,14 +175,11 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
 
 whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count) {
     for (size_t i = 0; i < count; i++) jobs[i].drawn = false;
-    if (!program) return run_all("gnuplot", jobs, count);
-    if (!strchr(program, '/')) return run_all(program, jobs, count);
-    // The scripts run in other folders: a path relative to this one would not be found from there.
-    char *absolute = realpath(program, NULL);
-    if (!absolute)
+    char *found = program_found(program ? program : "gnuplot");
+    if (!found)
         return whirl_fail(WHIRL_MISSING_PROGRAM,
                           "%.300s is not there, so no figure was drawn; the scripts and data are", program);
-    const whirl_status status = run_all(absolute, jobs, count);
-    free(absolute);
+    const whirl_status status = run_all(found, jobs, count);
+    free(found);
     return status;
 }

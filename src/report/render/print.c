@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "program.h"
+
 enum { COMMAND_MISSING = 127, NAME_SIZE = 64 };
 
 /// Becomes the program in the folder. Only calls that are safe between fork and exec.
@@ -29,13 +31,11 @@ whirl_status document_print(const char *program, const char *folder, const char 
     snprintf(to, sizeof to, "%.60s", pdf);
     snprintf(path, sizeof path, "%.4000s/%s", folder, to);
     unlink(path); // it would be written through a link
-    // The folder changes before the program is looked for.
-    char *found = strchr(program, '/') ? realpath(program, NULL) : NULL;
-    if (found) program = found;
-    const pid_t child = fork();
-    if (child == 0) become(program, folder, from, to);
+    char *found = program_found(program);
+    const pid_t child = found ? fork() : -1;
+    if (child == 0) become(found, folder, from, to);
     while (child > 0 && waitpid(child, &outcome, 0) < 0 && errno == EINTR) continue;
-    const int code = child > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : 1;
+    const int code = !found ? COMMAND_MISSING : child > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : 1;
     whirl_status status = whirl_ok();
     if (code == COMMAND_MISSING)
         status =

@@ -204,7 +204,7 @@ static void rows_have_files_of_their_own(void **state) {
     fclose(stream);
     stream = open_export(f, "sweep-spectrum-lines", &heading);
     assert_string_equal(heading.text[5], "order [1]");
-    assert_string_equal(heading.text[8], "forward [0.2 mm]");
+    assert_string_equal(heading.text[8], "forward [0.2 mm 0-p]");
     fclose(stream);
 }
 
