@@ -59,17 +59,20 @@ shown_estimate estimate_shown(whirl_estimate estimate) {
     return shown;
 }
 
+void plus_minus(char *text) {
+    static const char sign[] = "\u00b1"; // two bytes, too
+    for (char *at = strstr(text, "+-"); at; at = strstr(at, "+-")) {
+        at[0] = sign[0];
+        at[1] = sign[1];
+    }
+}
+
 void reason_text(const whirl_verdict *verdict, char *text, size_t size) {
     whirl_verdict copy = *verdict;
     const shown_estimate exponent = estimate_shown(verdict->exponent);
     copy.exponent = (whirl_estimate){exponent.value, exponent.error};
     whirl_verdict_reason(&copy, text, size);
-    // The sentence is plain ASCII, for terminals.
-    static const char plus_minus[] = "\u00b1"; // two bytes, too
-    for (char *at = strstr(text, "+-"); at; at = strstr(at, "+-")) {
-        at[0] = plus_minus[0];
-        at[1] = plus_minus[1];
-    }
+    plus_minus(text);
 }
 
 double max_radius(const whirl_table *table, size_t point, size_t station) {

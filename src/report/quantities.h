@@ -43,6 +43,9 @@ typedef struct shown_estimate {
 } shown_estimate;
 shown_estimate estimate_shown(whirl_estimate estimate);
 
+/// A sentence for terminals, plain ASCII, as it is read on a page: "+-" becomes one sign.
+void plus_minus(char *text);
+
 /// The verdict's reason, its exponent as it is shown.
 void reason_text(const whirl_verdict *verdict, char *text, size_t size);
 

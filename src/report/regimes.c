@@ -5,6 +5,8 @@
 
 #include "quantities.h"
 
+enum { SHORT_INTERVAL = 3 };
+
 static const struct {
     const char *name, *colour;
 } classes[CLASS_COUNT] = {
@@ -53,9 +55,24 @@ const char *attractor_colour(size_t number) {
 
 void regime_name(const whirl_verdict *verdict, char *text, size_t size) {
     if (verdict->regime == WHIRL_PERIODIC)
-        snprintf(text, size, "P-%d", verdict->period);
+        whirl_verdict_name(verdict, text, size);
     else
         snprintf(text, size, "%s", whirl_regime_name(verdict->regime));
+}
+
+size_t regime_group(const regime_interval *intervals, size_t count) {
+    size_t end = 0;
+    while (end < count && intervals[end].count < SHORT_INTERVAL && intervals[end].branch == intervals[0].branch) end++;
+    return end >= 2 ? end : 1;
+}
+
+void regime_group_name(const regime_interval *group, size_t count, char *text, size_t size) {
+    size_t used = (size_t)snprintf(text, size, "%s%s", count > 1 ? "changing: " : "", group[0].name);
+    for (size_t i = 1; i < count; i++) {
+        bool named = false;
+        for (size_t k = 0; k < i; k++) named = named || strcmp(group[k].name, group[i].name) == 0;
+        if (!named && used < size) used += (size_t)snprintf(text + used, size - used, ", %s", group[i].name);
+    }
 }
 
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most) {

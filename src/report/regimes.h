@@ -33,7 +33,8 @@ enum { ATTRACTOR_COLOURS = 8 };
 /// The colour of an attractor by its number, from 1; those beyond ATTRACTOR_COLOURS begin anew. Static text.
 const char *attractor_colour(size_t number);
 
-/// "P-1", "P-8", "quasi-periodic", "chaotic", ...: what neighbouring points must share to make an interval.
+/// "rests", "P-1", "P-8", "quasi-periodic", "chaotic", ...: a verdict without what is different from point to point;
+/// what neighbouring points must share to make an interval.
 void regime_name(const whirl_verdict *verdict, char *text, size_t size);
 
 /// Consecutive points of a sweep with the same regime.
@@ -48,5 +49,11 @@ typedef struct regime_interval {
 /// Merges the points of the table that are done into intervals, in their order. Returns their number; at most `most`
 /// are written.
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
+
+/// How many of the intervals, from the first on, are told as one: several short ones in a row, else 1.
+size_t regime_group(const regime_interval *intervals, size_t count);
+
+/// "P-1"; "changing: P-3, chaotic" of several.
+void regime_group_name(const regime_interval *group, size_t count, char *text, size_t size);
 
 #endif

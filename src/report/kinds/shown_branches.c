@@ -36,8 +36,8 @@ static size_t points_of(const whirl_table *table, size_t first) {
 }
 
 /// What was found along every branch, and where and why it ends.
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         whirl_trace at;
         const bool begins = point == 0 || whirl_table_number(table, point, WHIRL_FIELD_TRACE_NUMBER, 0) !=

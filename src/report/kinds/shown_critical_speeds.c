@@ -35,9 +35,8 @@ static void print_point(FILE *out, const whirl_table *table, size_t point, const
     if (rigid > 0.0) fprintf(out, "    and %g rigid-body mode%s, which nothing holds\n", rigid, summary_plural(rigid));
 }
 
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_shown_units units = summary_units(result);
-    const whirl_unit unit = whirl_shown_parameter(&units, table->parameter), speed = margin_speed_unit(&units);
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter), speed = margin_speed_unit(units);
     // Of many points those at the ends.
     const bool all = table->count <= LISTED;
     for (size_t point = 0; point < table->count; point++) {
@@ -54,12 +53,12 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     const size_t step = 1 + table->count / MOST_ROWS;
     const whirl_unit speed = margin_speed_unit(&to->units[index]);
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
-    fprintf(to->stream, "<p>Of the machine without damping, the lowest %d of each direction, in %s.</p>\n", LISTED,
-            speed.name);
     html_table(to->stream, "Critical speeds without damping", "");
     fputs("<thead><tr><th class=\"number\">", to->stream);
     html_text(to->stream, label);
-    fputs("</th><th>forward</th><th>backward</th><th>to and fro</th></tr></thead>\n<tbody>\n", to->stream);
+    fprintf(to->stream,
+            "</th><th>forward (%s)</th><th>backward (%s)</th><th>to and fro (%s)</th></tr></thead>\n<tbody>\n",
+            speed.name, speed.name, speed.name);
     for (size_t point = 0; point < table->count; point += step) {
         if (!whirl_table_done(table, point)) continue;
         fprintf(to->stream, "<tr><th class=\"number\">%.6g</th>", table->values[point] / unit);
@@ -76,5 +75,6 @@ static void section(const page *to, size_t index, const whirl_table *table) {
 const shown_kind shown_critical_speeds = {.field = WHIRL_FIELD_CRITICAL_SPEEDS_SPEED,
                                           .anchor = "critical-speeds",
                                           .name = "Critical speeds without damping",
+                                          .about = "Of the machine without damping, the lowest 6 of each direction.",
                                           .summarize = summarize,
                                           .section = section};

@@ -8,10 +8,12 @@
 typedef struct shown_kind {
     const char *field;         ///< which its tables have, and no others
     const char *anchor, *name; ///< of its section, where it has one
+    const char *about;         ///< what all of its sections share, told once; NULL: nothing
     bool single;               ///< its section is of one point, too
+    bool found;                ///< what was found in all of its tables is told at once (pages/found.c)
     bool explored;             ///< the explorer has a view of its own, else it shows the figures
     /// Its lines of the summary, below the table's heading.
-    void (*summarize)(FILE *out, const whirl_result *result, const whirl_table *table);
+    void (*summarize)(FILE *out, const whirl_shown_units *units, const whirl_table *table);
     /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along
     /// one parameter.
     void (*section)(const page *to, size_t result, const whirl_table *table);
@@ -19,6 +21,9 @@ typedef struct shown_kind {
 
 /// That of a table, NULL of motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
+
+/// What is told once of sections of a kind.
+void shown_kind_about(const page *to, const shown_kind *kind);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics;

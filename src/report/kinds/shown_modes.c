@@ -33,9 +33,9 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
 }
 
 /// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".
-static void print_critical(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void print_critical(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     for (size_t point = 0; point < table->count; point++) {
         const double *rows = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
@@ -53,8 +53,8 @@ static void print_critical(FILE *out, const whirl_result *result, const whirl_ta
 }
 
 /// The modes at the first and the last value that are done.
-static void print_modes_at_ends(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static void print_modes_at_ends(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     size_t first = 0, last = table->count;
     while (first < table->count && !whirl_table_done(table, first)) first++;
     while (last > first && !whirl_table_done(table, last - 1)) last--;
@@ -64,10 +64,10 @@ static void print_modes_at_ends(FILE *out, const whirl_result *result, const whi
     }
 }
 
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     if (whirl_table_planned(table) > 1) {
-        print_critical(out, result, table);
-        print_modes_at_ends(out, result, table);
+        print_critical(out, units, table);
+        print_modes_at_ends(out, units, table);
     } else if (whirl_table_done(table, 0)) {
         print_modes(out, table, 0);
     }
@@ -142,5 +142,6 @@ const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
                                 .explored = true,
                                 .anchor = "critical",
                                 .name = "Critical speeds and stability",
+                                .found = true,
                                 .summarize = summarize,
                                 .section = section};

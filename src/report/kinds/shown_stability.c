@@ -40,7 +40,8 @@ static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
         snprintf(text, SENTENCE, "decrement above %g and limit above 2 times the anticipated: holds by Level I", least);
 }
 
-static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+    const whirl_result *result = units->result;
     char text[SENTENCE];
     const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
     const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
@@ -67,8 +68,8 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
     fprintf(out, "    %s\n", text);
 }
 
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    summary_ends(out, result, table, print_point);
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    summary_ends(out, units, table, print_point);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {
@@ -76,14 +77,6 @@ static void section(const page *to, size_t index, const whirl_table *table) {
                                         WHIRL_FIELD_STABILITY_BASIC, WHIRL_FIELD_STABILITY_DECREMENT,
                                         WHIRL_FIELD_STABILITY_COMPLETE};
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
-    fputs(
-        "<p>The least logarithmic decrement of forward modes up to the speed, or of the first where that is faster: "
-        "with "
-        "bearings alone, with the cross coupling of stages (anticipated, and its limit, where the decrement is 0), and "
-        "with seals and impellers. After API 617 (which edition counts is for the user to check) bearings and stages "
-        "tell enough where that limit is 2 times the anticipated or more and the decrement 0.1 or more; else it is to "
-        "be above 0.1 with seals and impellers.</p>\n",
-        to->stream);
     html_table(to->stream, "Stability", "");
     fputs("<thead><tr><th>at</th><th class=\"number\">anticipated (N/m)</th><th class=\"number\">limit (N/m)</th>"
           "<th class=\"number\">bearings alone</th><th class=\"number\">with stages</th>"
@@ -109,6 +102,14 @@ static void section(const page *to, size_t index, const whirl_table *table) {
 const shown_kind shown_stability = {.field = WHIRL_FIELD_STABILITY_BASIC,
                                     .anchor = "stability",
                                     .name = "Stability by decrements",
+                                    .about = "The least logarithmic decrement of forward modes up to the speed, or of "
+                                             "the first where that is faster: with bearings alone, with the cross "
+                                             "coupling of stages (anticipated, and its limit, where the decrement is "
+                                             "0), and with seals and impellers. After API 617 (which edition counts is "
+                                             "for the user to check) bearings and stages tell enough where that limit "
+                                             "is 2 times the anticipated or more and the decrement 0.1 or more; else "
+                                             "it is to be above 0.1 with seals and impellers.",
                                     .single = true,
+                                    .found = true,
                                     .summarize = summarize,
                                     .section = section};

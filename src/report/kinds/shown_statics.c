@@ -23,9 +23,9 @@ static row row_of(const whirl_result *result, const whirl_table *table, size_t p
         .mass = {whirl_table_number(table, point, WHIRL_FIELD_STATICS_MASS, station), mass ? mass[1] : (double)NAN}};
 }
 
-static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
-    const whirl_shown_units units = summary_units(result);
-    const whirl_unit length = summary_length_unit(&units);
+static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+    const whirl_result *result = units->result;
+    const whirl_unit length = summary_length_unit(units);
     for (size_t station = 0; station < result->station_count; station++) {
         const row at = row_of(result, table, point, station, length.size);
         if (isnan(at.deflection)) continue;
@@ -38,9 +38,9 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
     }
 }
 
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     if (*table->record.coupling) fprintf(out, "  aligned for no moment and no shear at %s\n", table->record.coupling);
-    summary_ends(out, result, table, print_point);
+    summary_ends(out, units, table, print_point);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {

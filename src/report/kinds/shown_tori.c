@@ -17,7 +17,8 @@ static void print_stability(FILE *out, const whirl_tori *own) {
 }
 
 /// "rotation number 0.39865 to 0.41552; second line of disc, y: order 0.60135 to 0.58448".
-static void print_lines(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_tori *own) {
+static void print_lines(FILE *out, const whirl_shown_units *units, const whirl_table *table, const whirl_tori *own) {
+    const whirl_result *result = units->result;
     fprintf(out, "      rotation number %.6g to %.6g",
             whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_ROTATION, 0),
             whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_ROTATION, 0));
@@ -41,7 +42,7 @@ static void print_torus_end(FILE *out, const whirl_table *table, const whirl_uni
     fputc('\n', out);
 }
 
-static void print_tori(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_unit *unit,
+static void print_tori(FILE *out, const whirl_shown_units *units, const whirl_table *table, const whirl_unit *unit,
                        const whirl_tori *own) {
     fprintf(out, "  torus %.0f: ", whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_NUMBER, 0));
     if (own->found > 0) fprintf(out, "%zu point%s ", own->found, own->found == 1 ? "" : "s");
@@ -50,16 +51,16 @@ static void print_tori(FILE *out, const whirl_result *result, const whirl_table 
             unit->name, whirl_table_number(table, own->first, WHIRL_FIELD_TORUS_BRANCH, 0));
     if (own->found > 0) print_stability(out, own);
     fputc('\n', out);
-    if (own->found > 0) print_lines(out, result, table, own);
+    if (own->found > 0) print_lines(out, units, table, own);
     if (!isnan(whirl_table_number(table, own->last, WHIRL_FIELD_TORUS_END, 0)))
         print_torus_end(out, table, unit, own->last);
 }
 
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         const whirl_tori own = whirl_table_tori(table, point);
-        print_tori(out, result, table, &unit, &own);
+        print_tori(out, units, table, &unit, &own);
         point = own.last;
     }
 }

@@ -11,8 +11,8 @@
 enum { PLACED_TEXT = 1024 };
 
 /// "    45 deg: peak at 2480.1 rpm, 0.034 mm 0-p, amplification 8.21 (half power); margin ...".
-static void print_peaks(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_shown_units *units,
-                        size_t station) {
+static void print_peaks(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t station) {
+    const whirl_result *result = units->result;
     margin_row rows[2 * MARGIN_PEAKS];
     const size_t count = margin_rows(result, table, units, station, rows);
     for (const margin_row *row = rows; row < rows + count; row++)
@@ -37,8 +37,8 @@ static void list_placed(const whirl_result *result, const whirl_table *table, ch
 }
 
 /// "  scaled by 2.1: ..." and a line for every clearance.
-static void print_scaled(FILE *out, const whirl_result *result, const whirl_table *table,
-                         const whirl_shown_units *units) {
+static void print_scaled(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_result *result = units->result;
     const whirl_unit speed = margin_speed_unit(units), length = scaled_unit(units);
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
@@ -64,12 +64,12 @@ static void print_scaled(FILE *out, const whirl_result *result, const whirl_tabl
 }
 
 /// The largest response of every station, and where, and its peaks.
-static void summarize(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_result *result = units->result;
     char placed[PLACED_TEXT];
-    const whirl_shown_units units = summary_units(result);
     list_placed(result, table, placed, sizeof placed);
     if (*placed) fprintf(out, "  unbalances by rule: %s\n", placed);
-    const whirl_unit unit = whirl_shown_parameter(&units, table->parameter), length = summary_length_unit(&units);
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter), length = summary_length_unit(units);
     for (size_t station = 0; station < result->station_count; station++) {
         double largest = 0.0;
         size_t where = 0;
@@ -80,14 +80,14 @@ static void summarize(FILE *out, const whirl_result *result, const whirl_table *
             where = point;
         }
         fprintf(out, "  %s: largest response %.4g %s %s", result->stations[station].name,
-                units.amplitude * largest * whirl_result_length_scale(result, table, where) / length.size, length.name,
-                units.amplitude_name);
+                units->amplitude * largest * whirl_result_length_scale(result, table, where) / length.size, length.name,
+                units->amplitude_name);
         if (table->parameter[0])
             fprintf(out, " at %.6g%s%s", table->values[where] / unit.size, *unit.name ? " " : "", unit.name);
         fputc('\n', out);
-        print_peaks(out, result, table, &units, station);
+        print_peaks(out, units, table, station);
     }
-    print_scaled(out, result, table, &units);
+    print_scaled(out, units, table);
 }
 
 /// What scaled responses take of clearances, and the unbalances that they are by.
@@ -138,10 +138,6 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_unit length = summary_length_unit(units);
     const bool running = table->record.running_low > 0.0 || table->record.running_high > 0.0;
     margin_row rows[2 * MARGIN_PEAKS];
-    fputs("<p>Critical speeds as peaks that the probes see, with the amplification factor, speed over the width at "
-          "half power, and, where the running speeds are said, the separation margin after API 617 (which edition "
-          "counts is for the user to check).</p>\n",
-          to->stream);
     html_table(to->stream, "Peaks of the response", "");
     fprintf(to->stream,
             "<thead><tr><th>station</th><th class=\"number\">probe (deg)</th><th class=\"number\">speed (%s)</th>"
@@ -171,6 +167,11 @@ static void section(const page *to, size_t index, const whirl_table *table) {
 const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
                                     .anchor = "peaks",
                                     .name = "Peaks of the response",
+                                    .about = "Critical speeds as peaks that the probes see, with the amplification "
+                                             "factor, speed over the width at half power, and, where the running "
+                                             "speeds are said, the separation margin after API 617 (which edition "
+                                             "counts is for the user to check).",
                                     .explored = true,
+                                    .found = true,
                                     .summarize = summarize,
                                     .section = section};

@@ -93,6 +93,7 @@ static void write_kinds(const page *to, size_t r) {
         if (!section_of(table)) continue;
         name_section(to->results[r], table, name, anchor, sizeof name);
         fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", anchor, r + 1, name);
+        if (strcmp(anchor, section_of(table)->anchor) == 0) shown_kind_about(to, section_of(table));
         section_of(table)->section(to, r, table);
     }
 }
@@ -103,6 +104,8 @@ static void write_result_contents(const page *to, size_t r) {
     fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
+    if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
+    if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
     if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
     for (size_t t = 0; t < result->table_count; t++) {
         char name[256], anchor[256];
@@ -114,8 +117,6 @@ static void write_result_contents(const page *to, size_t r) {
         write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");
-    if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
-    if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
     write_entry(to->stream, "computed", r + 1, "What was computed");
     if (result->fact_count > 0) write_entry(to->stream, "provenance", r + 1, "Provenance");
     fputs("</ul></li>\n", to->stream);
@@ -131,18 +132,20 @@ static void write_contents(const page *to) {
 
 static void write_result(const page *to, size_t result) {
     fprintf(to->stream, "<section id=\"result-%zu\">\n<h2>", result + 1);
-    html_text(to->stream, *to->results[result]->title ? to->results[result]->title : to->names[result]);
+    // The title of a page of one result is that of the result.
+    const char *title = *to->results[result]->title ? to->results[result]->title : to->names[result];
+    html_text(to->stream, to->count == 1 && !to->claims ? "What was found" : title);
     fputs(" <span class=\"soft small\">", to->stream);
     html_text(to->stream, to->names[result]);
     fputs("</span></h2>\n", to->stream);
     page_found(to, result);
+    page_figures(to, result);
     page_intervals(to, result);
     write_kinds(to, result);
     page_attractors(to, result);
     page_starts(to, result);
     page_jumps(to, result);
     page_points(to, result);
-    page_figures(to, result);
     page_computed(to, result);
     page_provenance(to, result);
     fputs("</section>\n", to->stream);

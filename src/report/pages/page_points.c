@@ -10,7 +10,7 @@
 #include "quantities.h"
 #include "regimes.h"
 
-enum { SHORT_INTERVAL = 3, SHOWN_LINES = 5 };
+enum { SHOWN_LINES = 5, NAMES_SIZE = 512 };
 
 static void write_swatch(FILE *stream, regime_class kind) {
     fprintf(stream, "<span class=\"swatch\" style=\"background:%s\"></span>", regime_class_colour(kind));
@@ -45,15 +45,15 @@ static void write_interval(FILE *stream, const shown_table *of, const regime_int
 /// Several short windows in a row stand as one line that names their regimes.
 static void write_windows(FILE *stream, const shown_table *of, const regime_interval *windows, size_t count) {
     size_t points = 0, rubbing = 0;
+    char names[NAMES_SIZE];
     fputs("<tr><td class=\"whole\">", stream);
     write_range(stream, of, windows[0].first, windows[count - 1].last);
-    fputs("</td><td class=\"wide\">changing: ", stream);
+    fputs("</td><td class=\"wide\">", stream);
+    regime_group_name(windows, count, names, sizeof names);
+    html_text(stream, names);
     for (size_t i = 0; i < count; i++) {
-        bool named = false;
         points += windows[i].count;
         rubbing += windows[i].rubbing;
-        for (size_t k = 0; k < i; k++) named = named || strcmp(windows[k].name, windows[i].name) == 0;
-        if (!named) html_printf(stream, "%s%s", i ? ", " : "", windows[i].name);
     }
     fprintf(stream,
             " <span class=\"soft\">(%zu windows)</span></td><td class=\"number\">%zu</td><td "
@@ -72,16 +72,12 @@ static void write_interval_head(FILE *stream, const char *parameter) {
 
 static void write_merged(FILE *stream, const shown_table *of, const regime_interval *intervals, size_t count,
                          bool branches) {
-    for (size_t i = 0; i < count;) {
-        size_t end = i;
-        while (end < count && intervals[end].count < SHORT_INTERVAL && intervals[end].branch == intervals[i].branch)
-            end++;
-        if (end - i >= 2) {
-            write_windows(stream, of, &intervals[i], end - i);
-            i = end;
-        } else {
-            write_interval(stream, of, &intervals[i++], branches);
-        }
+    for (size_t i = 0, group; i < count; i += group) {
+        group = regime_group(&intervals[i], count - i);
+        if (group > 1)
+            write_windows(stream, of, &intervals[i], group);
+        else
+            write_interval(stream, of, &intervals[i], branches);
     }
 }
 
@@ -102,8 +98,10 @@ void page_intervals(const page *to, size_t index) {
     }
     const bool branches = intervals[0].branch != intervals[count - 1].branch;
     size_t windows = 0;
-    for (size_t i = 1; i < count; i++)
-        windows += intervals[i].count < SHORT_INTERVAL && intervals[i - 1].count < SHORT_INTERVAL;
+    for (size_t i = 0, group; i < count; i += group) {
+        group = regime_group(&intervals[i], count - i);
+        windows += group - 1;
+    }
     fprintf(to->stream, "<h3 id=\"regimes-%zu\">Regimes along the sweep</h3>\n", index + 1);
     write_interval_head(to->stream, label);
     write_merged(to->stream, &shown, intervals, count, branches);

@@ -15,6 +15,8 @@ void page_style(FILE *stream) {
         "p{max-width:46rem;margin:.6rem 0}",
         "a{color:var(--link)}",
         "li{max-width:60rem}li li{font-size:.9rem}",
+        ".found{padding-left:1.1rem}.found>li{max-width:46rem;margin:.5rem 0}.notes{padding-left:1.1rem;margin:.2rem 0;"
+        "color:var(--soft)}",
         ".soft{color:var(--soft)}.small{font-size:.86rem}",
         "nav ul{list-style:none;padding:0;margin:1rem 0;display:flex;flex-wrap:wrap;gap:.3rem 1.4rem}",
         "nav ul ul{margin:.1rem 0 0;gap:0 1rem;font-size:.86rem}",

@@ -26,8 +26,11 @@ static void print_axes(FILE *out, const whirl_table *table) {
     fputs(" points", out);
 }
 
-/// "sweep of r_k: 512 points", "map of r_k and rho: 32 x 16 points".
-static void print_heading(FILE *out, const whirl_table *table) {
+void summarize_heading(FILE *out, const whirl_table *table) {
+    if (!*table->parameter) {
+        fprintf(out, "%s:\n", table->name);
+        return;
+    }
     const size_t planned = whirl_table_planned(table);
     fprintf(out, "%s of %s", table->name, table->parameter);
     if (table->row > 0)
@@ -41,10 +44,10 @@ static void print_heading(FILE *out, const whirl_table *table) {
 }
 
 /// The values of parameters at the condition of a table: "  with clearance = 9e-05 m".
-static void print_given(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void print_given(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char name[2 * WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s with", table->name);
-    if (*whirl_result_fact(result, name)) fprintf(out, "  with %s\n", whirl_result_fact(result, name));
+    if (*whirl_result_fact(units->result, name)) fprintf(out, "  with %s\n", whirl_result_fact(units->result, name));
 }
 
 /// What motions beside a lateral analysis do to clearances.
@@ -56,25 +59,22 @@ static void print_told(FILE *out, const whirl_result *result, const whirl_table 
     whirl_case_free(machine);
 }
 
-static whirl_status print_table(FILE *out, const whirl_result *result, const whirl_table *table) {
+static whirl_status print_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
     if (!kind && single && !motions_beside(table)) {
-        const whirl_status status = summarize_response(out, result, table);
+        const whirl_status status = summarize_response(out, units, table);
         summarize_refinement(out, table->source ? table->source : table);
         return status;
     }
-    if (*table->parameter)
-        print_heading(out, table);
-    else
-        fprintf(out, "%s:\n", table->name);
-    print_given(out, result, table);
+    summarize_heading(out, table);
+    print_given(out, units, table);
     if (table->count > 0 && table->row == 0)
-        whirl_result_write_end(result, table->name, table->parameter, table->values[0], out);
-    if (!kind && motions_beside(table)) print_told(out, result, table);
-    if (!kind) return single ? summarize_response(out, result, table) : summarize_points(out, result, table);
-    kind->summarize(out, result, table);
+        whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
+    if (!kind && motions_beside(table)) print_told(out, units->result, table);
+    if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
+    kind->summarize(out, units, table);
     return whirl_ok();
 }
 
@@ -96,8 +96,10 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     }
     whirl_status status = whirl_result_by_attractor(result, &view);
     if (status.code != WHIRL_OK) return status;
+    whirl_shown_units units;
+    whirl_result_shown_units(view, NULL, &units); // what a file says that is no unit chooses nothing
     for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++)
-        status = print_table(out, view, &view->tables[i]);
+        status = print_table(out, &units, &view->tables[i]);
     whirl_result_view_free(view);
     return status;
 }

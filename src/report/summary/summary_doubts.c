@@ -4,8 +4,8 @@
 #include <stdio.h>
 
 /// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
-static void print_doubt(FILE *out, const whirl_result *result, const whirl_table *table, const whirl_doubt *doubt) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static void print_doubt(FILE *out, const whirl_shown_units *units, const whirl_table *table, const whirl_doubt *doubt) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     char text[WHIRL_MESSAGE_SIZE];
     fprintf(out, "  undetermined at %zu point%s", doubt->points, doubt->points == 1 ? "" : "s");
     if (table->parameter[0])
@@ -17,12 +17,12 @@ static void print_doubt(FILE *out, const whirl_result *result, const whirl_table
     fputc('\n', out);
 }
 
-void summarize_doubts(FILE *out, const whirl_result *result, const whirl_table *table) {
+void summarize_doubts(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     whirl_doubt doubts[WHIRL_REMEDIES];
     const size_t count = whirl_layout_has_verdict(&table->layout) ? whirl_table_doubts(table, doubts) : 0;
     bool remedied = false;
     for (size_t i = 0; i < count; i++) {
-        print_doubt(out, result, table, &doubts[i]);
+        print_doubt(out, units, table, &doubts[i]);
         const whirl_remedy remedy = doubts[i].verdict.advice.remedy;
         remedied = remedied || (remedy != WHIRL_NO_REMEDY && remedy != WHIRL_OTHER_START);
     }

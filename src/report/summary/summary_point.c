@@ -2,9 +2,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "regimes.h"
 #include "summary.h"
 
-static void print_rubs(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+static void print_rubs(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+    const whirl_result *result = units->result;
     for (size_t i = 0; i < result->contact_count; i++) {
         const double share = whirl_table_number(table, point, WHIRL_FIELD_RUB_SHARE, i);
         if (share > 0)
@@ -16,12 +18,12 @@ static void print_rubs(FILE *out, const whirl_result *result, const whirl_table 
 
 /// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm 0-p)", or "disc 231, journal 191 µm 0-p" where the case asks
 /// for a unit.
-static void print_radii(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+static void print_radii(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+    const whirl_result *result = units->result;
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS)) return;
-    const whirl_shown_units units = summary_units(result);
-    const whirl_unit unit = summary_length_unit(&units);
+    const whirl_unit unit = summary_length_unit(units);
     const double scale = whirl_result_length_scale(result, table, point),
-                 size = units.size.size > 0.0 ? scale / unit.size : 1.0;
+                 size = units->size.size > 0.0 ? scale / unit.size : 1.0;
     fputs("  largest radius:", out);
     for (size_t i = 0; i < result->station_count; i++)
         fprintf(out, "%s %s %.4g", i ? "," : "", result->stations[i].name,
@@ -34,11 +36,11 @@ static void print_radii(FILE *out, const whirl_result *result, const whirl_table
 
 /// "at 1X: disc x 0.0225 mm 0-p lag 86.6 deg, y 0.0193 mm 0-p lag 128 deg", a line a station; phases as
 /// whirl_synchronous has them.
-static void print_synchronous(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
-    const whirl_shown_units units = summary_units(result);
-    const whirl_unit unit = summary_length_unit(&units);
-    const double size = units.amplitude * whirl_result_length_scale(result, table, point) / unit.size;
-    const char *way = units.amplitude_name;
+static void print_synchronous(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+    const whirl_result *result = units->result;
+    const whirl_unit unit = summary_length_unit(units);
+    const double size = units->amplitude * whirl_result_length_scale(result, table, point) / unit.size;
+    const char *way = units->amplitude_name;
     for (size_t i = 0; i < result->station_count; i++) {
         const double *amplitude = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, i);
         const double *lag = whirl_table_field(table, point, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, i);
@@ -54,7 +56,7 @@ static void print_confidence(FILE *out, const whirl_verdict *verdict) {
     // A motion rests where it does at both tolerances.
     const whirl_verdict second = {
         .regime = verdict->other_regime, .period = verdict->other_period, .rests = verdict->rests};
-    summary_name(&second, other, sizeof other);
+    regime_name(&second, other, sizeof other);
     whirl_verdict_advice(verdict, advice, sizeof advice);
     fprintf(out, "  confidence: %s (", whirl_confidence_name(verdict->confidence));
     fprintf(out, verdict->confirmed ? "at the second tolerance: %s)" : "one tolerance only)", other);
@@ -80,7 +82,7 @@ static void print_failed_exponents(FILE *out, const whirl_table *table, size_t p
             whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0));
 }
 
-static void print_point(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     if (!whirl_table_done(table, point)) {
         fprintf(out, "%s: not computed\n", table->name);
         return;
@@ -92,17 +94,17 @@ static void print_point(FILE *out, const whirl_result *result, const whirl_table
         fprintf(out, "%s: no verdict, as the analyses have no regime\n", table->name);
     if (verdict.regime == WHIRL_DIVERGING) return;
     print_failed_exponents(out, table, point);
-    print_rubs(out, result, table, point);
-    print_radii(out, result, table, point);
-    print_synchronous(out, result, table, point);
+    print_rubs(out, units, table, point);
+    print_radii(out, units, table, point);
+    print_synchronous(out, units, table, point);
 }
 
-whirl_status summarize_response(FILE *out, const whirl_result *result, const whirl_table *table) {
+whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const size_t count = table->attractors ? table->count : 1;
     for (size_t point = 0; point < count; point++) {
-        print_point(out, result, table, point);
+        print_point(out, units, table, point);
         summarize_share(out, table, point, "  ");
         if (table->attractors) fputc('\n', out);
     }
-    return summarize_starts(out, result, table);
+    return summarize_starts(out, units, table);
 }

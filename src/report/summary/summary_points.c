@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "regimes.h"
 #include "summary.h"
 #include "whirl/report.h"
 
-enum { LONGEST_LIST = 12, MAX_VERDICTS = WHIRL_MAX_PERIOD + 8 };
+enum { LONGEST_LIST = 12 };
 
 static bool rubs(const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < result->contact_count; i++)
@@ -15,8 +16,9 @@ static bool rubs(const whirl_result *result, const whirl_table *table, size_t po
     return false;
 }
 
-static void print_list(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static void print_list(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const whirl_result *result = units->result;
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
@@ -36,61 +38,26 @@ static void print_list(FILE *out, const whirl_result *result, const whirl_table 
     }
 }
 
-typedef struct verdict_counts {
-    size_t count, of[MAX_VERDICTS];
-    char names[MAX_VERDICTS][VERDICT_SIZE];
-} verdict_counts;
-
-static void count_verdict(verdict_counts *tally, const whirl_verdict *verdict, size_t weight) {
-    char name[VERDICT_SIZE];
-    summary_name(verdict, name, sizeof name);
-    size_t i = 0;
-    while (i < tally->count && strcmp(tally->names[i], name) != 0) i++;
-    if (i == MAX_VERDICTS) return;
-    if (i == tally->count) memcpy(tally->names[tally->count++], name, sizeof name);
-    tally->of[i] += weight;
-}
-
-/// Neighbouring points of one verdict.
-typedef struct window {
-    size_t first, last;
-    char name[VERDICT_SIZE];
-} window;
-
-/// The windows of a sweep in its order; as many as there are, of which `most` are written.
-static size_t find_windows(const whirl_table *table, window *windows, size_t most) {
-    size_t count = 0;
-    window now = {.name = ""};
-    for (size_t point = 0; point < table->count; point++) {
-        if (!whirl_table_done(table, point)) continue;
-        const whirl_verdict verdict = whirl_table_verdict(table, point);
-        char name[VERDICT_SIZE];
-        summary_name(&verdict, name, sizeof name);
-        const bool next_to = count > 0 && whirl_table_slot(table, point) == whirl_table_slot(table, now.last) + 1;
-        if (!next_to || strcmp(name, now.name) != 0 || table->branch[point] != table->branch[now.last]) {
-            count++;
-            now.first = point;
-            memcpy(now.name, name, sizeof name);
-        }
-        now.last = point;
-        if (count <= most) windows[count - 1] = now;
-    }
-    return count;
+void summary_range(const whirl_unit *unit, const whirl_table *table, size_t first, size_t last, char *text,
+                   size_t size) {
+    const double from = table->values[first] / unit->size, to = table->values[last] / unit->size;
+    const char *gap = *unit->name ? " " : "";
+    if (last > first)
+        snprintf(text, size, "%.6g to %.6g%s%s", from, to, gap, unit->name);
+    else
+        snprintf(text, size, "%.6g%s%s", from, gap, unit->name);
 }
 
 /// "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. False, and nothing, where they are too many.
-static bool print_windows(FILE *out, const whirl_result *result, const whirl_table *table) {
-    window windows[LONGEST_LIST];
-    const size_t count = find_windows(table, windows, LONGEST_LIST);
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+static bool print_windows(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    regime_interval windows[LONGEST_LIST];
+    const size_t count = regime_intervals(table, units->result->contact_count, windows, LONGEST_LIST);
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     for (size_t i = 0; i < count && count <= LONGEST_LIST; i++) {
-        const window *const one = &windows[i];
-        const double a = table->values[one->first] / unit.size, b = table->values[one->last] / unit.size;
+        const regime_interval *const one = &windows[i];
         char range[VERDICT_SIZE];
-        int length = snprintf(range, sizeof range, "%.6g", a);
-        if (one->last > one->first) length += snprintf(range + length, sizeof range - (size_t)length, " to %.6g", b);
-        snprintf(range + length, sizeof range - (size_t)length, "%s%s", *unit.name ? " " : "", unit.name);
-        fprintf(out, "  %-24s %s%s", range, one->name, table->branch[one->first] < 0 ? ", from the last value on" : "");
+        summary_range(&unit, table, one->first, one->last, range, sizeof range);
+        fprintf(out, "  %-24s %s%s", range, one->name, one->branch < 0 ? ", from the last value on" : "");
         if (table->attractors) fprintf(out, ", attractor %zu", table->attractors[one->first].number);
         fputc('\n', out);
     }
@@ -129,30 +96,63 @@ static void print_grid(FILE *out, const whirl_table *table) {
         table->refine, done, table->grid, 100.0 * (double)done / grid, each, whirl_table_grid_revolutions(table));
 }
 
-/// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those
-/// of its grid, told or computed.
-static void print_counts(FILE *out, const whirl_result *result, const whirl_table *table) {
-    verdict_counts tally = {.count = 0};
-    size_t rubbing = 0, failed = 0, sure[WHIRL_HIGH + 1] = {0}, *weights;
+size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VERDICTS]) {
+    size_t found = 0, *weights;
+    const bool weighed = whirl_layout_has_verdict(&table->layout) && weights_of(table, &weights);
+    for (size_t point = 0; weighed && point < table->count; point++) {
+        char name[VERDICT_SIZE];
+        size_t i = 0;
+        if (!whirl_table_done(table, point)) continue;
+        const whirl_verdict verdict = whirl_table_verdict(table, point);
+        regime_name(&verdict, name, sizeof name);
+        while (i < found && strcmp(counts[i].name, name) != 0) i++;
+        if (i == SUMMARY_VERDICTS) continue;
+        if (i == found) {
+            counts[found] = (verdict_count){.points = 0};
+            memcpy(counts[found++].name, name, sizeof name);
+        }
+        counts[i].points += weight_of(weights, point);
+    }
+    if (weighed) free(weights);
+    return found;
+}
+
+summary_tally summary_tally_of(const whirl_shown_units *units, const whirl_table *table) {
+    summary_tally tally = {.rubbing = 0};
+    size_t *weights;
     const bool weighed = weights_of(table, &weights);
     for (size_t point = 0; weighed && point < table->count; point++) {
         if (!whirl_table_done(table, point)) continue;
         const size_t weight = weight_of(weights, point);
         const whirl_verdict verdict = whirl_table_verdict(table, point);
-        if (whirl_layout_has_verdict(&table->layout)) count_verdict(&tally, &verdict, weight);
-        rubbing += rubs(result, table, point) ? weight : 0;
-        failed += verdict.exponents_failed ? weight : 0;
-        sure[verdict.confidence] += weight;
+        tally.all += weight;
+        tally.rubbing += rubs(units->result, table, point) ? weight : 0;
+        tally.failed += verdict.exponents_failed ? weight : 0;
+        tally.sure[verdict.confidence] += weight;
     }
     free(weights);
-    const bool listed =
-        !whirl_layout_has_verdict(&table->layout) || (table->row == 0 && print_windows(out, result, table));
-    for (size_t i = 0; i < tally.count && !listed; i++) fprintf(out, "  %6zu  %s\n", tally.of[i], tally.names[i]);
-    if (result->contact_count > 0) fprintf(out, "  %6zu  with rub\n", rubbing);
-    if (failed > 0) fprintf(out, "  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", failed);
+    return tally;
+}
+
+static void print_tally(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const summary_tally tally = summary_tally_of(units, table);
+    if (units->result->contact_count > 0) fprintf(out, "  %6zu  with rub\n", tally.rubbing);
+    if (tally.failed > 0)
+        fprintf(out, "  %6zu  with failed exponents: take a smaller tolerance, or more steps\n", tally.failed);
     if (whirl_layout_has_verdict(&table->layout))
-        fprintf(out, "  confidence: %zu high, %zu fair, %zu low\n", sure[WHIRL_HIGH], sure[WHIRL_FAIR],
-                sure[WHIRL_LOW]);
+        fprintf(out, "  confidence: %zu high, %zu fair, %zu low\n", tally.sure[WHIRL_HIGH], tally.sure[WHIRL_FAIR],
+                tally.sure[WHIRL_LOW]);
+}
+
+/// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those
+/// of its grid, told or computed.
+static void print_counts(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    verdict_count counts[SUMMARY_VERDICTS];
+    const bool listed =
+        !whirl_layout_has_verdict(&table->layout) || (table->row == 0 && print_windows(out, units, table));
+    const size_t found = listed ? 0 : summary_counts(table, counts);
+    for (size_t i = 0; i < found; i++) fprintf(out, "  %6zu  %s\n", counts[i].points, counts[i].name);
+    print_tally(out, units, table);
 }
 
 static bool is_basin(const whirl_table *table) {
@@ -170,7 +170,7 @@ static whirl_status print_attractors(FILE *out, const whirl_table *table) {
     for (size_t k = 0; k < count && k < SHOWN; k++) {
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
         char name[VERDICT_SIZE];
-        summary_name(&verdict, name, sizeof name);
+        regime_name(&verdict, name, sizeof name);
         fprintf(out, "  attractor %zu: %s from %zu start%s, %.1f %% +- %.1f %%\n", k + 1, name, found[k].points,
                 summary_plural((double)found[k].points), 100.0 * found[k].share, 100.0 * found[k].error);
     }
@@ -199,11 +199,11 @@ void summarize_refinement(FILE *out, const whirl_table *table) {
 }
 
 /// "4 jumps within a regime, first between 0.188 and 0.186: two motions side by side, or one that changes suddenly".
-static void print_jumps(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void print_jumps(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     whirl_jump first;
     size_t count;
     if (whirl_table_jumps(table, &first, 1, &count).code != WHIRL_OK || count == 0) return;
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     fprintf(out,
             "  %zu jump%s within a regime%s between %.5g and %.5g%s%s: two motions side by side, or one that changes "
             "suddenly\n",
@@ -211,17 +211,20 @@ static void print_jumps(FILE *out, const whirl_result *result, const whirl_table
             table->values[first.to] / unit.size, *unit.name ? " " : "", unit.name);
 }
 
-whirl_status summarize_points(FILE *out, const whirl_result *result, const whirl_table *table) {
-    const size_t planned = whirl_table_planned(table);
-    print_grid(out, table);
-    if (planned <= LONGEST_LIST && table->row == 0)
-        print_list(out, result, table);
-    else
-        print_counts(out, result, table);
-    if (planned > 1) summarize_doubts(out, result, table);
+whirl_status summarize_notes(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    if (whirl_table_planned(table) > 1) summarize_doubts(out, units, table);
     whirl_status status = print_attractors(out, table);
-    if (status.code == WHIRL_OK) status = summarize_starts(out, result, table);
+    if (status.code == WHIRL_OK) status = summarize_starts(out, units, table);
     summarize_refinement(out, table->source ? table->source : table);
-    print_jumps(out, result, table);
+    print_jumps(out, units, table);
     return status;
+}
+
+whirl_status summarize_points(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    print_grid(out, table);
+    if (whirl_table_planned(table) <= LONGEST_LIST && table->row == 0)
+        print_list(out, units, table);
+    else
+        print_counts(out, units, table);
+    return summarize_notes(out, units, table);
 }

@@ -51,8 +51,9 @@ static size_t *count_beside(const whirl_table *table, size_t places) {
     return beside;
 }
 
-static void print_range(FILE *out, const whirl_result *view, const whirl_table *table, size_t first, size_t last) {
-    const whirl_unit unit = whirl_result_unit(view, table->parameter);
+static void print_range(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t first,
+                        size_t last) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     const double *values = table->source->values; // the first start has every place in its order, but in partial files
     double ends[2] = {NAN, NAN};
     for (size_t i = 0; i < table->source->count; i++) {
@@ -65,7 +66,7 @@ static void print_range(FILE *out, const whirl_result *view, const whirl_table *
 }
 
 /// "several side by side at 7 of 41 points: 0.29 to 0.31, 0.498"; of a map how many alone.
-static whirl_status print_coexisting(FILE *out, const whirl_result *view, const whirl_table *table) {
+static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const size_t places = whirl_table_planned(table);
     size_t several = 0, ranges = 0, *beside = count_beside(table, places);
     if (!beside) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu points", places);
@@ -81,7 +82,7 @@ static whirl_status print_coexisting(FILE *out, const whirl_result *view, const 
         while (last + 1 < places && beside[last + 1] > 1) last++;
         if (ranges++ < MOST_RANGES) {
             fputs(ranges == 1 ? ":" : ",", out);
-            print_range(out, view, table, place, last);
+            print_range(out, units, table, place, last);
         }
         place = last;
     }
@@ -91,12 +92,12 @@ static whirl_status print_coexisting(FILE *out, const whirl_result *view, const 
     return whirl_ok();
 }
 
-whirl_status summarize_starts(FILE *out, const whirl_result *view, const whirl_table *table) {
+whirl_status summarize_starts(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     size_t done = 0, untold = 0;
     if (!table->attractors) return whirl_ok();
     const whirl_table *source = table->source;
     if (table->row == 0 && whirl_table_planned(table) > 1) print_attractors(out, table);
-    const whirl_status status = print_coexisting(out, view, table);
+    const whirl_status status = print_coexisting(out, units, table);
     if (status.code != WHIRL_OK) return status;
     for (size_t i = 0; i < source->count; i++) {
         done += whirl_table_done(source, i);

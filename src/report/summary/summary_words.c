@@ -10,30 +10,17 @@ const char *summary_plural(double count) {
     return count == 1 ? "" : "s";
 }
 
-void summary_name(const whirl_verdict *verdict, char *name, size_t size) {
-    if (verdict->regime == WHIRL_PERIODIC)
-        whirl_verdict_name(verdict, name, size);
-    else
-        snprintf(name, size, "%s", whirl_regime_name(verdict->regime));
-}
-
 whirl_unit summary_length_unit(const whirl_shown_units *units) {
     return units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
 }
 
-whirl_shown_units summary_units(const whirl_result *result) {
-    whirl_shown_units units;
-    whirl_result_shown_units(result, NULL, &units); // what a file says that is no unit chooses nothing
-    return units;
-}
-
-void summary_ends(FILE *out, const whirl_result *result, const whirl_table *table, summary_point *tell) {
-    const whirl_unit unit = whirl_result_unit(result, table->parameter);
+void summary_ends(FILE *out, const whirl_shown_units *units, const whirl_table *table, summary_point *tell) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     for (size_t point = 0; point < table->count; point++) {
         if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
         if (*table->parameter)
             fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-        tell(out, result, table, point);
+        tell(out, units, table, point);
     }
 }
 

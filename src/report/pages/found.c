@@ -1,0 +1,309 @@
+// What was found, in sentences: critical speeds, margins, clearances and stability of studies at rest, and motions.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "found.h"
+#include "html.h"
+#include "margins.h"
+#include "quantities.h"
+#include "regimes.h"
+#include "scaled.h"
+#include "shown_kinds.h"
+#include "summary.h"
+
+size_t found_each(const page *to, found_part part, const char *field, each_table *act, void *context) {
+    size_t count = 0;
+    for (size_t r = part.first; r < part.end; r++)
+        for (size_t t = 0; t < to->results[r]->table_count; t++) {
+            const whirl_table *table = &to->results[r]->tables[t];
+            if (table->count == 0 || !whirl_layout_field(&table->layout, field)) continue;
+            if (act) act(to, r, table, context);
+            count++;
+        }
+    return count;
+}
+
+static void begin_sentence(const page *to, const char *what) {
+    fputs("<li><strong>", to->stream);
+    html_text(to->stream, what);
+    fputs(".</strong> ", to->stream);
+}
+
+static void end_sentence(const page *to) {
+    fputs("</li>\n", to->stream);
+}
+
+/// Critical speeds with damping, as far as modes were followed over the speed.
+static void tell_critical(const page *to, size_t result, const whirl_table *table, void *context) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    const whirl_unit speed = margin_speed_unit(&to->units[result]);
+    size_t *const told = context;
+    size_t found = 0;
+    html_printf(to->stream, "%s%s: ", (*told)++ ? "; " : "", table->name);
+    for (size_t point = 0; point < table->count; point++) {
+        const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
+            if (row[0] >= 1.0 && row[0] <= 3.0)
+                html_printf(to->stream, "%s%s%.5g %s", found++ ? ", " : "",
+                            row[0] < 1.5   ? ""
+                            : row[0] < 2.5 ? "unstable from "
+                                           : "stable from ",
+                            row[2] / speed.size, speed.name);
+    }
+    if (!found) html_printf(to->stream, "none between the speeds that were looked at");
+}
+
+/// Peaks with margins, of all responses.
+typedef struct peak_count {
+    size_t told, held, tables;
+    char worst[512]; ///< the first that fails
+} peak_count;
+
+static void count_peaks(const page *to, size_t result, const whirl_table *table, void *context) {
+    peak_count *const all = context;
+    margin_row rows[2 * MARGIN_PEAKS];
+    all->tables += table->record.running_low > 0.0 || table->record.running_high > 0.0;
+    for (size_t s = 0; s < to->results[result]->station_count; s++) {
+        const size_t count = margin_rows(to->results[result], table, &to->units[result], s, rows);
+        for (const margin_row *row = rows; row < rows + count; row++) {
+            all->told += row->told;
+            all->held += row->told && row->holds;
+            if (row->told && !row->holds && !*all->worst)
+                snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
+                         to->results[result]->stations[s].name, row->speed, margin_speed_unit(&to->units[result]).name,
+                         row->amplification, row->text);
+        }
+    }
+}
+
+/// The clearance of which scaled responses take most.
+typedef struct tightest {
+    bool any;
+    double share;
+    scaled_row row;
+    whirl_unit speed; ///< in which that of the row is told
+    char where[256];
+} tightest;
+
+static void find_tightest(const page *to, size_t result, const whirl_table *table, void *context) {
+    tightest *const found = context;
+    const whirl_result *own = to->results[result];
+    scaled by;
+    scaled_row *rows = calloc(own->station_count + 1, sizeof *rows);
+    const size_t count = rows && scaled_of(own, table, &by) ? scaled_rows(own, table, &by, rows) : 0;
+    for (size_t i = 0; i < count; i++) {
+        const double share = rows[i].axis / rows[i].clearance;
+        if (found->any && share <= found->share) continue;
+        *found =
+            (tightest){.any = true, .share = share, .row = rows[i], .speed = margin_speed_unit(&to->units[result])};
+        snprintf(found->where, sizeof found->where, "%s (%s)", own->stations[rows[i].station].name, table->name);
+    }
+    free(rows);
+}
+
+/// The least decrement of the whole machine.
+typedef struct least_decrement {
+    double complete, decrement, ratio;
+    size_t without; ///< points that have no mode
+    const char *where;
+} least_decrement;
+
+static void find_decrement(const page *to, size_t result, const whirl_table *table, void *context) {
+    least_decrement *const found = context;
+    (void)to, (void)result;
+    for (size_t point = 0; point < table->count; point++) {
+        const double complete = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_COMPLETE, 0);
+        found->without += whirl_table_done(table, point) && isnan(complete);
+        if (!whirl_table_done(table, point) || !(complete < found->complete)) continue;
+        found->complete = complete;
+        found->decrement = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0);
+        found->ratio = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) /
+                       whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
+        found->where = table->name;
+    }
+}
+
+static void write_critical(const page *to, found_part part) {
+    size_t told = 0;
+    if (found_each(to, part, WHIRL_FIELD_MODES_CRITICAL, NULL, NULL) == 0 && !part.all) return;
+    begin_sentence(to, "Critical speeds with damping");
+    found_each(to, part, WHIRL_FIELD_MODES_CRITICAL, tell_critical, &told);
+    fputs(told ? "." : "Not looked for (study: modes over the speed).", to->stream);
+    end_sentence(to);
+}
+
+static void write_margins(const page *to, found_part part) {
+    peak_count peaks = {.told = 0};
+    found_each(to, part, WHIRL_FIELD_UNBALANCE_PROBE, count_peaks, &peaks);
+    if (peaks.tables == 0 && !part.all) return;
+    begin_sentence(to, "Separation margins");
+    if (peaks.tables == 0)
+        fputs("Not told: no response to unbalance has its running speeds (running_from, running_to).", to->stream);
+    else if (peaks.told == 0)
+        fputs("No peak has an amplification of 2.5 or more: no margin is asked for.", to->stream);
+    else if (peaks.told == peaks.held)
+        html_printf(to->stream, "All %zu peaks of which a margin is asked for have it.", peaks.told);
+    else
+        html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; first %s.",
+                    peaks.told - peaks.held, peaks.told, peaks.worst);
+    end_sentence(to);
+}
+
+static void write_clearances(const page *to, found_part part) {
+    tightest close = {.any = false};
+    found_each(to, part, WHIRL_FIELD_UNBALANCE_CLEARANCE, find_tightest, &close);
+    if (!close.any && !part.all) return;
+    begin_sentence(to, "Clearances");
+    if (close.any)
+        html_printf(to->stream,
+                    "Responses scaled to the vibration limit take at most %.3g %% of a diametral clearance, at %s at "
+                    "%.5g %s, 75 %% allowed: %s.",
+                    100.0 * close.share, close.where, close.row.speed / close.speed.size, close.speed.name,
+                    close.row.holds ? "holds" : "fails");
+    else
+        fputs("Not told: no station with a clearance, or no running speeds with points between them.", to->stream);
+    end_sentence(to);
+}
+
+static void write_stability(const page *to, found_part part) {
+    least_decrement least = {.complete = INFINITY};
+    if (found_each(to, part, WHIRL_FIELD_STABILITY_COMPLETE, find_decrement, &least) == 0 && !part.all) return;
+    begin_sentence(to, "Stability");
+    if (isfinite(least.complete)) {
+        html_printf(to->stream,
+                    "The least logarithmic decrement is %.3g with seals and impellers (%s), %.3g with bearings "
+                    "and stages",
+                    least.complete, least.where, least.decrement);
+        if (least.ratio == 0.0)
+            fputs(", below 0 without any cross coupling", to->stream);
+        else if (isfinite(least.ratio))
+            html_printf(to->stream, ", whose cross coupling is at its limit when it is %.3g times as large",
+                        least.ratio);
+        html_printf(to->stream, least.complete > margin_decrement ? "; above %g: holds." : "; not above %g: fails.",
+                    margin_decrement);
+        if (least.without > 0) html_printf(to->stream, " At %zu points there is no such mode.", least.without);
+    } else if (least.without > 0) {
+        fputs("No mode was found that does not go backward.", to->stream);
+    } else {
+        fputs("Not looked for (study: stability).", to->stream);
+    }
+    end_sentence(to);
+}
+
+// ---------------------------------------------------------------- motions, and what summaries tell
+
+enum { MOST_RANGES = 12, MOST_LINES = 8, RANGE_SIZE = 512 };
+
+/// "P-1 from 1 to 3.25 rad/s; changing: P-3, chaotic from 3.3 to 3.5 rad/s"; false, and nothing, of too many ranges.
+static bool write_ranges(const page *to, size_t index, const whirl_table *table) {
+    const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
+    regime_interval *intervals = malloc((table->count + 1) * sizeof *intervals);
+    const size_t count =
+        intervals ? regime_intervals(table, to->results[index]->contact_count, intervals, table->count) : 0;
+    size_t groups = 0;
+    for (size_t i = 0; i < count; i += regime_group(&intervals[i], count - i)) groups++;
+    const bool few = groups > 0 && groups <= MOST_RANGES;
+    for (size_t i = 0, group; i < count && few; i += group) {
+        char name[RANGE_SIZE], range[VERDICT_SIZE];
+        group = regime_group(&intervals[i], count - i);
+        const size_t first = intervals[i].first, last = intervals[i + group - 1].last;
+        regime_group_name(&intervals[i], group, name, sizeof name);
+        summary_range(&unit, table, first, last, range, sizeof range);
+        html_printf(to->stream, "%s%s %s %s", i ? "; " : "", name, last > first ? "from" : "at", range);
+        if (intervals[i].branch < 0) fputs(" on the way back", to->stream);
+        if (table->attractors) html_printf(to->stream, " (attractor %zu)", table->attractors[first].number);
+    }
+    free(intervals);
+    return few;
+}
+
+/// "P-1 at 46 points, chaotic at 6 points".
+static void write_verdicts(const page *to, const whirl_table *table) {
+    verdict_count counts[SUMMARY_VERDICTS];
+    const size_t count = summary_counts(table, counts);
+    for (size_t i = 0; i < count; i++)
+        html_printf(to->stream, "%s%s at %zu point%s", i ? ", " : "", counts[i].name, counts[i].points,
+                    summary_plural((double)counts[i].points));
+}
+
+/// " 61 of 61 points rub. Confidence: high at 0, fair at 59, low at 2 points."
+static void write_tally(const page *to, size_t index, const whirl_table *table) {
+    const summary_tally tally = summary_tally_of(&to->units[index], table);
+    if (tally.all < 2) return;
+    if (to->results[index]->contact_count > 0)
+        fprintf(to->stream, " %zu of %zu points rub.", tally.rubbing, tally.all);
+    if (tally.failed > 0) fprintf(to->stream, " Exponents of %zu points failed.", tally.failed);
+    fprintf(to->stream, " Confidence: high at %zu, fair at %zu, low at %zu points.", tally.sure[WHIRL_HIGH],
+            tally.sure[WHIRL_FAIR], tally.sure[WHIRL_LOW]);
+}
+
+/// Lines of a summary as items of a list; all but the first so many are left to its table.
+static void write_lines(FILE *stream, char *text) {
+    size_t count = 0;
+    for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
+        line += strspn(line, " ");
+        if (!*line || count++ >= MOST_LINES) continue;
+        fputs(count == 1 ? "<ul class=\"notes\">\n<li>" : "<li>", stream);
+        plus_minus(line);
+        html_text(stream, line);
+        fputs("</li>\n", stream);
+    }
+    if (count > MOST_LINES) fprintf(stream, "<li>and %zu more lines: see its table</li>\n", count - MOST_LINES);
+    if (count > 0) fputs("</ul>\n", stream);
+}
+
+/// What the summary says of a table, below its heading.
+static void tell_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const shown_kind *kind = shown_kind_of(table);
+    if (kind) {
+        kind->summarize(out, units, table);
+    } else if (!*table->parameter && !table->source && table->count == 1) {
+        summarize_response(out, units, table);
+    } else {
+        summarize_notes(out, units, table);
+    }
+}
+
+static void write_told(const page *to, size_t index, const whirl_table *table) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (out) {
+        tell_table(out, &to->units[index], table);
+        if (fclose(out) == 0) write_lines(to->stream, text);
+    }
+    free(text);
+}
+
+void found_table(const page *to, size_t index, const whirl_table *table) {
+    char *heading = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&heading, &size);
+    if (!out) return;
+    summarize_heading(out, table);
+    if (fclose(out) == 0) {
+        heading[strcspn(heading, "\n")] = '\0';
+        const size_t length = strlen(heading);
+        if (length > 0 && heading[length - 1] == ':') heading[length - 1] = '\0';
+        fputs("<li><strong>", to->stream);
+        html_text(to->stream, heading);
+        fputs(".</strong> ", to->stream);
+        if (whirl_layout_has_verdict(&table->layout)) {
+            if (table->row > 0 || !*table->parameter || !write_ranges(to, index, table)) write_verdicts(to, table);
+            fputs(".", to->stream);
+            write_tally(to, index, table);
+        }
+        write_told(to, index, table);
+        fputs("</li>\n", to->stream);
+    }
+    free(heading);
+}
+
+void found_at_rest(const page *to, found_part part) {
+    write_critical(to, part);
+    write_margins(to, part);
+    write_clearances(to, part);
+    write_stability(to, part);
+}
