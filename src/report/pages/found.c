@@ -232,8 +232,7 @@ static void write_verdicts(const page *to, const whirl_table *table) {
 static void write_tally(const page *to, size_t index, const whirl_table *table) {
     const summary_tally tally = summary_tally_of(&to->units[index], table);
     if (tally.all < 2) return;
-    if (to->results[index]->contact_count > 0)
-        fprintf(to->stream, " %zu of %zu points rub.", tally.rubbing, tally.all);
+    if (to->results[index]->contact_count > 0) fprintf(to->stream, " %zu of %zu points rub.", tally.rubbing, tally.all);
     if (tally.failed > 0) fprintf(to->stream, " Exponents of %zu points failed.", tally.failed);
     fprintf(to->stream, " Confidence: high at %zu, fair at %zu, low at %zu points.", tally.sure[WHIRL_HIGH],
             tally.sure[WHIRL_FAIR], tally.sure[WHIRL_LOW]);
@@ -254,12 +253,17 @@ static void write_lines(FILE *stream, char *text) {
     if (count > 0) fputs("</ul>\n", stream);
 }
 
+/// One motion, of which the summary tells all.
+static bool is_single(const whirl_table *table) {
+    return !*table->parameter && !table->source && table->count == 1;
+}
+
 /// What the summary says of a table, below its heading.
 static void tell_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     if (kind) {
         kind->summarize(out, units, table);
-    } else if (!*table->parameter && !table->source && table->count == 1) {
+    } else if (is_single(table)) {
         summarize_response(out, units, table);
     } else {
         summarize_notes(out, units, table);
@@ -290,7 +294,7 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
         fputs("<li><strong>", to->stream);
         html_text(to->stream, heading);
         fputs(".</strong> ", to->stream);
-        if (whirl_layout_has_verdict(&table->layout)) {
+        if (whirl_layout_has_verdict(&table->layout) && !is_single(table)) {
             if (table->row > 0 || !*table->parameter || !write_ranges(to, index, table)) write_verdicts(to, table);
             fputs(".", to->stream);
             write_tally(to, index, table);
