@@ -12,12 +12,19 @@ static bool is_told(const whirl_result *result, const whirl_table *table) {
     return strcmp(table->name, "detail") != 0 || result->table_count == 1;
 }
 
-void page_found(const page *to, size_t index) {
+static void write_tables(const page *to, size_t index, bool at_rest) {
     const whirl_result *result = to->results[index];
+    for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++) {
+        const whirl_kind *kind = whirl_analysis_kind(table->analyses);
+        if (is_told(result, table) && at_rest == !(kind->moves || kind->found)) found_table(to, index, table);
+    }
+}
+
+void page_found(const page *to, size_t index) {
     fputs("<ul class=\"found\">\n", to->stream);
-    for (size_t t = 0; t < result->table_count; t++)
-        if (is_told(result, &result->tables[t])) found_table(to, index, &result->tables[t]);
+    write_tables(to, index, false);
     found_at_rest(to, (found_part){index, index + 1, false});
+    write_tables(to, index, true);
     fputs("</ul>\n", to->stream);
     const drawn_figure *main = page_main_figure(to, index);
     if (main) page_figure(to, main);
