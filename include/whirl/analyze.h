@@ -694,7 +694,10 @@ typedef struct whirl_resting {
     /// those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine);
-    const void *context;        ///< handed to at_speed
+    /// Makes the same machine with its coefficients at a frequency of whirl, rad/s.
+    whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
+                                 whirl_machine *machine);
+    const void *context;        ///< handed to at_speed and at_frequency
     size_t placed_count;        ///< of placed
     const whirl_placed *placed; ///< [placed_count] unbalances that it has in the place of its own
 } whirl_resting;

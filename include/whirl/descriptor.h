@@ -19,7 +19,7 @@ typedef enum whirl_key_kind {
     WHIRL_KEY_CHOICE,     ///< one of the words in `choices`
     WHIRL_KEY_STATION,    ///< the name of a station
     WHIRL_KEY_STATIONS,   ///< two stations, "a, b"; one of them may be "ground" where the meaning says so
-    WHIRL_KEY_NUMBERS,    ///< a number as above, or a list of at most WHIRL_MAX_LIST
+    WHIRL_KEY_NUMBERS,    ///< a number as above, or a list of at most WHIRL_MAX_LIST, or of so many equal lists
     WHIRL_KEY_NAME        ///< a name of what `choices` says: "shafts" or "materials"
 } whirl_key_kind;
 

@@ -106,6 +106,7 @@
 #define WHIRL_FIELD_MODES_RIGID_BODY "modes/rigid_body"
 #define WHIRL_FIELD_MODES_STABILITY "modes/stability"
 #define WHIRL_FIELD_MODES_MODULO "modes/modulo"
+#define WHIRL_FIELD_MODES_KNOWN "modes/known"
 #define WHIRL_FIELD_MODES_CRITICAL "modes/critical"
 #define WHIRL_FIELD_MODES_REST "modes/rest"
 #define WHIRL_FIELD_MODES_SHAPE "modes/shape"

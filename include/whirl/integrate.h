@@ -45,6 +45,9 @@ const whirl_member *whirl_integrate_members(void);
 /// The defaults of whirl_integrate_members, but the method rk4 with the 1024 steps of the 2015 paper.
 whirl_integrate_options whirl_integrate_default(void);
 
+/// WHIRL_BAD_INPUT with a sentence for a system without motions in time (whirl_system.frequencies).
+whirl_status whirl_integrate_check(const whirl_system *system);
+
 /// A method as it describes itself.
 typedef struct whirl_method {
     const char *name;    ///< as written in a case file

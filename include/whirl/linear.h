@@ -53,6 +53,19 @@ typedef struct whirl_modes {
 /// found, or coefficients turn with a phase that never fits revolutions. Freed by whirl_modes_free.
 whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **modes);
 
+/// A machine at any frequency of whirl (rad/s), to be released.
+typedef struct whirl_whirling {
+    whirl_status (*at)(const void *context, double frequency, whirl_machine *machine); ///< makes it
+    const void *context;                                                               ///< handed to it; borrowed
+} whirl_whirling;
+
+/// The modes of a machine; of one whose coefficients depend on the frequency of whirl (whirl_system.frequencies) those
+/// whose damped frequency is the frequency at which its coefficients are looked up, to 1e-12 of it, from the first to
+/// the last of these; eigenvalues without frequency where that is 0, and none where it is not known there. growth is
+/// NaN where there are neither. The machine is then looked at through `others`. Errors as whirl_modes_new and those of
+/// machines.
+whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *others, whirl_modes **modes);
+
 /// Frees modes; NULL is none.
 void whirl_modes_free(whirl_modes *modes);
 
@@ -65,6 +78,10 @@ whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, d
 /// response [dimension][2] X. Of a system whose coefficients turn with the shaft: the periodic motion itself, its mean
 /// and its first harmonic. Errors as whirl_modes_new, and where the response is beyond all bounds.
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response);
+
+/// WHIRL_BAD_INPUT with a sentence where coefficients of a machine depend on the frequency of whirl and are not known
+/// at that of its shaft, which turns at a speed (rad/s, either way).
+whirl_status whirl_synchronous_check(const whirl_system *system, double speed);
 
 /// Stiffness and damping of the bearings of a machine that has nothing else (WHIRL_BEARINGS_ALONE) on stations of 1 kg,
 /// about the state x [dimension]: kxx, kxy, kyx, kyy in N/m and cxx, cxy, cyx, cyy in N s/m of all bearings at each

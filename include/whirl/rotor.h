@@ -44,8 +44,8 @@ const whirl_group *const *whirl_element_groups(void);
 const whirl_group *whirl_element_group(const char *name);
 
 /// One key of a station or an element with its value. `number` is in the key's SI unit; `text` is for words:
-/// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit.
-/// Where text is not NULL it counts. Borrowed.
+/// a choice, a name, a station, two stations "disc, journal", or a list of numbers "1e7, 1.2e7" in the key's SI unit,
+/// or of equal lists, "1e7, 1.2e7; 2e7, 2.1e7". Where text is not NULL it counts. Borrowed.
 typedef struct whirl_setting {
     const char *key;  ///< its name
     double number;    ///< in the SI unit
@@ -113,6 +113,11 @@ typedef enum whirl_drag {
 
 /// Chooses them: of WHIRL_DRAG_AT by the station's index; cross couplings of stages count `stages` times.
 void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, double stages);
+
+/// The frequency of whirl, rad/s, at which coefficients are looked up that depend on it (`frequencies` of bearings), or
+/// the next one that all their tables know; that of the shaft where this is not called. Such a rotor stands for small
+/// motions of that frequency: only linear analyses are for it (whirl_system.frequencies).
+void whirl_design_frequency(whirl_design *design, double frequency);
 
 /// Puts unbalances [count], at stations of the design, in the place of all that turn with the rotor: of stations, discs
 /// and elements `unbalance`, and skew. Borrowed until the rotor is built. 0: the rotor has its own.

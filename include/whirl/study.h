@@ -77,6 +77,8 @@ typedef struct whirl_batch {
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;
     double speed;          ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
+    bool asynchronous;     ///< coefficients over the frequency of whirl of the machine that is asked for are those at
+    double frequency;      ///< rad/s, in place of that of the shaft
     double variant_value;  ///< of the variant that is asked for
     whirl_variant variant; ///< of it; of the batch itself that which is studied
     size_t start;          ///< which of them the machine shall have that is asked for, from 0; of the batch itself 0

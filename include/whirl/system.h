@@ -123,6 +123,11 @@ typedef struct whirl_system {
     /// Writes these forces [contact_count].
     void (*contacts)(const void *model, const double *x, double *normal_force);
 
+    /// Of a machine with coefficients that depend on the frequency of whirl: rad/s, rising, at which these are known.
+    /// It is the machine at one frequency, whose linear analyses alone mean anything. 0: there are none.
+    size_t frequency_count;
+    const double *frequencies; ///< [frequency_count]; borrowed
+
     size_t probe_count;        ///< of probes
     const whirl_probe *probes; ///< borrowed; lives as long as the system
 

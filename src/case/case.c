@@ -140,6 +140,9 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
+        const whirl_kind *kind = whirl_analysis_kind(batch->analyses);
+        if (status.code == WHIRL_OK && (kind->moves || kind->found))
+            status = whirl_integrate_check(whirl_rotor_system(rotor));
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
         if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);

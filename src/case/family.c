@@ -32,7 +32,11 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
 
 /// What the variant that is asked for has in the place of its own.
 static machine_choice choose(const whirl_batch *batch) {
-    machine_choice choice = {.placed_count = batch->placed_count, .placed = batch->placed, .stages = 1.0};
+    machine_choice choice = {.placed_count = batch->placed_count,
+                             .placed = batch->placed,
+                             .stages = 1.0,
+                             .asynchronous = batch->asynchronous,
+                             .frequency = batch->frequency};
     if (batch->variant == WHIRL_WITH_STAGES) choice.drag = WHIRL_DRAG_STAGES, choice.stages = batch->variant_value;
     if (batch->variant == WHIRL_WITH_DRAG_AT)
         choice.drag = WHIRL_DRAG_AT, choice.drag_at = (size_t)batch->variant_value;

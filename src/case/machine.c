@@ -308,6 +308,7 @@ whirl_status machine_build_with(const machine_parts *machine, valuation *v, doub
     const whirl_status status = make_design(machine, v, speed, &design);
     if (status.code == WHIRL_OK) {
         whirl_design_unbalances(design, choice->placed_count, choice->placed);
+        if (choice->asynchronous) whirl_design_frequency(design, choice->frequency);
         whirl_design_drag(design, choice->drag, choice->drag_at, choice->stages);
     }
     return build_and_free(status, design, rotor);

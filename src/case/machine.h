@@ -39,6 +39,8 @@ typedef struct machine_choice {
     whirl_drag drag;            ///< which seals and impellers, ...
     size_t drag_at;             ///< ... of those at one station: where
     double stages;              ///< times which stages count
+    bool asynchronous;          ///< coefficients over the frequency of whirl are those at
+    double frequency;           ///< rad/s, in place of that of the shaft
 } machine_choice;
 
 /// The same with a choice.

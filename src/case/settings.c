@@ -151,17 +151,10 @@ static bool read_number(case_reader *reader, const file_node *where, const whirl
     return !unit[0] || read_dimension(reader, where, unit, result);
 }
 
-/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000". Expressions stand in single numbers alone.
-static bool read_list(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+/// Appends the numbers of a list. Expressions stand in single numbers alone.
+static bool append_list(case_reader *reader, const file_node *where, const whirl_key *key, char **text) {
     char shown[SHOWN_SIZE];
-    if (where->count == 0 || where->count > WHIRL_MAX_LIST) {
-        problem_at(reader->problems, where, "has %zu numbers, expected 1 to %d", where->count, WHIRL_MAX_LIST);
-        return false;
-    }
-    char *text = arena_take(reader->arena, where->count * (NUMBER_SIZE + 2));
-    reader->no_memory = reader->no_memory || !text;
-    result->word = text;
-    for (const file_node *item = where->first; item && text; item = item->next) {
+    for (const file_node *item = where->first; item; item = item->next) {
         number_formula value;
         if (!formula_read(reader, item, key, &value)) return false;
         if (value.expression) {
@@ -169,11 +162,51 @@ static bool read_list(case_reader *reader, const file_node *where, const whirl_k
                        node_shown(item, shown));
             return false;
         }
-        if (item != where->first) text += strlen(strcpy(text, ", "));
-        number_text(value.number, text);
-        text += strlen(text);
+        if (item != where->first) *text += strlen(strcpy(*text, ", "));
+        number_text(value.number, *text);
+        *text += strlen(*text);
     }
-    return text != NULL;
+    return true;
+}
+
+static bool check_count(case_reader *reader, const file_node *where, const char *what) {
+    if (where->count > 0 && where->count <= WHIRL_MAX_LIST) return true;
+    problem_at(reader->problems, where, "has %zu %s, expected 1 to %d", where->count, what, WHIRL_MAX_LIST);
+    return false;
+}
+
+/// Lists of a list are as long as the first.
+static bool check_rows(case_reader *reader, const file_node *where) {
+    char shown[SHOWN_SIZE];
+    if (!check_count(reader, where, "lists")) return false;
+    for (const file_node *row = where->first; row; row = row->next) {
+        if (row->kind != NODE_LIST) {
+            problem_at(reader->problems, row, "is %s, expected a list as the one before", node_shown(row, shown));
+            return false;
+        }
+        if (!check_count(reader, row, "numbers")) return false;
+        if (row->count == where->first->count) continue;
+        problem_at(reader->problems, row, "has %zu numbers, expected %zu as the first list has", row->count,
+                   where->first->count);
+        return false;
+    }
+    return true;
+}
+
+/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000", and [[1, 2], [3, 4]] "1, 2; 3, 4".
+static bool read_list(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
+    const bool nested = where->count > 0 && where->first->kind == NODE_LIST;
+    if (nested ? !check_rows(reader, where) : !check_count(reader, where, "numbers")) return false;
+    const size_t count = nested ? where->count * where->first->count : where->count;
+    char *text = arena_take(reader->arena, count * (NUMBER_SIZE + 2));
+    reader->no_memory = reader->no_memory || !text;
+    result->word = text;
+    if (!text || !nested) return text && append_list(reader, where, key, &text);
+    for (const file_node *row = where->first; row; row = row->next) {
+        if (row != where->first) text += strlen(strcpy(text, "; "));
+        if (!append_list(reader, row, key, &text)) return false;
+    }
+    return true;
 }
 
 static bool read_value(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {

@@ -93,30 +93,44 @@ const char *field_text(field_section *section, const char *key, const char *fall
     return found && found->kind == VALUE_TEXT ? found->text : fallback;
 }
 
-/// A number, or the first of a row of equal ones: a table's over the frequency of excitation.
-static const value *one_of_row(field_section *section, const field_kind *kind, const value *item) {
-    if (item->kind != VALUE_LIST || !item->first) return item;
-    for (const value *one = item->first; one; one = one->next)
-        if (one->kind == VALUE_NUMBER && one->number != item->first->number)
-            field_refuse(section, kind->key, one,
-                         "goes from %.10g to %.10g along the frequency of excitation, expected coefficients that "
-                         "depend on the speed alone",
-                         item->first->number, one->number);
-    return item->first;
+/// How many numbers the rows of a list have, 1 of a list of numbers; refuses rows that are not equal.
+static size_t width_of(field_section *section, const field_kind *kind, const value *list) {
+    const bool nested = list->kind == VALUE_LIST && list->first && list->first->kind == VALUE_LIST;
+    const size_t width = nested ? list->first->count : 1;
+    for (const value *row = nested ? list->first : NULL; row; row = row->next) {
+        if (row->kind != VALUE_LIST) {
+            refuse_kind(section, kind->key, row, "a row as the one before");
+        } else if (row->count == 0 || row->count != width) {
+            field_refuse(section, kind->key, row, "has a row of %zu numbers after one of %zu, expected equal rows",
+                         row->count, width);
+        }
+    }
+    return width;
 }
 
-double *field_numbers(field_section *section, const field_kind *kind, size_t *count) {
+double *field_table(field_section *section, const field_kind *kind, size_t *rows, size_t *columns) {
     const value *const found = find(section, kind->key, false, "");
-    *count = 0;
+    *rows = 0;
     if (!found) return NULL;
     const bool list = found->kind == VALUE_LIST;
     if (list && found->count == 0) field_refuse(section, kind->key, found, "is an empty list, expected numbers");
     if (!list && found->kind != VALUE_NUMBER) refuse_kind(section, kind->key, found, "a list of numbers");
-    double *const numbers = field_memory(section->reader, (list ? found->count : 1) * sizeof *numbers);
-    if (!numbers) return NULL;
-    for (const value *item = list ? found->first : found; item && field_good(section->reader); item = item->next) {
-        numbers[(*count)++] = check_number(section, kind, list ? one_of_row(section, kind, item) : item);
-        if (!list) break;
-    }
+    *columns = width_of(section, kind, found);
+    double *const numbers = field_memory(section->reader, (list ? found->count : 1) * *columns * sizeof *numbers);
+    double *next = numbers;
+    for (const value *row = list ? found->first : found; numbers && row && field_good(section->reader);
+         row = list ? row->next : NULL, ++*rows)
+        for (const value *item = row->kind == VALUE_LIST ? row->first : row; item;
+             item = row->kind == VALUE_LIST ? item->next : NULL)
+            *next++ = check_number(section, kind, item);
+    return numbers;
+}
+
+double *field_numbers(field_section *section, const field_kind *kind, size_t *count) {
+    size_t columns = 1;
+    double *const numbers = field_table(section, kind, count, &columns);
+    if (numbers && columns > 1)
+        field_refuse(section, kind->key, value_member(section->table, kind->key),
+                     "has rows, expected a list of numbers");
     return numbers;
 }

@@ -48,8 +48,11 @@ bool field_truth(field_section *section, const char *key, bool fallback);
 /// A text, or `fallback`; borrowed.
 const char *field_text(field_section *section, const char *key, const char *fallback);
 
-/// A number or a list of them, of which each may be a row of equal numbers; *count is 0 and the result NULL where the
-/// key is missing.
+/// A number, a list of them, or a list of equally long rows, one after the other: [*rows][*columns]; *rows is 0 and the
+/// result NULL where the key is missing.
+double *field_table(field_section *section, const field_kind *kind, size_t *rows, size_t *columns);
+
+/// A number or a list of them; *count is 0 and the result NULL where the key is missing.
 double *field_numbers(field_section *section, const field_kind *kind, size_t *count);
 
 #endif

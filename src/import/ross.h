@@ -65,12 +65,14 @@ extern const char *const ross_coefficient_units[COEFFICIENTS];
 
 typedef struct ross_bearing {
     const char *tag;
-    long node, link;      ///< link: node of its housing, -1: the ground
-    const char *axis;     ///< key of the speeds: "frequency", from ROSS 3 on "speed"
-    size_t speed_count;   ///< 0: constant
-    const double *speeds; ///< rad/s, rising
+    long node, link;           ///< link: node of its housing, -1: the ground
+    const char *axis;          ///< key of the speeds: "frequency", from ROSS 3 on "speed"
+    size_t speed_count;        ///< 0: nothing depends on the speed
+    const double *speeds;      ///< rad/s, rising
+    size_t frequency_count;    ///< 0: nothing depends on the frequency of whirl
+    const double *frequencies; ///< rad/s, rising
     const double *values[COEFFICIENTS];
-    bool varies[COEFFICIENTS]; ///< a value for every speed, else one for all
+    bool varies[COEFFICIENTS]; ///< [1 or speed_count][1 or frequency_count], else one for all
     bool seal;
     field_section section;
 } ross_bearing;

@@ -1,4 +1,4 @@
-// Bearings and seals of ROSS: coefficients, constant or over the speed.
+// Bearings and seals of ROSS: coefficients, constant or over the speed and the frequency of whirl.
 #include "ross.h"
 
 #include <math.h>
@@ -13,19 +13,24 @@ const char *const ross_coefficient_units[COEFFICIENTS] = {"N/m",   "N/m",   "N/m
 
 static const double nothing[1] = {0.0};
 
-/// Speeds that rise; one alone is none, for then all is constant. From ROSS 3 on they are called speed, and frequency
-/// is that of an excitation, on which nothing may depend.
-static void read_speeds(field_section *section, const char *version, ross_bearing *out) {
+/// The numbers of an axis, rising.
+static const double *read_axis(field_section *section, const char *key, const char *what, size_t *count) {
+    const field_kind kind = {key, "rad/s", WHIRL_NOT_NEGATIVE};
+    const double *const numbers = field_numbers(section, &kind, count);
+    for (size_t i = 1; i < *count && field_good(section->reader); i++)
+        if (!(numbers[i - 1] < numbers[i]))
+            field_refuse(section, key, value_member(section->table, key),
+                         "goes from %.10g to %.10g rad/s, expected %s that rise", numbers[i - 1], numbers[i], what);
+    return numbers;
+}
+
+/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation: of whirl.
+static void read_axes(field_section *section, const char *version, ross_bearing *out) {
     const bool named = value_member(section->table, "speed"), old = value_member(section->table, "frequency");
     const bool new = strtol(version, NULL, 10) >= 3 || (named && !old);
     out->axis = new ? "speed" : "frequency";
-    const field_kind kind = {out->axis, "rad/s", WHIRL_NOT_NEGATIVE};
-    out->speeds = field_numbers(section, &kind, &out->speed_count);
-    for (size_t i = 1; i < out->speed_count && field_good(section->reader); i++)
-        if (!(out->speeds[i - 1] < out->speeds[i]))
-            field_refuse(section, kind.key, value_member(section->table, kind.key),
-                         "goes from %.10g to %.10g rad/s, expected speeds that rise", out->speeds[i - 1],
-                         out->speeds[i]);
+    out->speeds = read_axis(section, out->axis, "speeds", &out->speed_count);
+    if (new) out->frequencies = read_axis(section, "frequency", "frequencies", &out->frequency_count);
 }
 
 /// A list of numbers that are all the same says no more than one of them.
@@ -35,22 +40,41 @@ static bool is_constant(const double *numbers, size_t count) {
     return true;
 }
 
+static size_t at_least_one(size_t count) {
+    return count > 0 ? count : 1;
+}
+
+/// Whether a table says a number for every place: one for all, a list along the only axis or the speeds, or rows.
+static bool fits(field_section *section, const char *key, size_t rows, size_t columns, const ross_bearing *out) {
+    const value *at = value_member(section->table, key);
+    const bool whirls = out->speed_count == 0 && out->frequency_count > 0; // a list is along the frequencies
+    const size_t along = whirls ? out->frequency_count : out->speed_count;
+    if (columns > 1 && columns != out->frequency_count)
+        field_refuse(section, key, at, "has rows of %zu numbers, expected as many as frequency has: %zu", columns,
+                     out->frequency_count);
+    else if (columns > 1 && rows != at_least_one(out->speed_count))
+        field_refuse(section, key, at, "has %zu rows, expected as many as speed has: %zu", rows, out->speed_count);
+    else if (columns == 1 && rows > 1 && rows != along)
+        field_refuse(section, key, at, "has %zu numbers, expected one, or as many as %s has: %zu", rows,
+                     whirls ? "frequency" : out->axis, along);
+    return field_good(section->reader);
+}
+
+/// As a number for every place.
 static void read_coefficient(field_section *section, ross_coefficient which, ross_bearing *out) {
     const field_kind kind = {ross_coefficient_names[which], ross_coefficient_units[which], WHIRL_ANY};
-    size_t count;
-    double *const numbers = field_numbers(section, &kind, &count);
-    out->values[which] = numbers ? numbers : nothing;
-    if (!numbers || !field_good(section->reader)) return;
-    const bool excited = !value_member(section->table, "speed") && strcmp(out->axis, "speed") == 0 &&
-                         value_member(section->table, "frequency");
-    if (excited && !is_constant(numbers, count))
-        field_refuse(section, kind.key, value_member(section->table, kind.key),
-                     "depends on frequency, which is that of an excitation from ROSS 3 on, expected coefficients over "
-                     "speed");
-    else if (!excited && count > 1 && count != out->speed_count)
-        field_refuse(section, kind.key, value_member(section->table, kind.key),
-                     "has %zu numbers, expected one, or as many as %s has: %zu", count, out->axis, out->speed_count);
-    out->varies[which] = !is_constant(numbers, count);
+    const size_t speeds = at_least_one(out->speed_count), frequencies = at_least_one(out->frequency_count);
+    size_t rows, columns = 1;
+    const double *const numbers = field_table(section, &kind, &rows, &columns);
+    out->values[which] = nothing;
+    if (!numbers || !fits(section, kind.key, rows, columns, out)) return;
+    double *const all = field_memory(section->reader, speeds * frequencies * sizeof *all);
+    const bool whirls = columns > 1 || out->speed_count == 0;
+    for (size_t i = 0; i < speeds * frequencies && all; i++)
+        all[i] = numbers[rows * columns == 1 ? 0 : columns > 1 ? i : whirls ? i % frequencies : i / frequencies];
+    if (!all) return;
+    out->values[which] = all;
+    out->varies[which] = !is_constant(all, speeds * frequencies);
 }
 
 /// Where the file leaves out what acts along y, it is as along x.
@@ -77,7 +101,7 @@ static void note_skew_mass(field_section *section, const char *tag, double lost)
 /// taken.
 static void make_symmetric(field_section *section, const char *tag, ross_bearing *out) {
     const bool varies = out->varies[MXY] || out->varies[MYX];
-    const size_t count = varies ? out->speed_count : 1;
+    const size_t count = varies ? at_least_one(out->speed_count) * at_least_one(out->frequency_count) : 1;
     double lost = 0.0;
     double *const mean = field_memory(section->reader, count * sizeof *mean);
     for (size_t i = 0; mean && i < count; i++) {
@@ -92,23 +116,53 @@ static void make_symmetric(field_section *section, const char *tag, ross_bearing
     out->varies[MXY] = out->varies[MYX] = !is_constant(mean, count);
 }
 
-/// As many speeds as a case may list.
-static void thin(field_section *section, const char *tag, ross_bearing *out) {
-    const size_t most = WHIRL_MAX_LIST, count = out->speed_count;
-    if (count <= most) return;
-    note_of(&section->reader->notes, NOTE_THINNED, tag);
-    const double **const lists[COEFFICIENTS + 1] = {
-        &out->speeds,      &out->values[KXX], &out->values[KXY], &out->values[KYX], &out->values[KYY],
-        &out->values[CXX], &out->values[CXY], &out->values[CYX], &out->values[CYY], &out->values[MXX],
-        &out->values[MXY], &out->values[MYX], &out->values[MYY]};
-    for (size_t list = 0; list <= COEFFICIENTS; list++) {
-        double *const kept = field_memory(section->reader, most * sizeof *kept);
-        if (!kept) return;
-        if (list > 0 && !out->varies[list - 1]) continue;
-        for (size_t i = 0; i < most; i++) kept[i] = (*lists[list])[(i * (count - 1) + (most - 1) / 2) / (most - 1)];
-        *lists[list] = kept;
+/// Every how manieth of `count` places is kept, at most as many as a case may list, the ends among them; 1: the first.
+static size_t kept_place(size_t i, size_t kept, size_t count) {
+    return kept == 1 ? 0 : (i * (count - 1) + (kept - 1) / 2) / (kept - 1);
+}
+
+/// Keeps so many speeds and frequencies.
+static void keep(field_section *section, size_t speeds, size_t frequencies, ross_bearing *out) {
+    const size_t all_speeds = at_least_one(out->speed_count), all_frequencies = at_least_one(out->frequency_count);
+    for (int which = KXX; which < COEFFICIENTS; which++) {
+        double *const kept =
+            out->varies[which] ? field_memory(section->reader, speeds * frequencies * sizeof *kept) : NULL;
+        for (size_t i = 0; i < speeds * frequencies && kept; i++)
+            kept[i] = out->values[which][kept_place(i / frequencies, speeds, all_speeds) * all_frequencies +
+                                         kept_place(i % frequencies, frequencies, all_frequencies)];
+        if (kept) out->values[which] = kept;
     }
-    out->speed_count = most;
+    double *const places = field_memory(section->reader, (speeds + frequencies) * sizeof *places);
+    for (size_t i = 0; i < speeds && places && out->speed_count > 0; i++)
+        places[i] = out->speeds[kept_place(i, speeds, all_speeds)];
+    for (size_t i = 0; i < frequencies && places && out->frequency_count > 0; i++)
+        places[speeds + i] = out->frequencies[kept_place(i, frequencies, all_frequencies)];
+    out->speeds = places;
+    out->frequencies = places ? places + speeds : NULL;
+    out->speed_count = speeds > 1 ? speeds : 0;
+    out->frequency_count = frequencies > 1 ? frequencies : 0;
+}
+
+/// Leaves out an axis along which nothing varies, and places of which a case may list no more.
+static void thin(field_section *section, const char *tag, ross_bearing *out) {
+    const size_t speeds = at_least_one(out->speed_count), frequencies = at_least_one(out->frequency_count);
+    const size_t most = WHIRL_MAX_LIST;
+    bool along_speeds = false, along_frequencies = false;
+    for (int which = KXX; which < COEFFICIENTS; which++)
+        for (size_t i = 0; i < speeds * frequencies && out->varies[which]; i++) {
+            const double *const at = out->values[which];
+            along_speeds = along_speeds || at[i] != at[i % frequencies];
+            along_frequencies = along_frequencies || at[i] != at[i - i % frequencies];
+        }
+    const size_t kept[] = {!along_speeds   ? 1
+                           : speeds < most ? speeds
+                                           : most,
+                           !along_frequencies   ? 1
+                           : frequencies < most ? frequencies
+                                                : most};
+    if ((along_speeds && kept[0] < speeds) || (along_frequencies && kept[1] < frequencies))
+        note_of(&section->reader->notes, NOTE_THINNED, tag);
+    keep(section, kept[0], kept[1], out);
 }
 
 /// What acts along the shaft.
@@ -117,9 +171,9 @@ static void note_axial(field_section *section, const char *tag) {
     bool found = false;
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
         const field_kind kind = {keys[i], "SI", WHIRL_ANY};
-        size_t count;
-        const double *const numbers = field_numbers(section, &kind, &count);
-        for (size_t j = 0; j < count; j++) found = found || numbers[j] != 0.0;
+        size_t rows, columns = 1;
+        const double *const numbers = field_table(section, &kind, &rows, &columns);
+        for (size_t j = 0; numbers && j < rows * columns; j++) found = found || numbers[j] != 0.0;
     }
     if (found) note_of(&section->reader->notes, NOTE_AXIAL, tag);
 }
@@ -129,7 +183,7 @@ void ross_read_bearing(field_section *section, const char *tag, const char *vers
     *out = (ross_bearing){.tag = tag, .section = *section};
     out->node = field_whole(section, "n", -2);
     out->link = field_whole(section, "n_link", -1);
-    read_speeds(section, version, out);
+    read_axes(section, version, out);
     for (int which = KXX; which < COEFFICIENTS; which++) read_coefficient(section, (ross_coefficient)which, out);
     if (!field_good(reader)) return;
     if (!value_member(section->table, "kxx")) field_refuse(section, "kxx", NULL, "is missing, expected numbers in N/m");
@@ -137,9 +191,6 @@ void ross_read_bearing(field_section *section, const char *tag, const char *vers
     as_along_x(section, CYY, CXX, out);
     as_along_x(section, MYY, MXX, out);
     make_symmetric(section, tag, out);
-    bool varies = false;
-    for (int which = KXX; which < COEFFICIENTS; which++) varies = varies || out->varies[which];
-    if (!varies) out->speed_count = 0;
     thin(section, tag, out);
     note_axial(section, tag);
     if (value_member(section->table, "seal_leakage")) note_of(&reader->notes, NOTE_LEAKAGE, tag);

@@ -257,6 +257,11 @@ static void put_heavier_axis(FILE *out, const ross_station *at) {
             x ? "x" : "y", at->name, x ? text : "0 kg", x ? "0 kg" : text);
 }
 
+static size_t table_size(const ross_bearing *bearing) {
+    return (bearing->speed_count > 0 ? bearing->speed_count : 1) *
+           (bearing->frequency_count > 0 ? bearing->frequency_count : 1);
+}
+
 /// What acts along y is written where it differs from x, and what is 0 is not.
 static bool is_said(const ross_bearing *bearing, ross_coefficient which) {
     const ross_coefficient x = which == KYY ? KXX : which == CYY ? CXX : which == MYY ? MXX : which;
@@ -264,17 +269,16 @@ static bool is_said(const ross_bearing *bearing, ross_coefficient which) {
     if (x == which) return ross_acts(bearing, which);
     if (bearing->varies[which] || bearing->varies[x]) {
         if (bearing->varies[which] != bearing->varies[x]) return true;
-        for (size_t i = 0; i < bearing->speed_count; i++)
+        for (size_t i = 0; i < table_size(bearing); i++)
             if (bearing->values[which][i] != bearing->values[x][i]) return true;
         return false;
     }
     return bearing->values[which][0] != bearing->values[x][0];
 }
 
-/// "kxx: [1, 2, 3]": plain numbers are in SI.
-static void put_list(FILE *out, const char *key, const double *numbers, size_t count) {
-    char text[QUANTITY_SIZE], head[32];
-    snprintf(head, sizeof head, "        %s: [", key);
+/// "kxx: [1, 2, 3]", behind `head`: plain numbers are in SI.
+static void put_list(FILE *out, const char *head, const double *numbers, size_t count) {
+    char text[QUANTITY_SIZE];
     page_line line = page_open(out, (int)strlen(head), head);
     for (size_t i = 0; i < count; i++) {
         page_quantity(numbers[i], "", text);
@@ -283,19 +287,34 @@ static void put_list(FILE *out, const char *key, const double *numbers, size_t c
     page_close(&line, "]", NULL);
 }
 
-/// A bearing with coefficients over the speed: a key a line.
+/// A list, or one for every speed.
+static void put_coefficient(FILE *out, const ross_bearing *bearing, ross_coefficient which) {
+    const size_t rows = bearing->frequency_count > 0 ? bearing->speed_count : 0, columns = bearing->frequency_count;
+    char head[32];
+    snprintf(head, sizeof head, "        %s: [", ross_coefficient_names[which]);
+    if (rows == 0) {
+        put_list(out, head, bearing->values[which], table_size(bearing));
+        return;
+    }
+    fprintf(out, "        %s:\n", ross_coefficient_names[which]);
+    for (size_t i = 0; i < rows; i++) put_list(out, "          - [", bearing->values[which] + i * columns, columns);
+}
+
+/// A bearing with coefficients over the speed or the frequency: a key a line.
 static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     char text[QUANTITY_SIZE];
     fprintf(out, "    - bearing:\n        at: %s\n", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, "        from: %s\n", ross_station_at(rotor, bearing->link)->name);
     if (bearing->seal) fputs("        role: seal\n", out);
-    put_list(out, "speeds", bearing->speeds, bearing->speed_count);
+    if (bearing->speed_count > 0) put_list(out, "        speeds: [", bearing->speeds, bearing->speed_count);
+    if (bearing->frequency_count > 0)
+        put_list(out, "        frequencies: [", bearing->frequencies, bearing->frequency_count);
     for (int i = KXX; i < COEFFICIENTS; i++) {
         const ross_coefficient which = (ross_coefficient)i;
         if (!is_said(bearing, which)) continue;
         page_quantity(bearing->values[which][0], ross_coefficient_units[which], text);
         if (bearing->varies[which])
-            put_list(out, ross_coefficient_names[which], bearing->values[which], bearing->speed_count);
+            put_coefficient(out, bearing, which);
         else
             fprintf(out, "        %s: %s\n", ross_coefficient_names[which], text);
     }
@@ -319,7 +338,7 @@ static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *
     snprintf(comment, sizeof comment, "%.60s, node %ld", bearing->tag, bearing->node);
     whirl_make_plain(comment);
     page_comment(out, "    # ", "    # ", comment);
-    (bearing->speed_count > 0 ? put_table : put_constant)(out, rotor, bearing);
+    (table_size(bearing) > 1 ? put_table : put_constant)(out, rotor, bearing);
 }
 
 // ---------------------------------------------------------------- the whole

@@ -50,7 +50,16 @@ static bool positive(double value) {
     return isfinite(value) && value > 0.0;
 }
 
+whirl_status whirl_integrate_check(const whirl_system *system) {
+    if (system->frequency_count == 0) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "a bearing has coefficients over frequencies of whirl, which no motion in time has "
+                      "one of, expected linear studies alone: modes, unbalance, stability, ...");
+}
+
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options) {
+    const whirl_status moves = whirl_integrate_check(system);
+    if (moves.code != WHIRL_OK) return moves;
     if (system->dimension == 0 || !system->rhs)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no equations, expected a dimension and a right-hand side");
     if (!positive(system->period))

@@ -8,6 +8,7 @@
 #include "balance.h"
 #include "direction.h"
 #include "matrix.h"
+#include "modes.h"
 #include "periodic.h"
 #include "rest.h"
 
@@ -47,7 +48,7 @@ static void spread(const mean_system *m, const double *vector, double *out) {
     for (size_t i = 0; i < m->count; i++) memcpy(out + 2 * m->kept[i], vector + 2 * i, 2 * sizeof *out);
 }
 
-static whirl_modes *allocate(size_t dimension, size_t count) {
+whirl_modes *modes_allocate(size_t dimension, size_t count) {
     const size_t numbers = dimension + 2 * count * dimension + count;
     whirl_modes *modes = calloc(1, sizeof *modes + count * sizeof(whirl_mode) + numbers * sizeof(double));
     if (!modes) return NULL;
@@ -65,7 +66,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
     size_t waves = 0, reals = 0;
     double largest = 0.0;
     root *other = roots + n;
-    whirl_modes *modes = allocate(d, n);
+    whirl_modes *modes = modes_allocate(d, n);
     if (!modes) return NULL;
     for (size_t i = 0; i < n; i++) largest = fmax(largest, hypot(roots[i].real, roots[i].imaginary));
     const double zero = period > 0.0 ? 1e-9 : zero_part * largest;

@@ -67,6 +67,20 @@ static whirl_status respond(mean_system *m, double *rest, double *response, doub
     return status;
 }
 
+whirl_status whirl_synchronous_check(const whirl_system *system, double speed) {
+    static const double rounding = 1e-9; // as of tables over the speed
+    const size_t count = system->frequency_count;
+    const double frequency = fabs(speed);
+    if (count == 0 || (frequency >= system->frequencies[0] * (1.0 - rounding) &&
+                       frequency <= system->frequencies[count - 1] * (1.0 + rounding)))
+        return whirl_ok();
+    return whirl_fail(
+        WHIRL_BAD_INPUT,
+        "bearings are known at frequencies of whirl from %g to %g rad/s, and the rotor turns at %g rad/s, "
+        "which is the frequency of synchronous motions",
+        system->frequencies[0], system->frequencies[count - 1], frequency);
+}
+
 whirl_status whirl_forced_response(const whirl_system *system, const double *start, double *rest, double *response) {
     mean_system mean;
     void *block;

@@ -27,6 +27,7 @@ void assembly_clear(assembly *to) {
     free(to->unit);
     free(to->terms);
     free(to->masses);
+    free(to->frequencies);
     body_clear(&to->body);
 }
 
@@ -233,6 +234,36 @@ static void pull_node(assembly *to, const assembly_station *at, double x, double
     const double force[AXES] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
     for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along < AXES; along++)
         body_add(&to->body, at->coordinate[along], 0, (body_kind){BODY_ONE, RATE_STATIC, BODY_STEADY}, force[along]);
+}
+
+static int by_size(const void *a, const void *b) {
+    const double *p = a, *q = b;
+    return (*p > *q) - (*p < *q);
+}
+
+whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies) {
+    const size_t before = to->frequency_count;
+    double low = frequencies[0], high = frequencies[count - 1];
+    if (before > 0) {
+        low = fmax(low, to->frequencies[0]);
+        high = fmin(high, to->frequencies[before - 1]);
+    }
+    if (!(low < high))
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "is known at frequencies of whirl from %g to %g rad/s, and another table from %g to %g rad/s, "
+            "expected tables with frequencies in common",
+            frequencies[0], frequencies[count - 1], to->frequencies[0], to->frequencies[before - 1]);
+    double *all = realloc(to->frequencies, (before + count) * sizeof *all);
+    if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for frequencies of whirl");
+    memcpy(all + before, frequencies, count * sizeof *all);
+    qsort(all, before + count, sizeof *all, by_size);
+    to->frequencies = all;
+    to->frequency_count = 0;
+    for (size_t i = 0; i < before + count; i++)
+        if (all[i] >= low && all[i] <= high && (to->frequency_count == 0 || all[i] > all[to->frequency_count - 1]))
+            all[to->frequency_count++] = all[i];
+    return whirl_ok();
 }
 
 void assembly_pull(assembly *to, double x, double y) {

@@ -30,6 +30,7 @@
 #define assembly_turning whirl_assembly_turning
 #define assembly_gyroscopic whirl_assembly_gyroscopic
 #define assembly_unbalance whirl_assembly_unbalance
+#define assembly_frequencies whirl_assembly_frequencies
 #define assembly_pull whirl_assembly_pull
 #define assembly_ground_damping whirl_assembly_ground_damping
 
@@ -88,7 +89,10 @@ typedef struct assembly {
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
-    body body;             ///< what shafts of finite elements are
+    body body;           ///< what shafts of finite elements are
+    double frequency;    ///< rad/s of whirl, at which coefficients are looked up
+    double *frequencies; ///< [frequency_count] rad/s, of all tables over it, rising
+    size_t frequency_count;
     double stages;         ///< times which cross couplings of stages count
     double cross_coupling; ///< N/m, their sum, each once
     bool balanced;         ///< what is said of unbalance and skew does not count
@@ -155,6 +159,10 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar);
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
+
+/// Tells that coefficients are known at these frequencies of whirl [count], rising. Of several tables those count that
+/// all of them reach over: WHIRL_BAD_INPUT where there is no range that is common to all.
+whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies);
 
 /// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);

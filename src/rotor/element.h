@@ -30,8 +30,9 @@ typedef struct key_value {
     double number;
     int choice;
     size_t station[2];
-    size_t count;                ///< of a list of numbers; 0: `number` is all there is
-    double list[WHIRL_MAX_LIST]; ///< [count]
+    size_t count; ///< of a list of numbers; 0: `number` is all there is
+    size_t rows;  ///< of equal lists that it is made of, one after the other; 1: it is one list
+    double *list; ///< [count]
 } key_value;
 
 /// The most that one element has: coordinates that it sees, keys.

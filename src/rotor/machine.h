@@ -28,6 +28,8 @@ struct whirl_rotor {
     size_t begun;          ///< coordinates from there on are begun by the body, those before by stations or at zero
     between_term *between; ///< [between_count] what lies between stations, of displacements of these
     size_t between_count;
+    double *frequencies; ///< [frequency_count] as whirl_system has them
+    size_t frequency_count;
     element *elements; ///< [element_count] those that have kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them

@@ -82,7 +82,8 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, shafts->part_count * sizeof *shafts->parts),
                            cut(block, &used, shafts->column_count * sizeof *shafts->columns),
                            cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
-                           cut(block, &used, b->between_count * sizeof *rotor->between)};
+                           cut(block, &used, b->between_count * sizeof *rotor->between),
+                           cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -103,6 +104,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->body.columns = parts[16];
     rotor->body.numbers = parts[17];
     rotor->between = parts[18];
+    rotor->frequencies = parts[19];
     return used;
 }
 
@@ -262,6 +264,9 @@ static whirl_rotor *finish(building *b) {
            rotor->term_count * sizeof *rotor->terms);
     rotor->between_count = b->between_count;
     if (b->between) memcpy(rotor->between, b->between, b->between_count * sizeof *b->between);
+    rotor->frequency_count = b->assembly.frequency_count;
+    if (b->assembly.frequencies)
+        memcpy(rotor->frequencies, b->assembly.frequencies, rotor->frequency_count * sizeof *rotor->frequencies);
     add_probes(rotor, b);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);

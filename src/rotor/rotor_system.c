@@ -180,6 +180,8 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .switch_touches = switch_touches,
                                    .contact_count = rotor->contact_count,
                                    .contacts = contacts,
+                                   .frequency_count = rotor->frequency_count,
+                                   .frequencies = rotor->frequencies,
                                    .probe_count = rotor->station_count,
                                    .probes = rotor->probes,
                                    .model = rotor,

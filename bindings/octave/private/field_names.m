@@ -91,6 +91,7 @@ names.modes_overdamped = 'modes/overdamped';
 names.modes_rigid_body = 'modes/rigid_body';
 names.modes_stability = 'modes/stability';
 names.modes_modulo = 'modes/modulo';
+names.modes_known = 'modes/known';
 names.modes_critical = 'modes/critical';
 names.modes_rest = 'modes/rest';
 names.modes_shape = 'modes/shape';

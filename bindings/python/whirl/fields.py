@@ -93,6 +93,7 @@ class FIELD:
     MODES_RIGID_BODY = "modes/rigid_body"
     MODES_STABILITY = "modes/stability"
     MODES_MODULO = "modes/modulo"
+    MODES_KNOWN = "modes/known"
     MODES_CRITICAL = "modes/critical"
     MODES_REST = "modes/rest"
     MODES_SHAPE = "modes/shape"

@@ -54,10 +54,11 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
     if (status.code != WHIRL_OK) return status;
+    status = whirl_synchronous_check(alone.system, speed);
     double *x = calloc(alone.system->dimension + 10 * probes + 1, sizeof *x);
     double *at = x ? x + alone.system->dimension : NULL, *beside = x ? at + 2 * probes : NULL;
     if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
-    if (x) status = whirl_bearing_coefficients(&alone, x, numbers);
+    if (x && status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     for (size_t p = 0; p < probes && x; p++) x[alone.system->probes[p].x] = 1e-3;
     if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, beside);
     if (status.code == WHIRL_OK && memcmp(numbers, beside, 8 * probes * sizeof *beside) != 0) {

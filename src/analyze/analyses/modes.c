@@ -17,6 +17,7 @@ enum {
     RIGID_BODY,
     STABILITY,
     MODULO,
+    KNOWN,
     CRITICAL,
     REST,
     SHAPE,
@@ -54,6 +55,9 @@ static const field_plan fields[FIELD_COUNT] = {
     [MODULO] = {WHIRL_FIELD_MODES_MODULO, "rad/s",
                 "frequencies are known but for multiples of it (coefficients turn with the shaft)", WHIRL_PER_POINT, 1,
                 NULL},
+    [KNOWN] = {WHIRL_FIELD_MODES_KNOWN, "rad/s",
+               "low, high (frequencies of whirl at which tables of bearings are known: modes beyond are not found)",
+               WHIRL_PER_POINT, 2, NULL},
     [CRITICAL] = {WHIRL_FIELD_MODES_CRITICAL, "1", "kind, value, speed, frequency, damping, direction", WHIRL_PER_POINT,
                   6, located},
     [REST] = {WHIRL_FIELD_MODES_REST, "length", "x, y (from the centre)", WHIRL_PER_STATION, 2, NULL},
@@ -98,6 +102,8 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     *view_numbers(view, RIGID_BODY, 0) = (double)modes->free;
     *view_numbers(view, STABILITY, 0) = point->clock * modes->growth;
     if (modes->period > 0.0) *view_numbers(view, MODULO, 0) = point->clock * 6.283185307179586476925 / modes->period;
+    for (size_t i = 0; i < 2 && point->system->frequency_count > 0; i++)
+        view_numbers(view, KNOWN, 0)[i] = point->system->frequencies[i * (point->system->frequency_count - 1)];
     for (size_t p = 0; p < point->system->probe_count; p++) {
         const whirl_probe *probe = &point->system->probes[p];
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, modes->rest, c);

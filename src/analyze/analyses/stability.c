@@ -82,11 +82,24 @@ static double decrement_of(const whirl_modes *modes, double clock, double speed,
     return best;
 }
 
+/// The machine whose modes are asked for.
+typedef struct asked {
+    const whirl_resting *point;
+    whirl_variant variant;
+    double value;
+} asked;
+
+static whirl_status at_frequency(const void *context, double frequency, whirl_machine *machine) {
+    const asked *own = context;
+    return own->point->at_frequency(own->point->context, frequency, own->variant, own->value, machine);
+}
+
 static whirl_status probe(probing *p, whirl_variant variant, double value, double *decrement) {
+    const asked own = {p->point, variant, value};
     whirl_machine machine = {.system = NULL};
     whirl_modes *modes = NULL;
     whirl_status status = p->point->at_speed(p->point->context, 0.0, variant, value, &machine);
-    if (status.code == WHIRL_OK) status = whirl_modes_new(machine.system, machine.start, &modes);
+    if (status.code == WHIRL_OK) status = whirl_modes_of(&machine, &(whirl_whirling){at_frequency, &own}, &modes);
     if (status.code == WHIRL_OK) {
         *decrement = decrement_of(modes, machine.clock, machine.speed, &p->frequency);
         if (variant == WHIRL_WITH_STAGES) p->anticipated = machine.cross_coupling;

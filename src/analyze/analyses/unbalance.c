@@ -79,7 +79,8 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     const size_t d = system->dimension;
     double *rest = calloc(3 * d + 1, sizeof *rest), *response = rest ? rest + d : NULL;
     if (!rest) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", d);
-    const whirl_status status = whirl_forced_response(system, point->start, rest, response);
+    whirl_status status = whirl_synchronous_check(system, point->speed);
+    if (status.code == WHIRL_OK) status = whirl_forced_response(system, point->start, rest, response);
     *view_numbers(view, SPEED, 0) = point->speed;
     fill_beside(point, view);
     for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++) {

@@ -27,6 +27,11 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     if (isfinite(modulo))
         fprintf(out, "  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n",
                 modulo);
+    const double *known = whirl_table_field(table, point, WHIRL_FIELD_MODES_KNOWN, 0);
+    if (known && isfinite(known[0]))
+        fprintf(out,
+                "  %smodes from %.6g to %.6g rad/s: beyond, tables of bearings do not know the frequency of whirl\n",
+                frequency && isfinite(frequency[0]) ? "" : "no ", known[0], known[1]);
     if (isfinite(stability))
         fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n",
                 stability > 0 ? "unstable" : "stable", rigid > 0 ? " other" : "", stability);
@@ -86,6 +91,20 @@ static size_t count_critical(const whirl_table *table) {
     return count;
 }
 
+/// Between which frequencies of whirl tables of bearings are known, where they are over these.
+static void write_known(FILE *stream, const whirl_table *table) {
+    for (size_t point = 0; point < table->count; point++) {
+        const double *known = whirl_table_field(table, point, WHIRL_FIELD_MODES_KNOWN, 0);
+        if (!known || !whirl_table_done(table, point) || !isfinite(known[0])) continue;
+        fprintf(
+            stream,
+            "<p>Coefficients of bearings are those at the damped frequency of each mode; modes are told from %.6g to "
+            "%.6g rad/s, where tables know them.</p>\n",
+            known[0], known[1]);
+        return;
+    }
+}
+
 /// Whether frequencies are known but for multiples of the speed, at any point.
 static bool is_modulated(const whirl_table *table) {
     for (size_t point = 0; point < table->count; point++) {
@@ -109,6 +128,7 @@ static void write_row(FILE *stream, const double *row, double unit) {
 static void section(const page *to, size_t index, const whirl_table *table) {
     char label[UNIT_LABEL_SIZE];
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    write_known(to->stream, table);
     if (is_modulated(table))
         fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
               "speeds are not told.</p>\n",

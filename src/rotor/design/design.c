@@ -35,6 +35,11 @@ void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, do
     design->stages = stages;
 }
 
+void whirl_design_frequency(whirl_design *design, double frequency) {
+    design->asynchronous = true;
+    design->frequency = frequency;
+}
+
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed) {
     design->placed_count = count;
     design->placed = placed;
@@ -46,12 +51,18 @@ bool whirl_element_is_bearing(const char *kind) {
     return false;
 }
 
+static void free_values(const whirl_group *group, key_value *values) {
+    for (size_t i = 0; i < group->key_count; i++) free(values[i].list);
+    free(values);
+}
+
 void whirl_design_free(whirl_design *design) {
     if (!design) return;
-    for (size_t i = 0; i < design->station_count; i++) free(design->stations[i].values);
-    for (size_t i = 0; i < design->shaft_count; i++) free(design->shafts[i].values);
-    for (size_t i = 0; i < design->material_count; i++) free(design->materials[i].values);
-    for (size_t i = 0; i < design->element_count; i++) free(design->elements[i].values);
+    for (size_t i = 0; i < design->station_count; i++) free_values(&station_group, design->stations[i].values);
+    for (size_t i = 0; i < design->shaft_count; i++) free_values(&shaft_group, design->shafts[i].values);
+    for (size_t i = 0; i < design->material_count; i++) free_values(&material_group, design->materials[i].values);
+    for (size_t i = 0; i < design->element_count; i++)
+        free_values(&design->elements[i].type->group, design->elements[i].values);
     free(design);
 }
 
@@ -133,20 +144,40 @@ static whirl_status read_stations(whirl_design *design, const char *text, size_t
     return whirl_ok();
 }
 
-/// "1e7, 1.2e7"
+/// Room for all numbers of a text.
+static bool make_list(const char *text, key_value *value) {
+    size_t most = 1;
+    for (const char *c = text; *c; c++) most += *c == ',' || *c == ';';
+    value->list = malloc(most * sizeof *value->list);
+    value->rows = 1;
+    return value->list != NULL;
+}
+
+/// "1e7, 1.2e7", or rows of as many numbers each, "1e7, 1.2e7; 2e7, 2.1e7".
 static whirl_status read_list(const whirl_key *key, const char *text, key_value *value) {
+    static const char *const expected = "is no list of numbers, expected 'one, other, ...'";
+    size_t first = 0, width = 0; // where the row begins, and the numbers of the row before
+    if (!make_list(text, value)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a list of numbers");
     for (;;) {
         char *end;
         const double number = strtod(text, &end);
-        if (end == text) return whirl_fail(WHIRL_BAD_INPUT, "is no list of numbers, expected 'one, other, ...'");
+        if (end == text) return whirl_fail(WHIRL_BAD_INPUT, "%s", expected);
         const whirl_status status = whirl_key_check_number(key, number);
         if (status.code != WHIRL_OK) return status;
-        if (value->count == WHIRL_MAX_LIST)
-            return whirl_fail(WHIRL_BAD_INPUT, "has more than %d numbers", WHIRL_MAX_LIST);
         value->list[value->count++] = number;
         end += strspn(end, " \t");
+        if (value->count - first > WHIRL_MAX_LIST || value->rows > WHIRL_MAX_LIST)
+            return whirl_fail(WHIRL_BAD_INPUT, "has more than %d numbers", WHIRL_MAX_LIST);
+        if (*end != ',' && *end != ';' && *end != '\0') return whirl_fail(WHIRL_BAD_INPUT, "%s", expected);
+        if (*end != ',') {
+            if (value->rows > 1 && value->count - first != width)
+                return whirl_fail(WHIRL_BAD_INPUT, "has lists of %zu and of %zu numbers, expected equal ones", width,
+                                  value->count - first);
+            width = value->count - first;
+            first = value->count;
+        }
         if (*end == '\0') return whirl_ok();
-        if (*end != ',') return whirl_fail(WHIRL_BAD_INPUT, "is no list of numbers, expected 'one, other, ...'");
+        value->rows += *end == ';';
         text = end + 1;
     }
 }
@@ -242,7 +273,7 @@ static whirl_status add_part(whirl_design *design, const part_list *to, const ch
     if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %s '%s'", to->kind, name);
     status = read_settings(design, to->group, settings, count, values);
     if (status.code != WHIRL_OK) {
-        free(values);
+        free_values(to->group, values);
         return status;
     }
     design_part *part = &to->parts[(*to->count)++];
@@ -306,7 +337,7 @@ whirl_status whirl_design_element(whirl_design *design, const char *kind, const 
     if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a %s", kind);
     const whirl_status status = read_settings(design, &type->group, settings, count, values);
     if (status.code != WHIRL_OK) {
-        free(values);
+        free_values(&type->group, values);
         return status;
     }
     design->elements[design->element_count++] = (design_element){type, values};

@@ -25,6 +25,8 @@ struct whirl_design {
     whirl_drag drag;         ///< seals and impellers that are there
     size_t drag_at;          ///< station of the only ones
     double stages;           ///< times which stages count
+    bool asynchronous;       ///< coefficients over the frequency of whirl are those at
+    double frequency;        ///< rad/s, in place of that of the shaft
     size_t placed_count;
     const whirl_placed *placed; ///< [placed_count] unbalances in the place of its own; borrowed
     size_t station_count, element_count, shaft_count, material_count;

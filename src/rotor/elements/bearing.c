@@ -1,12 +1,12 @@
 // A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
-// what moves in it; constant, or of the speed by a table.
+// what moves in it; constant, or of the speed and the frequency of whirl by a table.
 #include "registry.h"
 #include "table.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, FROM, SPEEDS, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, ROLE, KEY_COUNT };
+enum { AT, FROM, SPEEDS, FREQUENCIES, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, ROLE, KEY_COUNT };
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
     { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
@@ -22,6 +22,10 @@ static const whirl_key keys[KEY_COUNT] = {
         CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
                           "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
                           "Fritsch, Butland 1984"),
+    [FREQUENCIES] = CITED_NUMBERS_KEY(
+        "frequencies", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+        "frequencies of whirl, rising, at which coefficients are given as lists; with speeds a list for each of these",
+        "Parsell, Allaire, Barrett 1983"),
     [KXX] = STIFFNESS("kxx", "k_xx", "0", "stiffness along x"),
     [KXY] = STIFFNESS("kxy", "k_xy", "0", "force along -x by a displacement along y"),
     [KYX] = STIFFNESS("kyx", "k_yx", "0", "force along -y by a displacement along x"),
@@ -63,14 +67,22 @@ static void add_inertia(assembly *to, const size_t port[4], double xx, double xy
     assembly_inertance(to, one[1], other[0], -xy);
 }
 
-/// Two speeds or more that rise, and the rotor's between them.
-static whirl_status check_speeds(const key_value *speeds, double speed) {
+/// Two places or more of an axis of the tables, that rise.
+static whirl_status check_axis(const key_value *along, const char *name) {
+    if (!along->given) return whirl_ok();
+    if (along->rows > 1) return whirl_fail(WHIRL_BAD_INPUT, "has lists of %s, expected a single list", name);
+    if (along->count < 2)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a single number of %s, expected a list of two or more", name);
+    for (size_t i = 1; i < along->count; i++)
+        if (!(along->list[i - 1] < along->list[i]))
+            return whirl_fail(WHIRL_BAD_INPUT, "has %s that do not rise: %g rad/s after %g rad/s", name, along->list[i],
+                              along->list[i - 1]);
+    return whirl_ok();
+}
+
+/// The rotor's speed lies between those of the tables.
+static whirl_status check_speed(const key_value *speeds, double speed) {
     if (!speeds->given) return whirl_ok();
-    if (speeds->count < 2) return whirl_fail(WHIRL_BAD_INPUT, "has one speed, expected a list of two or more");
-    for (size_t i = 1; i < speeds->count; i++)
-        if (!(speeds->list[i - 1] < speeds->list[i]))
-            return whirl_fail(WHIRL_BAD_INPUT, "has speeds that do not rise: %g rad/s after %g rad/s", speeds->list[i],
-                              speeds->list[i - 1]);
     const double low = speeds->list[0], high = speeds->list[speeds->count - 1], rpm = 60.0 / 6.28318530717958647692;
     // The ends of tables are rounded: 4000 rpm may lie beyond one by a part of 1e12.
     static const double rounding = 1e-9;
@@ -81,20 +93,59 @@ static whirl_status check_speeds(const key_value *speeds, double speed) {
     return whirl_ok();
 }
 
-/// The coefficient at the rotor's speed: out of its list, or the same at all.
-static whirl_status find_at_speed(const key_value *values, int key, double speed, double *out) {
-    const key_value *value = &values[key], *speeds = &values[SPEEDS];
+static double within(const key_value *along, double at) {
+    return fmin(fmax(at, along->list[0]), along->list[along->count - 1]);
+}
+
+/// Lists that say a coefficient fit the axes: one over the only axis, or for every speed one over the frequencies.
+static whirl_status check_shape(const key_value *values, int key) {
+    const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
+    const char *name = keys[key].name;
+    const key_value *last = frequencies->given ? frequencies : speeds;
+    const size_t rows = speeds->given && frequencies->given ? speeds->count : 1, columns = value->count / value->rows;
+    if (!last->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a list of %s without speeds, expected the speeds as well", name);
+    if (value->rows != rows && rows > 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu list%s of %s at %zu speeds, expected a list for each", value->rows,
+                          value->rows == 1 ? "" : "s", name, rows);
+    if (value->rows != rows)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu lists of %s without %s, expected one list", value->rows, name,
+                          speeds->given ? "frequencies" : "speeds");
+    if (columns != last->count)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu %s, expected as many", columns, name, last->count,
+                          frequencies->given ? "frequencies" : "speeds");
+    return whirl_ok();
+}
+
+/// The coefficient at the rotor's speed and the frequency of whirl: out of its list, or the same at all.
+static whirl_status look_up(const key_value *values, int key, const assembly *to, double *out) {
+    const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
+    double at_speeds[WHIRL_MAX_LIST];
     *out = value->number;
     if (value->count == 0) return whirl_ok();
+    const whirl_status status = check_shape(values, key);
+    if (status.code != WHIRL_OK) return status;
+    const double *row = value->list;
+    for (size_t i = 0; i < value->rows && frequencies->given; i++, row += frequencies->count)
+        at_speeds[i] = table_value(frequencies->count, frequencies->list, row, within(frequencies, to->frequency));
     if (!speeds->given)
-        return whirl_fail(WHIRL_BAD_INPUT, "has a list of %s without speeds, expected the speeds as well",
-                          keys[key].name);
-    if (value->count != speeds->count)
-        return whirl_fail(WHIRL_BAD_INPUT, "has %zu %s at %zu speeds, expected as many", value->count, keys[key].name,
-                          speeds->count);
-    const double low = speeds->list[0], high = speeds->list[speeds->count - 1];
-    *out = table_value(speeds->count, speeds->list, value->list, fmin(fmax(speed, low), high));
+        *out = at_speeds[0];
+    else
+        *out = table_value(speeds->count, speeds->list, frequencies->given ? at_speeds : value->list,
+                           within(speeds, to->speed));
     return whirl_ok();
+}
+
+/// The axes of the tables, and that the rotor is within them.
+static whirl_status check_tables(const key_value *values, assembly *to) {
+    const key_value *frequencies = &values[FREQUENCIES];
+    bool varies = false;
+    whirl_status status = check_axis(&values[SPEEDS], "speeds");
+    if (status.code == WHIRL_OK) status = check_axis(frequencies, "frequencies");
+    if (status.code == WHIRL_OK) status = check_speed(&values[SPEEDS], to->speed);
+    for (int key = KXX; key <= MYY; key++) varies = varies || values[key].count > 0;
+    if (status.code != WHIRL_OK || !frequencies->given || !varies) return status;
+    return assembly_frequencies(to, frequencies->count, frequencies->list);
 }
 
 /// Coefficients over speeds are looked up at the rotor's.
@@ -112,9 +163,8 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     double at[KEY_COUNT];
-    whirl_status status = check_speeds(&values[SPEEDS], to->speed);
-    for (int key = KXX; key <= MYY && status.code == WHIRL_OK; key++)
-        status = find_at_speed(values, key, to->speed, &at[key]);
+    whirl_status status = check_tables(values, to);
+    for (int key = KXX; key <= MYY && status.code == WHIRL_OK; key++) status = look_up(values, key, to, &at[key]);
     if (status.code != WHIRL_OK) return status;
     const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
     const double damping[2][2] = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}};

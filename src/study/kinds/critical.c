@@ -9,11 +9,27 @@
 
 #include "bracket.h"
 
+/// A batch at a value of its parameter.
+typedef struct place {
+    const whirl_study *study;
+    const whirl_batch *batch;
+    double value;
+} place;
+
+static whirl_status at_frequency(const void *context, double frequency, whirl_machine *machine) {
+    const place *at = context;
+    whirl_batch batch = *at->batch;
+    batch.asynchronous = true;
+    batch.frequency = frequency;
+    return at->study->machine(at->study->family, &batch, at->value, machine);
+}
+
 whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, double value, resting_machine *out) {
     *out = (resting_machine){.value = value};
     whirl_status status = study->machine(study->family, batch, value, &out->machine);
     if (status.code != WHIRL_OK) return status;
-    status = whirl_modes_new(out->machine.system, out->machine.start, &out->modes);
+    const place at = {study, batch, value};
+    status = whirl_modes_of(&out->machine, &(whirl_whirling){at_frequency, &at}, &out->modes);
     if (status.code == WHIRL_BAD_INPUT && *batch->parameter)
         status = whirl_fail(status.code, "at %s = %.10g: %.300s", batch->parameter, value, status.message);
     if (status.code != WHIRL_OK) resting_free(out);

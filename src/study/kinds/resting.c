@@ -75,6 +75,16 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
     return at->study->machine(at->study->family, &batch, at->value, machine);
 }
 
+static whirl_status at_frequency(const void *context, double frequency, whirl_variant variant, double variant_value,
+                                 whirl_machine *machine) {
+    place at = *(const place *)context;
+    whirl_batch batch = *at.batch;
+    batch.asynchronous = true;
+    batch.frequency = frequency;
+    at.batch = &batch;
+    return at_speed(&at, 0.0, variant, variant_value, machine);
+}
+
 static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
     const place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
@@ -86,6 +96,7 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .critical_count = w->count,
                                  .critical = w->found,
                                  .at_speed = at_speed,
+                                 .at_frequency = at_frequency,
                                  .context = &at,
                                  .placed_count = w->batch->placed_count,
                                  .placed = w->batch->placed};

@@ -230,6 +230,13 @@ static void names(void **state) {
                    "and the rotor turns at 100 rad/s (954.93 rpm)");
     expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, kxx: []}",
                    "t:17:27: rotor.elements[4].bearing.kxx: has 0 numbers, expected 1 to 32");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, frequencies: [5, 90], kxx: [[1, 2], [3]]}",
+                   "t:17:63: rotor.elements[4].bearing.kxx[2]: has 1 numbers, expected 2 as the first list has");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, frequencies: [5, 90], kxx: [[1, 2], 3]}",
+                   "t:17:63: rotor.elements[4].bearing.kxx[2]: is 3, expected a list as the one before");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, frequencies: [5, 90], kxx: [1 N/m, 2 N/m]}",
+                   "t:19:3: study.sweep: a bearing has coefficients over frequencies of whirl, which no motion in time "
+                   "has one of, expected linear studies alone: modes, unbalance, stability, ...");
     expect_problem("load: 200 N", "load: [200 N]",
                    "t:15:43: rotor.elements[2].film.load: is a list, expected a number");
     expect_problem("parameter: kappa", "parameter: kapa",

@@ -298,20 +298,36 @@ static void expect_of_3(const char *table, const char *line, const char *message
     whirl_imported_free(&imported);
 }
 
-/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation.
+/// From ROSS 3 on the speeds are called speed, and frequency is that of whirl.
 static void ross3(void **state) {
     (void)state;
     expect_of_3("speed = [ 0.0, 100.0, 400.0,]\nkxx = [ 1e6, 2e6, 3e6,]", "        speeds: [0, 100, 400]\n", NULL);
     expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 2e6], [3e6, 3e6] ]",
                 "        kxx: [1000000, 2000000, 3000000]\n", NULL);
-    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 9e6], [3e6, 3e6] ]", NULL,
-                "r.toml:27: [BearingElement_Bearing 0] kxx: goes from 2000000 to 9000000 along the frequency of "
-                "excitation, expected coefficients that depend on the speed alone");
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 9e6], [3e6, 3e6] ]",
+                "        speeds: [0, 100, 400]\n        frequencies: [50, 90]\n        kxx:\n"
+                "          - [1000000, 1000000]\n          - [2000000, 9000000]\n          - [3000000, 3000000]\n",
+                NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 2e6], [1e6, 2e6], [1e6, 2e6] ]",
+                "        frequencies: [50, 90]\n        kxx: [1000000, 2000000]\n", NULL);
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6, 1e6], [2e6, 9e6] ]", NULL,
+                "r.toml:27: [BearingElement_Bearing 0] kxx: has 2 rows, expected as many as speed has: 3");
+    expect_of_3(
+        "speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1e6], [2e6, 9e6], [3e6] ]", NULL,
+        "r.toml:27: [BearingElement_Bearing 0] kxx: has a row of 2 numbers after one of 1, expected equal rows");
+    expect_of_3("speed = [ 0, 100, 400,]\nfrequency = [ 50, 90,]\nkxx = [ [1, 2, 3], [2, 2, 2], [1, 1, 1] ]", NULL,
+                "r.toml:27: [BearingElement_Bearing 0] kxx: has rows of 3 numbers, expected as many as frequency has: "
+                "2");
+    expect_of_3("frequency = [ 90, 50,]\nkxx = [ 1e6, 2e6,]", NULL,
+                "r.toml:25: [BearingElement_Bearing 0] frequency: goes from 90 to 50 rad/s, expected frequencies that "
+                "rise");
     expect_of_3("speed = [ 0, 100,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
                 "r.toml:26: [BearingElement_Bearing 0] kxx: has 3 numbers, expected one, or as many as speed has: 2");
-    expect_of_3("frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 2e6, 3e6,]", NULL,
-                "r.toml:26: [BearingElement_Bearing 0] kxx: depends on frequency, which is that of an excitation from "
-                "ROSS 3 on, expected coefficients over speed");
+    expect_of_3("frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 2e6, 3e6,]",
+                "        frequencies: [0, 100, 400]\n        kxx: [1000000, 2000000, 3000000]\n", NULL);
+    expect_of_3("frequency = [ 0, 100, 400,]\nkxx = [ 1e6, 2e6,]", NULL,
+                "r.toml:26: [BearingElement_Bearing 0] kxx: has 2 numbers, expected one, or as many as frequency has: "
+                "3");
 }
 
 static void test_no_machine(void **state) {

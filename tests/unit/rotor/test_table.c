@@ -139,6 +139,42 @@ static void test_inertia_in_a_housing(void **state) {
     whirl_rotor_free(rotor);
 }
 
+/// Tables over speed and frequency: along the frequencies at every speed, then along the speeds; beyond the frequencies
+/// their ends, and the shaft's own where none is asked for.
+static void test_two_axes(void **state) {
+    static const double speeds[] = {10.0, 20.0, 40.0}, frequencies[] = {5.0, 15.0, 30.0, 50.0};
+    static const double kxx[3][4] = {{4.0, 8.0, 9.0, 1.0}, {2.0, 3.0, 7.0, 7.5}, {1.0, 5.0, 2.0, 8.0}};
+    const whirl_setting settings[] = {{"at", 0, "disc"},
+                                      {"speeds", 0, "10, 20, 40"},
+                                      {"frequencies", 0, "5, 15, 30, 50"},
+                                      {"kxx", 0, "4, 8, 9, 1; 2, 3, 7, 7.5; 1, 5, 2, 8"}};
+    const double start[] = {1.0, 0.0, 0.0, 0.0};
+    (void)state;
+    for (double speed = 10.0; speed <= 40.0; speed += 2.5)
+        for (double frequency = 0.0; frequency <= 60.0; frequency += 2.5) {
+            const bool own = frequency == 60.0; // the shaft's
+            const double at = own ? speed : fmin(fmax(frequency, 5.0), 50.0);
+            double forcing[WHIRL_MAX_FORCING] = {0}, slope[4], rows[3];
+            whirl_design *design;
+            whirl_rotor *rotor;
+            assert_int_equal(whirl_design_new(speed, 1.0, &design).code, WHIRL_OK);
+            assert_int_equal(whirl_design_station(design, "disc", (whirl_setting[]){{"mass", 2.0, NULL}}, 1).code,
+                             WHIRL_OK);
+            assert_int_equal(whirl_design_element(design, "bearing", settings, 4).code, WHIRL_OK);
+            if (!own) whirl_design_frequency(design, frequency);
+            assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK);
+            whirl_design_free(design);
+            const whirl_system *system = whirl_rotor_system(rotor);
+            assert_int_equal(system->frequency_count, 4);
+            near(system->frequencies[0], 5.0);
+            near(system->frequencies[3], 50.0);
+            system->rhs(system->model, 0.0, forcing, start, slope);
+            for (size_t i = 0; i < 3; i++) rows[i] = table_value(4, frequencies, kxx[i], at);
+            near(slope[2] * 2.0 * speed * speed, -table_value(3, speeds, rows, speed));
+            whirl_rotor_free(rotor);
+        }
+}
+
 static void test_refused(void **state) {
     static const struct {
         double speed;
@@ -152,7 +188,17 @@ static void test_refused(void **state) {
         {15.0, {{"at", 0, "disc"}, {"speeds", 0, "20, 10"}, {"kxx", 0, "1, 2"}}, 3, "do not rise"},
         {15.0, {{"at", 0, "disc"}, {"speeds", 10, NULL}, {"kxx", 1, NULL}}, 3, "two or more"},
         {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1, 2"}}, 2, "without speeds"},
-        {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1; 2"}}, 2, "no list"},
+        {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1: 2"}}, 2, "no list"},
+        {15.0, {{"at", 0, "disc"}, {"kxx", 0, "1, 2; 3"}}, 2, "lists of 2 and of 1 numbers"},
+        {15.0, {{"at", 0, "disc"}, {"speeds", 0, "10, 20; 10, 20"}, {"kxx", 0, "1, 2"}}, 3, "expected a single list"},
+        {15.0, {{"at", 0, "disc"}, {"speeds", 0, "10, 20"}, {"kxx", 0, "1, 2; 3, 4"}}, 3, "without frequencies"},
+        {15.0, {{"at", 0, "disc"}, {"frequencies", 0, "10, 20"}, {"kxx", 0, "1, 2; 3, 4"}}, 3, "without speeds"},
+        {15.0, {{"at", 0, "disc"}, {"frequencies", 0, "10, 20"}, {"kxx", 0, "1, 2, 3"}}, 3, "3 kxx at 2 frequencies"},
+        {15.0,
+         {{"at", 0, "disc"}, {"frequencies", 0, "20, 10"}, {"kxx", 0, "1, 2"}},
+         3,
+         "frequencies that do not rise"},
+        {15.0, {{"at", 0, "disc"}, {"frequencies", 10, NULL}, {"kxx", 1, NULL}}, 3, "single number of frequencies"},
         {15.0, {{"at", 0, "disc"}, {"speeds", 0, "-1, 2"}}, 2, "at least 0 rad/s"},
     };
     (void)state;
@@ -171,6 +217,7 @@ int main(void) {
         cmocka_unit_test(test_slopes_by_hand),
         cmocka_unit_test(test_monotone),
         cmocka_unit_test(test_bearing),
+        cmocka_unit_test(test_two_axes),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_inertia_on_the_ground),
         cmocka_unit_test(test_inertia_in_a_housing),
