@@ -83,6 +83,7 @@ typedef struct whirl_record_options {
     double placed_weight;             ///< kg that it goes by; 0: what hangs over there
     double placed_factor;             ///< times as large are unbalances by rule
     char coupling[WHIRL_NAME_SIZE];   ///< of statics: stations that carry neither moment nor shear, or ""
+    double gas_density;               ///< kg/m3, of stability: the average of the gas; 0: not said
     bool spectra;                     ///< keep whole spectra, not only their peaks
     bool waveform;                    ///< waveforms are needed (for spectra or to be kept)
     /// Look for the orbits of motions that have come to rest, by Newton's method; with `settle` also before they have,
@@ -507,6 +508,11 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
 /// ends of that range, by cubic interpolation; NaN where points do not reach over it.
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high);
 
+/// The critical speed ratio, of the speed over the first critical speed on rigid supports, above which a machine whose
+/// gas has that average density (kg/m3) is in region B of the screening diagram of API 617: 2.5, falling from 16.53 to
+/// 2.0 at 60 kg/m3, 0 beyond. Which edition counts is the user's to check.
+double whirl_screening_ratio(double density);
+
 /// The separation margin, in percent of the lowest (or, `above`, the highest) running speed, that a peak of that
 /// amplification asks for: 17 (1 - 1/(A - 1.5)), and 10 more above; 0 below A = 2.5. After API 617; which edition
 /// counts, and what it caps, is the user's to check.
@@ -679,6 +685,7 @@ typedef enum whirl_variant {
     WHIRL_BEARINGS_OF_IT, ///< these alone, on stations of 1 kg
     WHIRL_WITH_STAGES,    ///< with its own bearings and, `value` times, its stages, without seals and other impellers
     WHIRL_WITH_DRAG_AT,   ///< with its own bearings, and the seals and impellers at station `value`
+    WHIRL_HELD,           ///< on springs of `value` N/m to the ground for its bearings, which hold their housings, too
     WHIRL_WITH_STATICS,   ///< as WHIRL_AS_GIVEN, with what its weight does to its shafts
 } whirl_variant;
 

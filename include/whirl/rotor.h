@@ -98,6 +98,7 @@ typedef enum whirl_bearings {
     WHIRL_BEARINGS_GIVEN,   ///< they themselves
     WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals, impellers and
                             ///< gravity out
+    WHIRL_BEARINGS_HELD,    ///< the same from both of their ends to the ground, but for ends on shafts: rigid supports
     WHIRL_BEARINGS_ALONE    ///< they themselves, and no other element: what their coefficients are derivatives of
 } whirl_bearings;
 

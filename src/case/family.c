@@ -48,12 +48,14 @@ static whirl_status build(const machine_parts *machine, const whirl_batch *batch
                           whirl_rotor **rotor) {
     const machine_choice choice = choose(batch);
     if (batch->variant == WHIRL_BEARINGS_OF_IT) return machine_build_bearings(machine, v, batch->speed, rotor);
+    if (batch->variant == WHIRL_HELD)
+        return machine_build_on_springs(machine, v, batch->speed, WHIRL_BEARINGS_HELD, batch->variant_value, rotor);
     if (batch->variant != WHIRL_AS_STUDIED || !batch->record.bearings)
         return machine_build_with(machine, v, batch->speed, &choice, rotor);
     if (value < 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "the stiffness of bearings is %.10g N/m, expected 0 or a number above",
                           value);
-    return machine_build_on_springs(machine, v, batch->speed, value, rotor);
+    return machine_build_on_springs(machine, v, batch->speed, WHIRL_BEARINGS_SPRINGS, value, rotor);
 }
 
 /// What the weight does, where that is asked for.

@@ -318,11 +318,11 @@ whirl_status machine_build(const machine_parts *machine, valuation *v, double sp
     return machine_build_with(machine, v, speed, &(machine_choice){.stages = 1.0}, rotor);
 }
 
-whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
-                                      whirl_rotor **rotor) {
+whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, whirl_bearings what,
+                                      double stiffness, whirl_rotor **rotor) {
     whirl_design *design;
     const whirl_status status = make_design(machine, v, speed, &design);
-    if (status.code == WHIRL_OK) whirl_design_bearings(design, WHIRL_BEARINGS_SPRINGS, stiffness);
+    if (status.code == WHIRL_OK) whirl_design_bearings(design, what, stiffness);
     return build_and_free(status, design, rotor);
 }
 

@@ -49,8 +49,8 @@ whirl_status machine_build_with(const machine_parts *machine, valuation *v, doub
 
 /// The same with springs of that stiffness (N/m) in the place of its bearings, or its bearings alone on stations of 1
 /// kg.
-whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, double stiffness,
-                                      whirl_rotor **rotor);
+whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, whirl_bearings what,
+                                      double stiffness, whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
 /// What its weight does, as whirl_design_statics tells it; out and influence are for all its stations.

@@ -4,7 +4,23 @@
 
 #include "analysis.h"
 
-enum { SPEED, ANTICIPATED, LIMIT, BASIC, DECREMENT, COMPLETE, FREQUENCY, CROSS_COUPLING, CURVE, PART, FIELD_COUNT };
+enum {
+    SPEED,
+    ANTICIPATED,
+    LIMIT,
+    BASIC,
+    DECREMENT,
+    COMPLETE,
+    FREQUENCY,
+    RIGID,
+    RATIO,
+    DENSITY,
+    REGION,
+    CROSS_COUPLING,
+    CURVE,
+    PART,
+    FIELD_COUNT
+};
 
 /// Points of the curve; it goes to so many times the anticipated cross coupling, or twice the limit if that is less.
 enum { CURVE_POINTS = 21, CURVE_END = 10 };
@@ -30,6 +46,14 @@ static const field_plan fields[FIELD_COUNT] = {
                   "logarithmic decrement with bearings, stages, seals and impellers", WHIRL_PER_POINT, 1, NULL},
     [FREQUENCY] = {WHIRL_FIELD_STABILITY_FREQUENCY, "rad/s", "of the mode with bearings and stages", WHIRL_PER_POINT, 1,
                    NULL},
+    [RIGID] = {WHIRL_FIELD_STABILITY_RIGID, "rad/s", "first forward critical speed without damping on rigid supports",
+               WHIRL_PER_POINT, 1, NULL},
+    [RATIO] = {WHIRL_FIELD_STABILITY_RATIO, "1", "critical speed ratio: the speed over that on rigid supports",
+               WHIRL_PER_POINT, 1, NULL},
+    [DENSITY] = {WHIRL_FIELD_STABILITY_DENSITY, "kg/m3", "average density of the gas (missing where it is not said)",
+                 WHIRL_PER_POINT, 1, NULL},
+    [REGION] = {WHIRL_FIELD_STABILITY_REGION, "1", "of the screening diagram: 0: A, 1: B (missing without the density)",
+                WHIRL_PER_POINT, 1, NULL},
     [CROSS_COUPLING] = {WHIRL_FIELD_STABILITY_CROSS_COUPLING, "N/m", "of all stages, along the curve", WHIRL_PER_POINT,
                         1, curve_points},
     [CURVE] = {WHIRL_FIELD_STABILITY_CURVE, "1", "logarithmic decrement with bearings and that cross coupling",
@@ -156,11 +180,69 @@ static whirl_status fill_parts(probing *p, double basic, const block_view *view)
     return status;
 }
 
+/// The first forward critical speed of the machine held by springs; NaN where there is none.
+static whirl_status held_at(const whirl_resting *point, double stiffness, double *speed) {
+    whirl_machine slow = {.system = NULL}, fast = {.system = NULL};
+    whirl_critical_speeds *found = NULL;
+    *speed = NAN;
+    whirl_status status = point->at_speed(point->context, point->speed, WHIRL_HELD, stiffness, &slow);
+    if (status.code == WHIRL_OK)
+        status = point->at_speed(point->context, 2.0 * point->speed, WHIRL_HELD, stiffness, &fast);
+    if (status.code == WHIRL_OK) status = whirl_critical_speeds_new(&slow, &fast, &found);
+    for (size_t i = 0; found && i < found->count && isnan(*speed); i++)
+        if (found->directions[i] > 0.05) *speed = found->speeds[i];
+    whirl_critical_speeds_free(found);
+    if (fast.release) fast.release(fast.owner);
+    if (slow.release) slow.release(slow.owner);
+    return status;
+}
+
+/// On rigid supports: springs ever stiffer, until ten times as stiff ones change it by less than 1e-6, and what is left
+/// by the rule that it goes with 1/stiffness. NaN where there is no such speed.
+static whirl_status find_rigid(const whirl_resting *point, double *speed) {
+    static const double softest = 1e7, stiffest = 1e18, close = 1e-6;
+    double before = NAN;
+    whirl_status status = whirl_ok();
+    *speed = NAN;
+    for (double k = softest; k <= stiffest && status.code == WHIRL_OK; k *= 10.0) {
+        double own;
+        status = held_at(point, k, &own);
+        if (status.code == WHIRL_OK && isnan(own)) break;
+        if (status.code == WHIRL_OK && fabs(own - before) <= close * own) {
+            *speed = own + (own - before) / 9.0;
+            break;
+        }
+        before = own;
+    }
+    // A machine that has no critical speeds without damping has no such ratio.
+    return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+}
+
+// The boundary of the regions (Level I screening of API 617, 7th edition of 2002, 2.6.5, as API 684 draws it; which
+// edition counts is for the user to check): 2.5 up to 16.53 kg/m3, then straight to 2.0 at 60 kg/m3; beyond all is B.
+double whirl_screening_ratio(double density) {
+    static const double light = 16.53, dense = 60.0, most = 2.5, least = 2.0;
+    if (density > dense) return 0.0;
+    return density <= light ? most : most + (least - most) * (density - light) / (dense - light);
+}
+
+static whirl_status fill_screening(const whirl_resting *point, double density, const block_view *view) {
+    double rigid;
+    const whirl_status status = find_rigid(point, &rigid);
+    const double ratio = fabs(point->speed) / rigid;
+    *view_numbers(view, RIGID, 0) = rigid;
+    *view_numbers(view, RATIO, 0) = ratio;
+    if (!(density > 0.0)) return status;
+    *view_numbers(view, DENSITY, 0) = density;
+    if (isfinite(ratio)) *view_numbers(view, REGION, 0) = ratio > whirl_screening_ratio(density);
+    return status;
+}
+
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     probing p = {.point = point};
     double basic = NAN, anticipated = NAN, complete = NAN, limit = NAN;
-    (void)options;
     whirl_status status = probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
+    if (status.code == WHIRL_OK) status = fill_screening(point, options->gas_density, view);
     if (status.code == WHIRL_OK) status = probe(&p, WHIRL_AS_GIVEN, 0.0, &complete);
     if (status.code == WHIRL_OK) status = fill_parts(&p, basic, view);
     if (status.code == WHIRL_OK && p.anticipated > 0.0) status = find_limit(&p, basic, &limit);

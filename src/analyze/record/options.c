@@ -57,6 +57,9 @@ static const whirl_member members[] = {
            "a station or a list of them: bearings are raised until shafts carry neither moment nor shear "
            "there",
            ""),
+    MEMBER(whirl_record_options, NUMBER, "gas_density", gas_density, "stability", false, "density", "rho", "kg/m3",
+           WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL,
+           "of the gas, the average of inlet and outlet of the casing, which screening goes by; 0: not said", ""),
     MEMBER(whirl_record_options, NUMBER, "probe_angle", probe_angle, "unbalance", false, "probe", "", "rad",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_ANY, NULL,
            "angle of the first probe of every station, from the x axis towards y; the second stands a right angle "

@@ -18,12 +18,13 @@ static double number(const whirl_table *table, size_t point, const char *field) 
 /// Whether bearings and stages alone tell enough, and of the whole machine whether it is damped as asked for (API 617;
 /// which edition counts is for the user to check).
 static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
-    static const double ratio = 2.0;
+    static const double ratio = 2.0, screened = 10.0;
     const double least = margin_decrement;
     const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
     const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
     const double decrement = number(table, point, WHIRL_FIELD_STABILITY_DECREMENT);
     const double complete = number(table, point, WHIRL_FIELD_STABILITY_COMPLETE);
+    const bool dense = number(table, point, WHIRL_FIELD_STABILITY_REGION) > 0.5;
     const char *whole = complete > least ? "holds" : "fails";
     if (isnan(decrement))
         snprintf(text, SENTENCE, "no mode was found that does not go backward");
@@ -36,8 +37,26 @@ static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
             text, SENTENCE,
             "%s: seals and impellers are to be counted (Level II); decrement %.3g with them, above %g asked for: %s",
             decrement < least ? "decrement too small" : "limit below 2 times the anticipated", complete, least, whole);
+    else if (dense && limit < screened * anticipated)
+        snprintf(text, SENTENCE,
+                 "region B and limit below 10 times the anticipated: seals and impellers are to be counted (Level II); "
+                 "decrement %.3g with them, above %g asked for: %s",
+                 complete, least, whole);
     else
         snprintf(text, SENTENCE, "decrement above %g and limit above 2 times the anticipated: holds by Level I", least);
+}
+
+/// The critical speed ratio and, where the density of the gas is said, the region.
+static void print_screening(FILE *out, const whirl_table *table, size_t point) {
+    const double ratio = number(table, point, WHIRL_FIELD_STABILITY_RATIO);
+    const double region = number(table, point, WHIRL_FIELD_STABILITY_REGION);
+    if (!isfinite(ratio)) return;
+    fprintf(out, "    critical speed ratio %.4g: first critical speed on rigid supports %.6g rpm", ratio,
+            number(table, point, WHIRL_FIELD_STABILITY_RIGID) * 60.0 / two_pi);
+    if (isfinite(region))
+        fprintf(out, "; gas of %.4g kg/m3: region %c", number(table, point, WHIRL_FIELD_STABILITY_DENSITY),
+                region > 0.5 ? 'B' : 'A');
+    fputc('\n', out);
 }
 
 static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
@@ -59,6 +78,7 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
                 limit, limit / anticipated);
     else if (anticipated > 0.0)
         fprintf(out, "    cross coupling: anticipated %.6g N/m, no limit below 1000 times as much\n", anticipated);
+    print_screening(out, table, point);
     for (size_t station = 0; station < result->station_count; station++) {
         const double *own = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_PART, station);
         if (own && isfinite(*own))
@@ -74,13 +94,15 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
 
 static void section(const page *to, size_t index, const whirl_table *table) {
     static const char *const shown[] = {WHIRL_FIELD_STABILITY_ANTICIPATED, WHIRL_FIELD_STABILITY_LIMIT,
-                                        WHIRL_FIELD_STABILITY_BASIC, WHIRL_FIELD_STABILITY_DECREMENT,
-                                        WHIRL_FIELD_STABILITY_COMPLETE};
+                                        WHIRL_FIELD_STABILITY_BASIC,       WHIRL_FIELD_STABILITY_DECREMENT,
+                                        WHIRL_FIELD_STABILITY_COMPLETE,    WHIRL_FIELD_STABILITY_RATIO,
+                                        WHIRL_FIELD_STABILITY_DENSITY};
     const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
     html_table(to->stream, "Stability", "");
     fputs("<thead><tr><th>at</th><th class=\"number\">anticipated (N/m)</th><th class=\"number\">limit (N/m)</th>"
           "<th class=\"number\">bearings alone</th><th class=\"number\">with stages</th>"
-          "<th class=\"number\">with seals and impellers</th><th>what follows</th></tr></thead>\n<tbody>\n",
+          "<th class=\"number\">with seals and impellers</th><th class=\"number\">critical speed ratio</th>"
+          "<th class=\"number\">gas (kg/m3)</th><th>region</th><th>what follows</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t point = 0; point < table->count; point++) {
         char text[SENTENCE];
@@ -92,6 +114,8 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
             html_number(to->stream, number(table, point, shown[i]));
         judge(table, point, text);
+        const double region = number(table, point, WHIRL_FIELD_STABILITY_REGION);
+        fprintf(to->stream, "<td>%s</td>", !isfinite(region) ? "" : region > 0.5 ? "B" : "A");
         fputs("<td>", to->stream);
         html_text(to->stream, text);
         fputs("</td></tr>\n", to->stream);
@@ -107,8 +131,10 @@ const shown_kind shown_stability = {.field = WHIRL_FIELD_STABILITY_BASIC,
                                              "coupling of stages (anticipated, and its limit, where the decrement is "
                                              "0), and with seals and impellers. After API 617 (which edition counts is "
                                              "for the user to check) bearings and stages tell enough where that limit "
-                                             "is 2 times the anticipated or more and the decrement 0.1 or more; else "
-                                             "it is to be above 0.1 with seals and impellers.",
+                                             "is 2 times the anticipated or more, in region B of the screening diagram "
+                                             "10 times or more, and the decrement 0.1 or more; else it is to be above "
+                                             "0.1 with seals and impellers. The critical speed ratio is the speed over "
+                                             "the first forward critical speed without damping on rigid supports.",
                                     .single = true,
                                     .found = true,
                                     .summarize = summarize,

@@ -106,7 +106,8 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
 /// The least decrement of the whole machine.
 typedef struct least_decrement {
     double complete, decrement, ratio;
-    size_t without; ///< points that have no mode
+    size_t without;         ///< points that have no mode
+    size_t screened, dense; ///< points in the screening diagram, and in its region B
     const char *where;
 } least_decrement;
 
@@ -115,7 +116,10 @@ static void find_decrement(const page *to, size_t result, const whirl_table *tab
     (void)to, (void)result;
     for (size_t point = 0; point < table->count; point++) {
         const double complete = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_COMPLETE, 0);
+        const double region = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0);
         found->without += whirl_table_done(table, point) && isnan(complete);
+        found->screened += whirl_table_done(table, point) && isfinite(region);
+        found->dense += whirl_table_done(table, point) && region > 0.5;
         if (!whirl_table_done(table, point) || !(complete < found->complete)) continue;
         found->complete = complete;
         found->decrement = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0);
@@ -183,6 +187,9 @@ static void write_stability(const page *to, found_part part) {
                         least.ratio);
         html_printf(to->stream, least.complete > margin_decrement ? "; above %g: holds." : "; not above %g: fails.",
                     margin_decrement);
+        if (least.screened > 0)
+            html_printf(to->stream, " In the screening diagram %zu of %zu points are in region B.", least.dense,
+                        least.screened);
         if (least.without > 0) html_printf(to->stream, " At %zu points there is no such mode.", least.without);
     } else if (least.without > 0) {
         fputs("No mode was found that does not go backward.", to->stream);

@@ -72,6 +72,10 @@ bool building_carries(const design_element *own) {
     return role_of(own) == ROLE_BEARING;
 }
 
+static bool on_springs(const whirl_design *design) {
+    return design->bearings == WHIRL_BEARINGS_SPRINGS || design->bearings == WHIRL_BEARINGS_HELD;
+}
+
 /// Whether something else stands for an element, or nothing.
 static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
@@ -81,9 +85,9 @@ static bool is_replaced(const building *b, const design_element *own) {
         (building_value(own, "at")->station[0] != b->design->drag_at || strcmp(own->type->group.name, "stage") == 0))
         return true;
     // On soft springs it would sag into stators, which no critical speed map is about.
-    if (what == WHIRL_BEARINGS_SPRINGS && strcmp(own->type->group.name, "gravity") == 0) return true;
-    return what == WHIRL_BEARINGS_SPRINGS ? role_of(own) != ROLE_OTHER
-                                          : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
+    if (on_springs(b->design) && strcmp(own->type->group.name, "gravity") == 0) return true;
+    return on_springs(b->design) ? role_of(own) != ROLE_OTHER
+                                 : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
 }
 
 /// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
@@ -141,10 +145,14 @@ static whirl_status check_spin(const building *b, const design_element *own) {
 static whirl_status add_replaced(building *b, const design_element *own) {
     const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
     element place = {.type = NULL};
-    if (b->design->bearings != WHIRL_BEARINGS_SPRINGS || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
+    if (!on_springs(b->design) || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
     const whirl_status status = element_in_housing(at, from ? from : &nowhere, &b->assembly, &place);
-    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++)
-        assembly_spring(&b->assembly, place.port[i], place.port[2 + i], b->design->stiffness);
+    const bool between = from && from->given && b->assembly.stations[from->station[0]].shaft != NO_SHAFT;
+    const bool held = b->design->bearings == WHIRL_BEARINGS_HELD && !between;
+    for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
+        assembly_spring(&b->assembly, place.port[i], held ? NO_COORDINATE : place.port[2 + i], b->design->stiffness);
+        if (held) assembly_spring(&b->assembly, place.port[2 + i], NO_COORDINATE, b->design->stiffness);
+    }
     return status;
 }
 
