@@ -155,7 +155,7 @@ whirl_status element_in_housing(const key_value *at, const key_value *from, cons
 extern const element_type *const element_types[];
 
 /// Keys of a station that shafts look at.
-enum { STATION_SHAFT, STATION_POSITION };
+enum { STATION_SHAFT, STATION_POSITION, STATION_BOW, STATION_BOW_ANGLE };
 
 /// The station's own keys, its inertia, and what it adds to the assembly.
 extern const whirl_group station_group;

@@ -1,7 +1,10 @@
 // What the weight does to the shafts of a machine: sag, moments, loads of bearings, elevations for its couplings.
+#include <math.h>
+#include <stdlib.h>
+
 #include "analysis.h"
 
-enum { LOAD, DEFLECTION, SLOPE, MOMENT, SHEAR, MASS, ELEVATION, INFLUENCE, FIELD_COUNT };
+enum { LOAD, DEFLECTION, SLOPE, MOMENT, SHEAR, MASS, ELEVATION, INFLUENCE, ECCENTRICITY, ATTITUDE, FILM, FIELD_COUNT };
 
 static size_t every_station(const block_shape *shape) {
     return shape->station_count;
@@ -23,7 +26,67 @@ static const field_plan fields[FIELD_COUNT] = {
     [INFLUENCE] = {WHIRL_FIELD_STATICS_INFLUENCE, "N/m",
                    "load of the bearings here by raising those at each station (0: there are none)", WHIRL_PER_STATION,
                    1, every_station},
+    [ECCENTRICITY] = {WHIRL_FIELD_STATICS_ECCENTRICITY, "1",
+                      "of the journal in its film at rest, over the clearance (missing where there is no film)",
+                      WHIRL_PER_STATION, 1, NULL},
+    [ATTITUDE] = {WHIRL_FIELD_STATICS_ATTITUDE, "deg",
+                  "from the load of the film to where the journal rests, with the rotation", WHIRL_PER_STATION, 1,
+                  NULL},
+    [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least thickness of the film at rest", WHIRL_PER_STATION, 1, NULL},
 };
+
+/// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2].
+static whirl_status forces_at(const whirl_resting *point, const double *at, double *force) {
+    whirl_machine alone;
+    whirl_status status = point->at_speed(point->context, point->speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
+    if (status.code != WHIRL_OK) return status;
+    const whirl_system *system = alone.system;
+    const size_t d = system->dimension;
+    double *x = calloc((2 + d) * d + 1, sizeof *x), *slope = x ? x + d : NULL;
+    if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of films");
+    for (size_t p = 0; p < system->probe_count && x; p++) {
+        x[system->probes[p].x] = at[2 * p];
+        x[system->probes[p].y] = at[2 * p + 1];
+    }
+    if (x) status = whirl_rest_slope(system, x, slope, slope + d);
+    for (size_t p = 0; p < system->probe_count && x; p++)
+        for (size_t c = 0; c < 2; c++) force[2 * p + c] = whirl_probe_value(&system->probes[p], slope, 2 + c);
+    free(x);
+    if (alone.release) alone.release(alone.owner);
+    return status;
+}
+
+static void fill_film(const whirl_probe *probe, size_t which, const double *at, const double *force,
+                      const block_view *view) {
+    const double radius = hypot(at[0], at[1]), across = force[1] * at[0] - force[0] * at[1];
+    const double along = -force[0] * at[0] - force[1] * at[1];
+    *view_numbers(view, ECCENTRICITY, which) = radius / probe->clearance;
+    *view_numbers(view, FILM, which) = probe->clearance - radius;
+    // The load is what the film pushes against.
+    if (hypot(force[0], force[1]) * radius > 0.0)
+        *view_numbers(view, ATTITUDE, which) =
+            whirl_probe_way(probe) * atan2(across, along) * (180.0 / 3.14159265358979323846);
+}
+
+/// Where journals rest in their films, if the machine turns and rests anywhere.
+static whirl_status fill_films(const whirl_resting *point, const block_view *view) {
+    const whirl_system *system = point->system;
+    const size_t d = system->dimension, probes = system->probe_count;
+    bool any = false;
+    for (size_t p = 0; p < probes; p++) any = any || system->probes[p].clearance > 0.0;
+    if (!any || point->speed == 0.0) return whirl_ok();
+    double *x = calloc(d + 4 * probes + 1, sizeof *x), *at = x ? x + d : NULL, *force = x ? at + 2 * probes : NULL;
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for films at rest");
+    memcpy(x, point->start, d * sizeof *x);
+    whirl_status status = whirl_equilibrium(system, x);
+    for (size_t p = 0; p < probes; p++)
+        for (size_t c = 0; c < 2; c++) at[2 * p + c] = whirl_probe_value(&system->probes[p], x, c);
+    if (status.code == WHIRL_OK) status = forces_at(point, at, force);
+    for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++)
+        if (system->probes[p].clearance > 0.0) fill_film(&system->probes[p], p, at + 2 * p, force + 2 * p, view);
+    free(x);
+    return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+}
 
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     const size_t probes = point->system->probe_count;
@@ -43,7 +106,8 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         memcpy(view_numbers(view, INFLUENCE, p), machine.influence + p * probes, probes * sizeof *machine.influence);
     }
     if (machine.release) machine.release(machine.owner);
-    return machine.statics ? status : whirl_fail(WHIRL_BAD_INPUT, "the machine does not tell what its weight does");
+    return machine.statics ? fill_films(point, view)
+                           : whirl_fail(WHIRL_BAD_INPUT, "the machine does not tell what its weight does");
 }
 
 const analysis_plan statics_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

@@ -23,16 +23,33 @@ static row row_of(const whirl_result *result, const whirl_table *table, size_t p
         .mass = {whirl_table_number(table, point, WHIRL_FIELD_STATICS_MASS, station), mass ? mass[1] : (double)NAN}};
 }
 
+/// Where the journal rests in its film.
+static void print_film(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point,
+                       size_t station) {
+    const whirl_result *result = units->result;
+    const whirl_unit length = summary_length_unit(units);
+    const double film = whirl_table_number(table, point, WHIRL_FIELD_STATICS_FILM, station);
+    const double attitude = whirl_table_number(table, point, WHIRL_FIELD_STATICS_ATTITUDE, station);
+    if (!isfinite(film)) return;
+    fprintf(out, "    %s: rests in its film at eccentricity ratio %.4g", result->stations[station].name,
+            whirl_table_number(table, point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
+    if (isfinite(attitude)) fprintf(out, ", attitude %.4g deg", attitude);
+    fprintf(out, ", least thickness %.4g %s
+", whirl_result_length_scale(result, table, point) / length.size * film,
+            length.name);
+}
+
 static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;
     const whirl_unit length = summary_length_unit(units);
     for (size_t station = 0; station < result->station_count; station++) {
         const row at = row_of(result, table, point, station, length.size);
+        print_film(out, units, table, point, station);
         if (isnan(at.deflection)) continue;
         fprintf(out, "    %s: %.4g %s up, slope %.4g mrad, bending moment %.5g N m", result->stations[station].name,
                 at.deflection, length.name, at.slope, at.moment);
         if (isfinite(at.load)) fprintf(out, "; bearing carries %.6g N", at.load);
-        if (isfinite(at.elevation) && *table->record.coupling)
+        if (isfinite(at.elevation) && (*table->record.coupling || at.elevation != 0.0))
             fprintf(out, ", raised by %.6g %s", at.elevation, length.name);
         fputc('\n', out);
     }
@@ -41,6 +58,34 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
 static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     if (*table->record.coupling) fprintf(out, "  aligned for no moment and no shear at %s\n", table->record.coupling);
     summary_ends(out, units, table, print_point);
+}
+
+/// Where journals rest in their films, if there are any.
+static void write_films(const page *to, size_t index, const whirl_table *table) {
+    const whirl_result *result = to->results[index];
+    const whirl_unit length = summary_length_unit(&to->units[index]);
+    const double scale = whirl_result_length_scale(result, table, 0) / length.size;
+    size_t count = 0;
+    for (size_t station = 0; station < result->station_count; station++) {
+        const double film = whirl_table_number(table, 0, WHIRL_FIELD_STATICS_FILM, station);
+        if (!isfinite(film)) continue;
+        if (count++ == 0) {
+            html_table(to->stream, "Journals at rest in their films", "");
+            fprintf(
+                to->stream,
+                "<thead><tr><th>station</th><th class=\"number\">eccentricity ratio</th><th class=\"number\">attitude "
+                "(deg)</th><th class=\"number\">least thickness (%s)</th></tr></thead>\n<tbody>\n",
+                length.name);
+        }
+        fputs("<tr><th>", to->stream);
+        html_text(to->stream, result->stations[station].name);
+        fputs("</th>", to->stream);
+        html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
+        html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ATTITUDE, station));
+        html_number(to->stream, scale * film);
+        fputs("</tr>\n", to->stream);
+    }
+    if (count > 0) fputs("</tbody></table></div>\n", to->stream);
 }
 
 static void section(const page *to, size_t index, const whirl_table *table) {
@@ -70,6 +115,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         fputs("</tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);
+    if (table->count > 0) write_films(to, index, table);
 }
 
 const shown_kind shown_statics = {.field = WHIRL_FIELD_STATICS_LOAD,

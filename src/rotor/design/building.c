@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bow.h"
+
 /// The status with the kind of the element that it is of.
 static whirl_status named(const building *b, size_t index, whirl_status status) {
     if (index == WHIRL_NO_ELEMENT) return status;
@@ -192,6 +194,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);
     if (status.code == WHIRL_OK) mesh_build(&b->mesh, &b->assembly);
+    if (status.code == WHIRL_OK) status = bow_build(&b->mesh, design, &b->assembly);
     for (size_t i = 0; i < design->type_count && status.code == WHIRL_OK; i++)
         status = add_elements(b, design->types[i]);
     b->assembly.balanced = false;

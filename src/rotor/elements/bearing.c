@@ -6,7 +6,26 @@
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, FROM, SPEEDS, FREQUENCIES, KXX, KXY, KYX, KYY, CXX, CXY, CYX, CYY, MXX, MXY, MYY, ROLE, KEY_COUNT };
+enum {
+    AT,
+    FROM,
+    SPEEDS,
+    FREQUENCIES,
+    KXX,
+    KXY,
+    KYX,
+    KYY,
+    CXX,
+    CXY,
+    CYX,
+    CYY,
+    MXX,
+    MXY,
+    MYY,
+    ELEVATION,
+    ROLE,
+    KEY_COUNT
+};
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
     { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
@@ -37,6 +56,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [MXX] = INERTIA("mxx", "m_xx", "0", "inertia along x, as of a fluid; without weight or unbalance"),
     [MXY] = INERTIA("mxy", "m_xy", "0", "force along -x by an acceleration along y, and the other way round"),
     [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
+    [ELEVATION] = NUMBER_KEY("elevation", "", "m", DEFAULT("0"), WHIRL_ANY,
+                             "of its centre along y, above where it would lie in line: what alignment changes"),
     [ROLE] = CHOICE_KEY(
         "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
         "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
@@ -161,6 +182,15 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
+/// K e, e = (0, elevation), on the station, and against it on the housing.
+static void add_elevation(assembly *to, const size_t port[4], const double matrix[2][2], double elevation) {
+    for (size_t i = 0; i < 4 && elevation != 0.0; i++)
+        if (port[i] != NO_COORDINATE) {
+            const double force = (i < 2 ? elevation : -elevation) * matrix[i % 2][1];
+            assembly_term(to, (linear_term){port[i], SOURCE_ONE, 0, force / assembly_force_scale(to, port[i])});
+        }
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     double at[KEY_COUNT];
     whirl_status status = check_tables(values, to);
@@ -172,6 +202,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     add_block(to, assembly_stiffness, out->port, stiffness);
+    add_elevation(to, out->port, stiffness, values[ELEVATION].number);
     add_block(to, assembly_damping, out->port, damping);
     add_inertia(to, out->port, at[MXX], at[MXY], at[values[MYY].given ? MYY : MXX]);
     return whirl_ok();

@@ -7,6 +7,8 @@
 enum {
     SHAFT = STATION_SHAFT,
     POSITION = STATION_POSITION,
+    BOW = STATION_BOW,
+    BOW_ANGLE = STATION_BOW_ANGLE,
     MASS,
     DAMPING,
     ECCENTRICITY,
@@ -24,6 +26,13 @@ static const whirl_key keys[KEY_COUNT] = {
         NAME_KEY("shaft", OPTIONAL, "shafts", "name of `shafts` that it lies on; may be left out where there is one"),
     [POSITION] = NUMBER_KEY("position", "z", "m", OPTIONAL, WHIRL_ANY,
                             "where it lies on a shaft of finite elements, from where that begins"),
+    [BOW] =
+        CITED_NUMBER_KEY("bow", "delta", "m", OPTIONAL, WHIRL_ANY,
+                         "displacement of a shaft of finite elements that is bent and turns so; at three stations of "
+                         "it at least, 0 where it is straight",
+                         "Nicholas, Gunter, Allaire 1976"),
+    [BOW_ANGLE] = NUMBER_KEY("bow_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
+                             "where that displacement points to at t = 0, from the x axis towards y"),
     [MASS] = NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
                         "mass lumped at the station; required where neither a disc nor a shaft brings one"),
     [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,

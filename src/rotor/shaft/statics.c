@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "building.h"
+#include "held.h"
 #include "matrix.h"
 #include "name_list.h"
 
@@ -16,9 +17,9 @@ typedef struct beam {
     size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
     size_t first;                            ///< of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
-    double gravity;
-    double *matrix; ///< [unknowns][unknowns]
-    double *all;    ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    double gravity, up;                      ///< m/s2; how far up y points, 1 where gravity pulls against it
+    double *matrix;                          ///< [unknowns][unknowns]
+    double *all; ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
 } beam;
 
 static whirl_status no_memory(void) {
@@ -35,36 +36,16 @@ static const assembly_station *station_of(const beam *of, size_t node) {
 
 // ---------------------------------------------------------------- equations
 
-/// The stiffness of a piece, of a shaft with flats its mean.
+/// Stiffness and weight of a piece.
 static void piece_stiffness(const mesh_piece *own, matrix4 *stiffness, double weight[4]) {
     piece_matrices all;
+    matrix4 axial;
     piece_fill(&own->piece, &all);
+    held_piece(own, stiffness, &axial);
     for (size_t i = 0; i < 4; i++)
         weight[i] = !own->settings.lumped ? all.weight[i] : i % 2 == 0 ? all.lumped_mass[i / 2] : 0.0;
     for (size_t i = 0; i < 4; i++)
-        for (size_t j = 0; j < 4; j++)
-            stiffness->at[i][j] = 0.5 * (all.stiffness[0].at[i][j] + all.stiffness[1].at[i][j]) + all.axial.at[i][j];
-}
-
-/// Stiffness, and supports that displacements keep to: [K -C'; C 0].
-static void fill_matrix(const beam *of) {
-    const mesh *from = &of->b->mesh;
-    for (size_t p = 0; p < from->piece_count; p++) {
-        const mesh_piece *own = &from->pieces[p];
-        matrix4 stiffness;
-        double weight[4];
-        if (own->shaft != of->shaft) continue;
-        piece_stiffness(own, &stiffness, weight);
-        for (size_t i = 0; i < 4; i++)
-            for (size_t j = 0; j < 4; j++)
-                of->matrix[(2 * (own->node[i / 2] - of->first) + i % 2) * of->unknowns +
-                           2 * (own->node[j / 2] - of->first) + j % 2] += stiffness.at[i][j];
-    }
-    for (size_t s = 0; s < of->supports; s++) {
-        const size_t row = 2 * of->nodes + s, place = 2 * of->support[s];
-        of->matrix[place * of->unknowns + row] = -1.0;
-        of->matrix[row * of->unknowns + place] = 1.0;
-    }
+        for (size_t j = 0; j < 4; j++) stiffness->at[i][j] += axial.at[i][j];
 }
 
 static bool solve(const beam *of) {
@@ -73,7 +54,8 @@ static bool solve(const beam *of) {
         of->all[2 * n + 1] = -standard_gravity * station_of(of, n)->pull_moment;
     }
     for (size_t s = 0; s < of->supports; s++) of->all[(1 + s) * of->unknowns + 2 * of->nodes + s] = 1.0;
-    fill_matrix(of);
+    held_fill(&(held_shaft){&of->b->mesh, of->shaft, of->first, of->nodes, of->supports, of->support}, true,
+              of->matrix);
     return matrix_solve(of->unknowns, of->matrix, 1 + of->supports, of->all);
 }
 
@@ -167,10 +149,11 @@ static void raise_supports(const beam *of, const double *elevation) {
 
 // ---------------------------------------------------------------- bearings
 
-/// How many bearings stand on a station; *aside: one is shared with another shaft.
-static size_t count_bearings(const beam *of, size_t at, bool *aside) {
+/// How many bearings stand on a station; *aside: one is shared with another shaft; *elevation: their mean.
+static size_t count_bearings(const beam *of, size_t at, bool *aside, double *elevation) {
     const building *b = of->b;
     size_t count = 0;
+    *elevation = 0.0;
     for (size_t i = 0; i < b->design->element_count; i++) {
         const design_element *own = &b->design->elements[i];
         if (!building_carries(own)) continue;
@@ -182,8 +165,12 @@ static size_t count_bearings(const beam *of, size_t at, bool *aside) {
         const bool both = shafts[0] != NO_SHAFT && shafts[1] != NO_SHAFT && shafts[0] != shafts[1];
         *aside = *aside || (both && (place == at || other == at));
         // Either end may be the one that stands still.
-        count += place == at || (other == at && shafts[0] == NO_SHAFT);
+        if (place != at && (other != at || shafts[0] != NO_SHAFT)) continue;
+        const key_value *raised = building_value(own, "elevation");
+        if (raised) *elevation += place == at ? raised->number : -raised->number;
+        count++;
     }
+    if (count > 0) *elevation /= (double)count;
     return count;
 }
 
@@ -225,11 +212,27 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
         out[at].carried = rounded(of->all[2 * of->nodes + s], weight_of(of)) / standard_gravity;
         out[at].load = of->gravity * out[at].carried;
         out[at].elevation = out[at].deflection = of->gravity / standard_gravity * elevation[s]; // without rounding
-        out[at].bearings = (double)count_bearings(of, at, &(bool){false});
+        out[at].bearings = (double)count_bearings(of, at, &(bool){false}, &(double){0.0});
         for (size_t k = 0; k < of->supports; k++)
             influence[at * stations + node_of(of, of->support[k])->station] =
                 of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
     }
+}
+
+/// Raises bearings by the elevations that they have, in the scale of what the standard weight does.
+static whirl_status raise_given(const beam *of, double *elevation) {
+    bool any = false;
+    for (size_t s = 0; s < of->supports; s++) {
+        double own;
+        count_bearings(of, node_of(of, of->support[s])->station, &(bool){false}, &own);
+        elevation[s] = own != 0.0 ? own * of->up * standard_gravity / of->gravity : 0.0;
+        any = any || own != 0.0;
+    }
+    if (any && of->gravity == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "bearings have an elevation, and gravity is 0, expected weight for its loads");
+    raise_supports(of, elevation);
+    return whirl_ok();
 }
 
 static whirl_status fill_shaft(beam *of, const char *couplings, double *elevation, whirl_station_statics *out,
@@ -239,9 +242,12 @@ static whirl_status fill_shaft(beam *of, const char *couplings, double *elevatio
         return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' does not rest on its bearings",
                           of->b->design->shafts[of->shaft].name);
     const size_t count = find_couplings(of, couplings, node);
-    whirl_status status = count > 0 ? align(of, count, node, elevation) : whirl_ok();
+    double *further = elevation + of->supports;
+    whirl_status status = raise_given(of, elevation);
+    if (status.code == WHIRL_OK && count > 0) status = align(of, count, node, further);
     if (status.code != WHIRL_OK) return status;
-    raise_supports(of, elevation);
+    raise_supports(of, further);
+    for (size_t s = 0; s < of->supports; s++) elevation[s] += further[s];
     fill_stations(of, elevation, out, influence);
     return status;
 }
@@ -249,7 +255,7 @@ static whirl_status fill_shaft(beam *of, const char *couplings, double *elevatio
 static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_statics *out, double *influence) {
     of->unknowns = 2 * of->nodes + of->supports;
     of->matrix = calloc(of->unknowns * of->unknowns + 1, sizeof *of->matrix);
-    of->all = calloc((1 + of->supports) * of->unknowns + of->supports + 1, sizeof *of->all);
+    of->all = calloc((1 + of->supports) * of->unknowns + 2 * of->supports + 1, sizeof *of->all);
     const whirl_status status =
         of->matrix && of->all ? fill_shaft(of, couplings, of->all + (1 + of->supports) * of->unknowns, out, influence)
                               : no_memory();
@@ -260,8 +266,8 @@ static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_st
 
 // ---------------------------------------------------------------- all shafts
 
-/// The acceleration of gravity that the design has, of all that act together.
-static double gravity_of(const whirl_design *design) {
+/// The acceleration of gravity that the design has, of all that act together, and how far up y points.
+static double gravity_of(const whirl_design *design, double *up) {
     double x = 0.0, y = 0.0;
     bool any = false;
     for (size_t i = 0; i < design->element_count; i++) {
@@ -273,6 +279,7 @@ static double gravity_of(const whirl_design *design) {
         y += size * sin(direction);
         any = true;
     }
+    *up = any && hypot(x, y) > 0.0 ? -y / hypot(x, y) : 1.0;
     return any ? hypot(x, y) : standard_gravity;
 }
 
@@ -282,7 +289,7 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
     *count = 0;
     for (size_t n = 0; n < of->nodes; n++) {
         const size_t at = node_of(of, n)->station;
-        if (!station_of(of, n)->hidden && count_bearings(of, at, &aside) > 0) support[(*count)++] = n;
+        if (!station_of(of, n)->hidden && count_bearings(of, at, &aside, &(double){0.0}) > 0) support[(*count)++] = n;
     }
     if (aside)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -300,10 +307,9 @@ static whirl_status fill(const building *b, const char *couplings, size_t *suppo
     if (b->mesh.shaft_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "there is no shaft of finite elements (segment), whose weight is asked for");
     for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
-        beam of = {.b = b, .shaft = shaft, .support = support, .gravity = gravity_of(b->design)};
-        while (b->mesh.nodes[of.first].shaft != shaft) of.first++;
-        while (of.first + of.nodes < b->mesh.node_count && b->mesh.nodes[of.first + of.nodes].shaft == shaft)
-            of.nodes++;
+        const held_shaft own = held_find(&b->mesh, shaft);
+        beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};
+        of.gravity = gravity_of(b->design, &of.up);
         status = find_supports(&of, support, &of.supports);
         if (status.code == WHIRL_OK) status = take_shaft(&of, couplings, out, influence);
     }
