@@ -13,6 +13,8 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "whirl/analyze.h"
+#include "whirl/case.h"
 #include "whirl/integrate.h"
 #include "whirl/linear.h"
 #include "whirl/rotor.h"
@@ -286,6 +288,36 @@ static void onset(void **state) {
     relative("solid: frequency there, rad/s", w, cimag(pole_of(&d)), 1e-6);
 }
 
+/// The same by the study `stability`, whose stages bring the cross coupling: each of its modes has its own
+/// coefficients.
+static void onset_by_stages(void **state) {
+    static char text[3][TEXT], whole[4 * TEXT], problems[TEXT];
+    const solid s = {10.0, 1e6, 2e5, 2e-3};
+    double low = 0.0, high = 600.0;
+    whirl_case *object = NULL;
+    whirl_result *result;
+    (void)state;
+    for (int step = 0; step < 200; step++) {
+        const double middle = 0.5 * (low + high);
+        *(stiffness(&s, middle) > s.mass * middle * middle ? &low : &high) = middle;
+    }
+    tabulate(&s, 32, 600.0, 0.0, text);
+    snprintf(whole, sizeof whole,
+             "whirl: 1\nrotor:\n  speed: 900 rad/s\n  length_scale: 1 mm\n  stations:\n    disc: {mass: 10 kg}\n"
+             "  elements:\n    - bearing:\n        at: disc\n        frequencies: [%s]\n        kxx: [%s]\n"
+             "        cxx: [%s]\n    - stage: {at: disc, power: 100 kW, diameter: 0.4 m, width: 20 mm}\n"
+             "study:\n  stability: {}\n",
+             text[0], text[1], text[2]);
+    if (whirl_case_check(whole, strlen(whole), "case.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
+        fail_msg("%s", problems);
+    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
+    const whirl_table *table = &result->tables[0];
+    relative("solid: limit of the cross coupling of stages, N/m", low * damping(&s, low),
+             whirl_table_number(table, 0, WHIRL_FIELD_STABILITY_LIMIT, 0), 1e-5);
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
 // ---------------------------------------------------------------- what is refused
 
 static void refused(void **state) {
@@ -306,6 +338,7 @@ static void refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(straight),    cmocka_unit_test(over_both),
                                        cmocka_unit_test(all_of_them), cmocka_unit_test(own_state),
-                                       cmocka_unit_test(onset),       cmocka_unit_test(refused)};
+                                       cmocka_unit_test(onset),       cmocka_unit_test(onset_by_stages),
+                                       cmocka_unit_test(refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

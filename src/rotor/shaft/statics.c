@@ -223,7 +223,7 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
 static whirl_status raise_given(const beam *of, double *elevation) {
     bool any = false;
     for (size_t s = 0; s < of->supports; s++) {
-        double own;
+        double own = 0.0;
         count_bearings(of, node_of(of, of->support[s])->station, &(bool){false}, &own);
         elevation[s] = own != 0.0 ? own * of->up * standard_gravity / of->gravity : 0.0;
         any = any || own != 0.0;
