@@ -139,10 +139,11 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
     return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
 }
 
-/// About x, which becomes the equilibrium or the periodic motion at t = 0. matrix [count][count] is workspace.
-static whirl_status find(mean_system *m, double *x, double *matrix, whirl_modes **out) {
+/// About x, which, unless it is held, becomes the equilibrium, or the periodic motion at t = 0. matrix [count][count]
+/// is workspace.
+static whirl_status find(mean_system *m, bool held, double *x, double *matrix, whirl_modes **out) {
     double period = 0.0;
-    whirl_status status = rest_find(m, x);
+    whirl_status status = held ? whirl_ok() : rest_find(m, x);
     if (status.code != WHIRL_OK) return status;
     if (mean_is_modulated(m, x, matrix))
         status = periodic_find(m, x, false, matrix, &period);
@@ -151,7 +152,7 @@ static whirl_status find(mean_system *m, double *x, double *matrix, whirl_modes 
     return status.code == WHIRL_OK ? solve(m, matrix, period, x, out) : status;
 }
 
-whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **out) {
+whirl_status modes_about(const whirl_system *system, const double *start, bool held, whirl_modes **out) {
     mean_system mean;
     void *block;
     const size_t d = system->dimension;
@@ -161,13 +162,17 @@ whirl_status whirl_modes_new(const whirl_system *system, const double *start, wh
     double *x = malloc((d + d * d + 1) * sizeof *x);
     if (x) {
         memcpy(x, start, d * sizeof *x);
-        status = find(&mean, x, x + d, out);
+        status = find(&mean, held, x, x + d, out);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", d);
     }
     free(x);
     free(block);
     return status;
+}
+
+whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **out) {
+    return modes_about(system, start, false, out);
 }
 
 void whirl_modes_free(whirl_modes *modes) {

@@ -31,13 +31,14 @@ static void look_end(look *own) {
     own->modes = NULL;
 }
 
-static whirl_status look_at(const whirl_whirling *others, double frequency, look *out) {
+/// The machine at a frequency, about where it rests; rest NULL: its own, which is looked for.
+static whirl_status look_at(const whirl_whirling *others, double frequency, const double *rest, look *out) {
     whirl_machine machine = {.system = NULL};
     *out = (look){.frequency = frequency};
     whirl_status status = others->at(others->context, frequency, &machine);
     if (status.code != WHIRL_OK) return status;
     out->clock = machine.clock;
-    status = whirl_modes_new(machine.system, machine.start, &out->modes);
+    status = modes_about(machine.system, rest ? rest : machine.start, rest != NULL, &out->modes);
     if (machine.release) machine.release(machine.owner);
     if (status.code == WHIRL_OK && out->modes->period > 0.0) {
         look_end(out);
@@ -54,14 +55,14 @@ static double excess(const look *at, size_t rank) {
 }
 
 /// The zero of a rank between two frequencies.
-static whirl_status close_in(const whirl_whirling *others, size_t rank, double a, double fa, double b, double fb,
-                             double *found) {
+static whirl_status close_in(const whirl_whirling *others, const double *rest, size_t rank, double a, double fa,
+                             double b, double fb, double *found) {
     enum { MOST_STEPS = 100 };
     bracket r = bracket_between(a, fa, b, fb);
     for (int step = 0; step < MOST_STEPS && bracket_width(&r) > 1e-13 * b; step++) {
         look at;
         const double c = bracket_next(&r);
-        const whirl_status status = look_at(others, c, &at);
+        const whirl_status status = look_at(others, c, rest, &at);
         if (status.code != WHIRL_OK) return status;
         const double fc = excess(&at, rank);
         look_end(&at);
@@ -89,7 +90,8 @@ static whirl_status find_between(const whirl_whirling *others, const look *a, co
         *own = (zero){.rank = rank, .frequency = b->frequency};
         // A zero at a frequency is of the part that ends there.
         if ((fa > 0.0) == (fb > 0.0) || fa == 0.0) continue;
-        if (fb != 0.0) status = close_in(others, rank, a->frequency, fa, b->frequency, fb, &own->frequency);
+        if (fb != 0.0)
+            status = close_in(others, a->modes->rest, rank, a->frequency, fa, b->frequency, fb, &own->frequency);
         ++*count;
     }
     return status;
@@ -99,7 +101,7 @@ static whirl_status find_between(const whirl_whirling *others, const look *a, co
 static whirl_status find_all(const whirl_system *system, const whirl_whirling *others, zero *zeros, size_t *count,
                              look *first) {
     look last;
-    whirl_status status = look_at(others, system->frequencies[0], first);
+    whirl_status status = look_at(others, system->frequencies[0], NULL, first);
     *count = 0;
     if (status.code != WHIRL_OK) return status;
     for (size_t rank = 0; rank < first->modes->count; rank++)
@@ -109,7 +111,8 @@ static whirl_status find_all(const whirl_system *system, const whirl_whirling *o
         for (int part = 1; part <= PARTS && status.code == WHIRL_OK; part++) {
             const double low = system->frequencies[i - 1], high = system->frequencies[i];
             look next;
-            status = look_at(others, part == PARTS ? high : low + (high - low) * part / PARTS, &next);
+            status =
+                look_at(others, part == PARTS ? high : low + (high - low) * part / PARTS, first->modes->rest, &next);
             if (status.code == WHIRL_OK) status = find_between(others, &last, &next, zeros, count);
             if (last.modes != first->modes) look_end(&last);
             last = next;
@@ -134,7 +137,7 @@ static whirl_status take_all(const whirl_whirling *others, const zero *zeros, si
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         if (!at.modes || zeros[i].frequency > (1.0 + 1e-9) * at.frequency) {
             look_end(&at);
-            status = look_at(others, zeros[i].frequency, &at);
+            status = look_at(others, zeros[i].frequency, out->rest, &at);
         }
         if (status.code == WHIRL_OK && zeros[i].rank < at.modes->count) take(&at, &zeros[i], out);
     }
