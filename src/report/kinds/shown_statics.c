@@ -34,8 +34,7 @@ static void print_film(FILE *out, const whirl_shown_units *units, const whirl_ta
     fprintf(out, "    %s: rests in its film at eccentricity ratio %.4g", result->stations[station].name,
             whirl_table_number(table, point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
     if (isfinite(attitude)) fprintf(out, ", attitude %.4g deg", attitude);
-    fprintf(out, ", least thickness %.4g %s
-", whirl_result_length_scale(result, table, point) / length.size * film,
+    fprintf(out, ", least thickness %.4g %s\n", whirl_result_length_scale(result, table, point) / length.size * film,
             length.name);
 }
 
