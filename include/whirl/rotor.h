@@ -186,7 +186,8 @@ const whirl_system *whirl_rotor_system(const whirl_rotor *rotor);
 
 /// Completes a state [dimension] that says displacements and velocities of stations: what shafts of finite elements
 /// have between these (tilts, nodes, coordinates of modes) is written as the shaft gives way statically, so that a
-/// straight one stays straight; all else stays. With zeros there, the coordinates of modes would bend it
+/// straight one stays straight; pads that tilt lie as their films hold them before a journal in the middle, unless a
+/// tilt is said; all else stays. With zeros there, the coordinates of modes would bend it
 /// (docs/theory.md).
 void whirl_rotor_complete(const whirl_rotor *rotor, double *x);
 

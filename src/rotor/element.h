@@ -49,6 +49,7 @@ typedef struct element {
     bool lumped;            ///< it is part of the assembly alone
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
     size_t state;           ///< where its own first-order states begin, in the rows of the velocities
+    size_t states;          ///< of them; those of its type where `build` says nothing else
     size_t first_switch;    ///< where its switches begin, in those of the machine
     size_t station;         ///< where it sits
     double *number;         ///< [type->number_count]
@@ -108,6 +109,9 @@ typedef struct whirl_element_type {
 
     /// Optional: rad/s of its phase where sections are to be taken by it, else 0; its first key is its station.
     double (*keyphasor)(const key_value *values, double speed);
+
+    /// Optional: the states [own->states] that it has where its place rests in the middle; else 0.
+    void (*begin)(const element *own, double *states);
 
     /// With states that turn at a constant rate: how often what follows from them comes round in a revolution. NULL:
     /// they never fit revolutions.

@@ -23,7 +23,9 @@
     X(mount)                                                                                                           \
     X(ball_bearing)                                                                                                    \
     X(squeeze)                                                                                                         \
-    X(stage)
+    X(stage)                                                                                                           \
+    X(pad_bearing)                                                                                                     \
+    X(tilting_pad)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -344,6 +344,17 @@ void whirl_rotor_free(whirl_rotor *rotor) {
     free(rotor);
 }
 
+/// Where none of an element's own states is said.
+static void begin_elements(const whirl_rotor *rotor, double *x) {
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        double *states = x + rotor->lanes.degrees + own->state;
+        bool said = !own->type->begin;
+        for (size_t k = 0; k < own->states && !said; k++) said = states[k] != 0.0;
+        if (!said) own->type->begin(own, states);
+    }
+}
+
 void whirl_rotor_complete(const whirl_rotor *rotor, double *x) {
     const size_t planes[] = {0, 1, rotor->lanes.degrees, rotor->lanes.degrees + 1};
     for (size_t k = 0; k < sizeof planes / sizeof *planes; k++) {
@@ -352,6 +363,7 @@ void whirl_rotor_complete(const whirl_rotor *rotor, double *x) {
         for (size_t i = 0; i < rotor->between_count; i++)
             of[rotor->between[i].row] += rotor->between[i].share * of[rotor->between[i].column];
     }
+    begin_elements(rotor, x);
 }
 
 const whirl_system *whirl_rotor_system(const whirl_rotor *rotor) {

@@ -60,9 +60,9 @@ static size_t lane_part(const void *model, size_t *places) {
 /// The force on an element's ports and the slopes of its states may depend on all that it sees.
 static void depend_on_element(const whirl_rotor *rotor, const element *own, bool *table) {
     const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
-    for (size_t i = 0; i < MAX_PORTS + own->type->state_count; i++) {
+    for (size_t i = 0; i < MAX_PORTS + own->states; i++) {
         const size_t row = i < MAX_PORTS ? own->port[i] : own->state + i - MAX_PORTS;
-        for (size_t j = 0; row != NO_COORDINATE && j < MAX_PORTS + own->type->state_count; j++) {
+        for (size_t j = 0; row != NO_COORDINATE && j < MAX_PORTS + own->states; j++) {
             const size_t by = j < MAX_PORTS ? own->port[j] : own->state + j - MAX_PORTS;
             if (j < MAX_PORTS && by != NO_COORDINATE) table[row * width + by] = true;
             if (by != NO_COORDINATE) table[row * width + degrees + by] = true;

@@ -170,13 +170,14 @@ static whirl_status add_elements(building *b, const element_type *type) {
         }
         *own = (element){.type = type, .number = b->numbers + b->number_count};
         own->state = b->assembly.degrees + b->state_count;
+        own->states = type->state_count;
         for (size_t port = 0; port < MAX_PORTS; port++) own->port[port] = NO_COORDINATE;
         status = type->build(b->design->elements[i].values, &b->assembly, own);
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
         status = with_element(b, i, status);
         if (!type->kernels || own->lumped) continue;
         b->number_count += type->number_count;
-        b->state_count += own->type->state_count;
+        b->state_count += own->states;
         b->element_count++;
     }
     return status;

@@ -1,0 +1,128 @@
+#include "pads_build.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "doubts.h"
+#include "elements/pads_look_up.h"
+#include "whirl/bearing.h"
+
+static oil oil_of(const key_value *values) {
+    return (oil){&values[PADS_VISCOSITY], &values[PADS_KINEMATIC], &values[PADS_DENSITY]};
+}
+
+/// The name of the usual bearing of a choice, in the order of the keys' tables.
+static const char *shape_name(bool tilting, int choice) {
+    static const char *const fixed[] = {"two-groove", "elliptical", "three-lobe", "four-lobe", "offset-half"};
+    static const char *const free[] = {"tilting-4", "tilting-5"};
+    return tilting ? free[choice] : fixed[choice];
+}
+
+/// The pads that the keys tell.
+static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads *out) {
+    const key_value *pivots = &values[PADS_PIVOTS];
+    const double preload = values[PADS_PRELOAD].number;
+    *out = (whirl_pads){.ratio = values[PADS_LENGTH].number / (2.0 * values[PADS_RADIUS].number),
+                        .tilting = tilting,
+                        .gumbel = values[PADS_CAVITATION].choice == 1};
+    if (values[PADS_SHAPE].given == pivots->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected a usual shape or pivots",
+                          pivots->given ? "both shape and pivots" : "neither shape nor pivots");
+    if (values[PADS_SHAPE].given) {
+        if (values[PADS_ARC].given || values[PADS_OFFSET].given)
+            return whirl_fail(WHIRL_BAD_INPUT, "has %s beside shape, expected pivots with it",
+                              values[PADS_ARC].given ? "arc" : "offset");
+        whirl_pads_named(shape_name(tilting, values[PADS_SHAPE].choice), preload, out);
+        return whirl_ok();
+    }
+    if (!values[PADS_ARC].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has pivots without arc, expected the length of the pads");
+    out->count = pivots->count > 0 ? pivots->count : 1;
+    if (out->count > MAX_PADS || pivots->rows > 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %zu pivots, expected a list of at most %d", out->count, MAX_PADS);
+    for (size_t i = 0; i < out->count; i++)
+        out->pads[i] = (whirl_pad){.pivot = pivots->count > 0 ? pivots->list[i] : pivots->number,
+                                   .arc = values[PADS_ARC].number,
+                                   .offset = values[PADS_OFFSET].number,
+                                   .preload = preload};
+    return whirl_ok();
+}
+
+/// The numbers of one pad, whose angles are those of a shaft that turns from x to y.
+static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, double *number) {
+    const double lead = (0.5 - pad->offset) * pad->arc, middle = pad->pivot + lead;
+    number[PAD_COSINE] = cos(middle);
+    number[PAD_SINE] = sin(middle);
+    // The pivot's direction in the frame of the middle is at -lead.
+    number[PAD_SHIFT_X] = pad->preload * cos(lead);
+    number[PAD_SHIFT_Y] = -pad->preload * sin(lead);
+    number[PAD_ALONG_X] = sin(lead);
+    number[PAD_ALONG_Y] = cos(lead);
+    number[PAD_HALF_COSINE] = cos(0.5 * pad->arc);
+    number[PAD_HALF_SINE] = sin(0.5 * pad->arc);
+    return pad_table_find(pad->arc, bearing->ratio, bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS,
+                          &number[PAD_TABLE]);
+}
+
+/// mu omega R L (R/c)^2 in N.
+static double strength_of(const key_value *values, double viscosity, double speed) {
+    const double share = values[PADS_RADIUS].number / values[PADS_CLEARANCE].number;
+    return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
+}
+
+static void put_tilts(const key_value *values, const assembly *to, double strength, double *number) {
+    const double inertia = values[PADS_INERTIA].number, clock = to->clock, radius = values[PADS_RADIUS].number;
+    number[PADS_TILT_FORCE] = radius * radius * strength / (values[PADS_CLEARANCE].number * inertia * clock * clock);
+    number[PADS_TILT_SPRING] = values[PADS_SPRING].number / (inertia * clock * clock);
+    number[PADS_TILT_DAMPER] = values[PADS_DAMPER].number / (inertia * clock);
+}
+
+whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out) {
+    const oil own = oil_of(values);
+    whirl_pads bearing;
+    double viscosity;
+    whirl_status status = read_pads(values, tilting, &bearing);
+    if (status.code == WHIRL_OK) status = oil_viscosity(&own, &viscosity);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
+    if (status.code != WHIRL_OK) return status;
+    const double sign = copysign(1.0, to->turn), strength = strength_of(values, viscosity, fabs(to->speed));
+    out->law = (int)bearing.count;
+    out->states = tilting ? 2 * bearing.count : 0;
+    out->number[PADS_OVER_CLEARANCE] = to->length / values[PADS_CLEARANCE].number;
+    out->number[PADS_TWICE] = 2.0 / fabs(to->turn);
+    out->number[PADS_SIGN] = sign;
+    for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
+        whirl_pad pad = bearing.pads[i];
+        pad.pivot = sign * (pad.pivot + values[PADS_TURNED].number);
+        status = put_pad(&bearing, &pad, out->number + PADS_FIRST + i * PAD_NUMBERS);
+    }
+    if (tilting) put_tilts(values, to, strength, out->number);
+    for (size_t port = 0; port < 4; port++)
+        out->number[PADS_NUMBERS + port] =
+            out->port[port] == NO_COORDINATE
+                ? 0.0
+                : values[PADS_COUNT].number * strength / assembly_force_scale(to, out->port[port]);
+    return status;
+}
+
+/// Where no pad tilts, the largest displacement in any direction is at least that by which pads lie apart.
+double pads_clearance(const element *own) {
+    const double *pad = own->number + PADS_FIRST;
+    if (own->port[2] != NO_COORDINATE) return 0.0;
+    return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];
+}
+
+void pads_doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const oil own = oil_of(values);
+    const double radius = values[PADS_RADIUS].number, clearance = values[PADS_CLEARANCE].number;
+    const double ratio = values[PADS_LENGTH].number / (2.0 * radius);
+    doubt_clearance(to, clearance, radius);
+    if (ratio < 0.1 || ratio > 2.0)
+        doubt_value(to, "length", "is %.3g times the diameter, and bearings of pads have 0.1 to 2 times", ratio);
+    // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
+    const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
+    if (reynolds > most)
+        doubt_value(to, "density",
+                    "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
+                    reynolds, most);
+}

@@ -1,0 +1,70 @@
+/// What bearings of fixed and of tilting pads have in common: keys, numbers, doubts.
+#ifndef ROTOR_PADS_BUILD_H
+#define ROTOR_PADS_BUILD_H
+
+#include "element.h"
+#include "oil.h"
+
+enum {
+    PADS_AT,
+    PADS_FROM,
+    PADS_COUNT,
+    PADS_SHAPE,
+    PADS_PIVOTS,
+    PADS_ARC,
+    PADS_OFFSET,
+    PADS_PRELOAD,
+    PADS_TURNED,
+    PADS_CAVITATION,
+    PADS_CLEARANCE,
+    PADS_VISCOSITY,
+    PADS_KINEMATIC,
+    PADS_DENSITY,
+    PADS_RADIUS,
+    PADS_LENGTH,
+    PADS_FIXED_KEYS,
+    PADS_INERTIA = PADS_FIXED_KEYS,
+    PADS_SPRING,
+    PADS_DAMPER,
+    PADS_TILTING_KEYS
+};
+
+/// Rows of both tables; `shapes` are the usual bearings (whirl_pads_named).
+// clang-format off
+#define PADS_KEYS(shapes)                                                                                              \
+    [PADS_AT] = STATION_KEY("at", REQUIRED, "station of the journal"),                                                 \
+    [PADS_FROM] = STATION_KEY("from", OPTIONAL, "station of its housing, which does not turn; the ground where absent"),   \
+    [PADS_COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings at this station"),     \
+    [PADS_SHAPE] = CHOICE_KEY("shape", OPTIONAL, shapes,                                                               \
+                              "a usual bearing with its pads, for a load along -y; or say pivots and arc"),            \
+    [PADS_PIVOTS] = CITED_NUMBERS_KEY("pivots", "", "rad", OPTIONAL, WHIRL_ANY,                                        \
+                                      "angles of the pads' pivots, or of their lines of preload, from x towards y", ""), \
+    [PADS_ARC] = NUMBER_KEY("arc", "", "rad", OPTIONAL, WHIRL_ABOVE_TO(0, 3.05), "length of every pad"),               \
+    [PADS_OFFSET] = NUMBER_KEY("offset", "", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0, 1),                                 \
+                               "share of a pad that lies before its pivot, in the way of the rotation"),               \
+    [PADS_PRELOAD] = NUMBER_KEY("preload", "m", "1", DEFAULT("0"), WHIRL_FROM_TO(0, 0.95),                             \
+                                "share of the clearance by which centres of pads lie beyond that of the bearing"),     \
+    [PADS_TURNED] = NUMBER_KEY("turned", "", "rad", DEFAULT("0"), WHIRL_ANY,                                           \
+                               "angle by which all pads are turned from x towards y"),                                 \
+    [PADS_CAVITATION] = CITED_CHOICE_KEY("cavitation", DEFAULT("reynolds"), "reynolds|gumbel",                         \
+                                         "reynolds: pressure and its gradient vanish where the film breaks; gumbel: "  \
+                                         "the full film's pressures below 0 are left out",                             \
+                                         "Swift 1932; Stieber 1933; Guembel 1914"),                                    \
+    [PADS_CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE,                                     \
+                                  "radial clearance of the pads; that of the bearing is (1 - preload) of it"),         \
+    [PADS_VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil; required without kinematic_viscosity"),              \
+    [PADS_KINEMATIC] = OIL_KINEMATIC,                                                                                  \
+    [PADS_DENSITY] = OIL_DENSITY,                                                                                      \
+    [PADS_RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the journal"),                 \
+    [PADS_LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the bearing along the shaft")
+// clang-format on
+
+/// Ports, law (the number of pads) and numbers. WHIRL_BAD_INPUT where keys contradict each other; errors of tables.
+whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out);
+
+/// In length scales: the circle in which the journal moves; 0 where the housing moves.
+double pads_clearance(const element *own);
+
+void pads_doubt(const key_value *values, double speed, const doubt_teller *to);
+
+#endif
