@@ -96,7 +96,8 @@ typedef struct whirl_element_type {
     whirl_status (*inertia)(const key_value *values, assembly *to);
 
     /// Its ports, law and numbers from values, or what it adds to the assembly. WHIRL_BAD_INPUT where keys contradict
-    /// each other.
+    /// each other. It may change out->type to another one of its group with as many numbers, but other kernels and
+    /// states of its own.
     whirl_status (*build)(const key_value *values, assembly *to, element *out);
 
     /// Optional: switching functions, which it has `switch_count(own)` of; their derivatives by the places and
@@ -113,9 +114,9 @@ typedef struct whirl_element_type {
     /// Optional: the states [own->states] that it has where its place rests in the middle; else 0.
     void (*begin)(const element *own, double *states);
 
-    /// With states that turn at a constant rate: how often what follows from them comes round in a revolution. NULL:
+    /// With states that turn at a constant rate: how often what follows from one comes round in a revolution. NULL:
     /// they never fit revolutions.
-    double (*rounds)(const element *own);
+    double (*rounds)(const element *own, size_t state);
 
     /// With switches: whether motions can slide along one (friction that jumps where the slip reverses).
     bool (*slides)(const element *own);

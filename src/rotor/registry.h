@@ -25,7 +25,8 @@
     X(squeeze)                                                                                                         \
     X(stage)                                                                                                           \
     X(pad_bearing)                                                                                                     \
-    X(tilting_pad)
+    X(tilting_pad)                                                                                                     \
+    X(roller_bearing)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

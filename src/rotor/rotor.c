@@ -195,8 +195,10 @@ static void note_phase(whirl_rotor *rotor, double rounds) {
 
 static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     element *own = &rotor->elements[index];
-    for (size_t s = 0; s < own->type->turning; s++) rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
-    if (own->type->turning > 0) note_phase(rotor, own->type->rounds ? own->type->rounds(own) : (double)NAN);
+    for (size_t s = 0; s < own->type->turning; s++) {
+        rotor->turns[degrees + own->state + s] = 6.283185307179586476925;
+        note_phase(rotor, own->type->rounds ? own->type->rounds(own, s) : (double)NAN);
+    }
     if (own->type->kinked) rotor->kinked = true;
     own->first_switch = rotor->lanes.switch_count;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);

@@ -41,7 +41,8 @@ static const whirl_key keys[KEY_COUNT] = {
 FOR_EVERY_ISA(const element_kernels, force_kernels);
 const element_kernels *const harmonic_kernels[VECTOR_ISAS] = EVERY_ISA(&, force_kernels);
 
-double harmonic_rounds(const element *own) {
+double harmonic_rounds(const element *own, size_t state) {
+    (void)state;
     return own->number[HARMONIC_RATE];
 }
 

@@ -30,7 +30,7 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 // clang-format on
 
 /// Turns of the phase in a revolution.
-double harmonic_rounds(const element *own);
+double harmonic_rounds(const element *own, size_t state);
 
 /// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`
 /// and turns by `rate` a radian of tau: along the direction `angle` (side 0), or turning from there with the

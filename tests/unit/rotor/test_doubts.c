@@ -9,7 +9,7 @@
 
 #include "whirl/rotor.h"
 
-enum { MOST = 6 };
+enum { MOST = 7 };
 
 /// An element with values, and the keys that are doubted, in order.
 typedef struct example {
@@ -73,6 +73,21 @@ static void check(const example *of) {
         }                                                                                                              \
     }
 
+#define DENTED(h)                                                                                                      \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"balls", 8, NULL}, {"stiffness", 1e10, NULL}, {"outer_dent", h, NULL},                     \
+            {"outer_dent_width", 0.1, NULL}, {"inner", 0.02, NULL}, {                                                  \
+            "outer", 0.03, NULL                                                                                        \
+        }                                                                                                              \
+    }
+#define OBLIQUE(load)                                                                                                  \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"balls", 8, NULL}, {"stiffness", 1e10, NULL}, {"cage", 0.4, NULL},                         \
+            {"contact_angle", 0.4, NULL}, {"centres", 4e-4, NULL}, {                                                   \
+            "axial_load", load, NULL                                                                                   \
+        }                                                                                                              \
+    }
+
 static void every_element_doubts_what_it_is_not_for(void **unused) {
     (void)unused;
     static const example examples[] = {
@@ -92,6 +107,9 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
         {"rub", RUB(0.2), "gap"},
         {"ball_bearing", BALLS(1e-5), ""},
         {"ball_bearing", BALLS(-1e-3), "clearance"},
+        {"ball_bearing", DENTED(3e-4), "outer_dent"},
+        {"ball_bearing", OBLIQUE(300.0), ""},
+        {"ball_bearing", OBLIQUE(1e6), "axial_load"},
     };
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) check(&examples[i]);
 }

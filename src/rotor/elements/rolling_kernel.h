@@ -1,0 +1,104 @@
+// A rolling bearing whose balls or rollers pass under the load (Sunnersjo 1978; Fukata et al. 1985). Ball j stands at
+// theta_j = theta + 2 pi j/N, theta = theta_0 + ratio tau; with the shaft at r_j = x cos theta_j + y sin theta_j along
+// it, it is pressed in by delta_j = r_j - g_0 and pushes back by Hertz's law where that is above zero,
+//
+//     f = -C sum_j delta_j^n lever_j (cos theta_j, sin theta_j),    n = 3/2, of rollers 10/9; lever_j = 1.
+//
+// Where the contact is oblique, the centres of both grooves, A apart without load, are A_j = sqrt((R + r_j)^2 + Z^2)
+// apart with R = A cos alpha_0 - g_0 and Z = A sin alpha_0 + the axial displacement; then delta_j = A_j - A and
+// lever_j = (R + r_j)/A_j. A_j - A is written as (r_j (2 R + r_j) + R^2 + Z^2 - A^2)/(A_j + A), free of cancellation.
+//
+// A dent of depth h and width w takes h (1 + cos(2 pi phi/w))/2 from delta_j, phi the angle from its middle, |phi| <
+// w/2: in a race that of the ball, in a ball its own from the contact with the inner race, or with the outer one.
+//
+// The force has a continuous derivative, so that contacts need not be located. Angles from their start are states, for
+// those that do not fit the revolution.
+
+#ifdef ROLLING_DENTED
+/// What dent `which` takes, at the angle from its middle whose cosine and sine are x and y.
+static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y) {
+    const vec *number = view->number;
+    const size_t stride = view->stride;
+    const vec half = v_mul(v_set(0.5), number[(ROLLING_DEPTH + (size_t)which) * stride]);
+    const num edge = n_of(number[(ROLLING_EDGE + (size_t)which) * stride]);
+    num sine, cosine;
+    n_sincos(n_scale(number[(ROLLING_OVER_WIDTH + (size_t)which) * stride], n_angle(x, y)), &sine, &cosine);
+    return n_select(n_less(edge, x), n_scale(half, n_add(n_set(1.0), cosine)), n_set(0.0));
+}
+
+/// The same of both races under a ball at the angle of x and y; `at` are the cosines and sines of their dents.
+static inline num KERNEL(race_dents)(const kernel_view *view, const num *at, num x, num y) {
+    num taken = n_set(0.0);
+    for (int race = DENT_INNER; race <= DENT_OUTER; race++) {
+        const num c = at[2 * race], s = at[2 * race + 1];
+        taken = n_add(taken, KERNEL(dent)(view, race, n_fma(x, c, n_mul(y, s)), n_sub(n_mul(y, c), n_mul(x, s))));
+    }
+    return taken;
+}
+
+static inline void KERNEL(find_dents)(const kernel_view *view, const num *s, num *at) {
+    for (size_t race = DENT_INNER; race <= DENT_OUTER; race++) {
+        const vec start = view->number[(ROLLING_DENT_START + race) * view->stride];
+        n_sincos(n_add(s[1 + race], n_of(start)), &at[2 * race + 1], &at[2 * race]);
+    }
+}
+
+/// The same of the ball itself, at its own angle: on both races.
+static inline num KERNEL(ball_dent)(const kernel_view *view, num angle) {
+    const num zero = n_set(0.0);
+    num x, y;
+    n_sincos(angle, &y, &x);
+    const num back_x = n_sub(zero, x), back_y = n_sub(zero, y);
+    return n_add(KERNEL(dent)(view, DENT_BALL, x, y), KERNEL(dent)(view, DENT_BALL, back_x, back_y));
+}
+#endif
+
+/// How far a ball is pressed in with the shaft at r along it, and what part of its push acts along the radius.
+static inline num KERNEL(oblique)(const kernel_view *view, num r, num *lever) {
+    const vec *number = view->number;
+    const size_t stride = view->stride;
+    const vec radial = number[ROLLING_RADIAL * stride];
+    const num reach = n_add(r, n_of(radial)), axial = n_of(number[ROLLING_AXIAL_SQUARE * stride]);
+    const num apart = n_sqrt(n_fma(reach, reach, axial)), further = n_add(reach, n_of(radial));
+    const num longer = n_fma(r, further, n_of(number[ROLLING_SPARE * stride]));
+    *lever = n_div(reach, apart);
+    return n_div(longer, n_add(apart, n_of(number[ROLLING_CENTRES * stride])));
+}
+
+static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
+                                 num *force, num *slope) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    const vec start = number[ROLLING_START * stride];
+    const vec c = number[ROLLING_APART_COS * stride], sine = number[ROLLING_APART_SIN * stride];
+    const num gap = n_of(number[ROLLING_GAP * stride]), zero = n_set(0.0);
+    const num angle = n_add(s[0], n_of(start));
+    num x, y, lever = n_set(1.0), sum_x = zero, sum_y = zero;
+    (void)w;
+    for (size_t i = 0; i < KERNEL_STATES; i++) slope[i] = n_of(number[(ROLLING_RATES + i) * stride]);
+    n_sincos(angle, &y, &x);
+#ifdef ROLLING_DENTED
+    num at[2 * DENT_BALL];
+    KERNEL(find_dents)(view, s, at);
+#endif
+    for (int j = 0; j < (own->law & ROLLING_COUNT); j++) {
+        const num r = n_fma(d[0], x, n_mul(d[1], y));
+        num pressed = own->law & ROLLING_OBLIQUE ? KERNEL(oblique)(view, r, &lever) : n_sub(r, gap);
+#ifdef ROLLING_DENTED
+        pressed = n_sub(pressed, KERNEL(race_dents)(view, at, x, y));
+        if (j == 0 && own->law & ROLLING_BALL_DENT) pressed = n_sub(pressed, KERNEL(ball_dent)(view, s[3]));
+#endif
+        const num depth = n_select(n_less(zero, pressed), pressed, zero);
+        num push = own->law & ROLLING_LINE ? n_select(n_less(zero, pressed), n_pow(pressed, v_set(10.0 / 9.0)), zero)
+                                           : n_mul(depth, n_sqrt(depth));
+        if (own->law & ROLLING_OBLIQUE) push = n_mul(push, lever);
+        sum_x = n_fma(push, x, sum_x);
+        sum_y = n_fma(push, y, sum_y);
+        const num next = n_sub(n_scale(c, x), n_scale(sine, y));
+        y = n_add(n_scale(sine, x), n_scale(c, y));
+        x = next;
+    }
+    const vec stiffness = v_sub(v_set(0.0), number[ROLLING_STIFFNESS * stride]);
+    force[0] = n_scale(stiffness, sum_x);
+    force[1] = n_scale(stiffness, sum_y);
+}
