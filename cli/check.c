@@ -207,6 +207,12 @@ static whirl_status tell_shafts(const whirl_case *object) {
     return status;
 }
 
+/// "seal at disc: in the fluid K 3.686e+06 N/m, ..."
+static void tell_notes(const whirl_rotor *rotor) {
+    char text[WHIRL_MESSAGE_SIZE];
+    for (size_t i = 0; whirl_rotor_note(rotor, i, text); i++) printf("  %s\n", text);
+}
+
 /// A case that reads well must also give a rotor and a study.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
@@ -226,6 +232,7 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         for (size_t i = 0; i < system->probe_count; i++) printf("%s %s", i ? "," : "", system->probes[i].name);
         putchar('\n');
         status = tell_shafts(object);
+        tell_notes(rotor);
         summarize_study(&study);
         if (status.code == WHIRL_OK) status = tell_result(path, object, &study);
         if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);

@@ -199,6 +199,10 @@ double whirl_rotor_clock(const whirl_rotor *rotor);
 /// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_rotor_keyphasor(const whirl_rotor *rotor);
 
+/// What element number `index`, from 0 on, of those that have something to tell of themselves says ("seal at disc: in
+/// the fluid K 3.686e+06 N/m, ..."); false beyond the last.
+bool whirl_rotor_note(const whirl_rotor *rotor, size_t index, char text[WHIRL_MESSAGE_SIZE]);
+
 /// N/m, the sum of the cross couplings of its stages, each once; 0 without any.
 double whirl_rotor_cross_coupling(const whirl_rotor *rotor);
 

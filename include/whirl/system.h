@@ -55,6 +55,14 @@ double whirl_probe_way(const whirl_probe *probe);
 /// static, ended by one without a part.
 const whirl_member *whirl_probe_members(void);
 
+/// An order that a machine names: lines of spectra there are told by that name ("BPFO 3.08X of ball_bearing at rear").
+typedef struct whirl_named_order {
+    double order;                   ///< how often it comes round in a revolution, above 0
+    char name[8];                   ///< "BPFO"
+    char part[2 * WHIRL_NAME_SIZE]; ///< whose it is: "ball_bearing at rear"
+    size_t probe;                   ///< where that is
+} whirl_named_order;
+
 /// The form of a system that runs in vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
 
@@ -140,6 +148,9 @@ typedef struct whirl_system {
     /// end of every revolution, and states that differ by whole periods are the same: a pendulum that goes round and
     /// round moves periodically. Of a coordinate that `turns` it is 0.
     const double *angles;
+
+    /// Optional: order number `index`, from 0 on, that the machine names; false beyond the last.
+    bool (*named_order)(const void *model, size_t index, whirl_named_order *out);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

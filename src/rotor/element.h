@@ -135,6 +135,13 @@ typedef struct whirl_element_type {
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
 
+    /// Optional: the order, from number 0 on, at which it may show in spectra, and its name; false beyond the last.
+    /// What it has of another order too (a dent that is hit twice in a turn) follows from multiples.
+    bool (*named_order)(const element *own, size_t index, double *order, const char **name);
+
+    /// Optional: what its numbers come to, in SI; "": nothing. Of the machine the length scale and the clock.
+    void (*note)(const element *own, double length, double clock, char *text, size_t size);
+
     /// Optional: raises a doubt for every value that its law is not for, or that no such part has.
     void (*doubt)(const key_value *values, double speed, const doubt_teller *to);
 } element_type;

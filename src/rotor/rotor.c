@@ -386,6 +386,19 @@ double whirl_rotor_clock(const whirl_rotor *rotor) {
 const char *whirl_rotor_keyphasor(const whirl_rotor *rotor) {
     return rotor->keyphasor;
 }
+bool whirl_rotor_note(const whirl_rotor *rotor, size_t index, char text[WHIRL_MESSAGE_SIZE]) {
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        char said[WHIRL_MESSAGE_SIZE] = "";
+        if (own->type->note) own->type->note(own, rotor->length, rotor->clock, said, sizeof said);
+        if (!*said || index-- > 0) continue;
+        snprintf(text, WHIRL_MESSAGE_SIZE, "%s at %s: %.300s", own->type->group.name, rotor->probes[own->station].name,
+                 said);
+        return true;
+    }
+    return false;
+}
+
 const char *const *whirl_rotor_contact_names(const whirl_rotor *rotor) {
     return rotor->contact_names;
 }

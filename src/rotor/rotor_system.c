@@ -1,4 +1,5 @@
 // A rotor as a system: by the one-lane build of its kernels.
+#include <stdio.h>
 #include <string.h>
 
 #include "machine.h"
@@ -161,6 +162,22 @@ static bool switch_touches(const void *model, size_t index) {
     return !own->type->contact_gap || index == 0;
 }
 
+static bool named_order(const void *model, size_t index, whirl_named_order *out) {
+    const whirl_rotor *rotor = model;
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        const char *name;
+        for (size_t k = 0; own->type->named_order && own->type->named_order(own, k, &out->order, &name); k++) {
+            if (index-- > 0) continue;
+            out->probe = own->station;
+            snprintf(out->name, sizeof out->name, "%s", name);
+            snprintf(out->part, sizeof out->part, "%s at %s", own->type->group.name, rotor->probes[own->station].name);
+            return true;
+        }
+    }
+    return false;
+}
+
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
@@ -178,6 +195,7 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .switch_gradient = switch_gradient,
                                    .switch_curvature = switch_curvature,
                                    .switch_touches = switch_touches,
+                                   .named_order = named_order,
                                    .contact_count = rotor->contact_count,
                                    .contacts = contacts,
                                    .frequency_count = rotor->frequency_count,

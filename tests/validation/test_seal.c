@@ -177,8 +177,78 @@ static void the_wall(void **unused) {
     check_holds("Seal", "no force at the wall and beyond, one before it", nowhere && inside);
 }
 
+// ---------------------------------------------------------------- by the geometry
+
+/// Water at 1 MPa through a seal of 50 mm at 3000 rpm, on a disc of that mass; without the drop it is not turbulent.
+static whirl_rotor *make_black(double mass, double swirl) {
+    const whirl_setting disc[] = {{"mass", mass, NULL}};
+    const whirl_setting seal[] = {{"at", 0, "disc"},         {"law", 0, "black"},     {"clearance", 2e-4, NULL},
+                                  {"radius", 0.05, NULL},    {"length", 0.05, NULL},  {"density", 1000.0, NULL},
+                                  {"viscosity", 1e-3, NULL}, {"pressure", 1e6, NULL}, {"loss", 0.5, NULL},
+                                  {"swirl", swirl, NULL}};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    require_ok(whirl_design_new(100.0 * acos(-1.0), 1e-4, &design));
+    require_ok(whirl_design_station(design, "disc", disc, 1));
+    require_ok(whirl_design_element(design, "seal", seal, 10));
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// kxx, kxy, cxx, cxy over the mass that moves with the disc, 1/s2 and 1/s.
+static void black_over_mass(double mass, double swirl, double out[4]) {
+    const double rest[N] = {0.0}, speed = 100.0 * acos(-1.0);
+    double matrix[N * N];
+    whirl_rotor *rotor = make_black(mass, swirl);
+    exact_jacobian(whirl_rotor_system(rotor), 0.0, rest, matrix);
+    for (int i = 0; i < 4; i++) out[i] = -matrix[2 * N + i] * (i < 2 ? speed * speed : speed);
+    whirl_rotor_free(rotor);
+}
+
+/// By the closed form, and by the first-order flow in the seal integrated and differentiated with 30 digits, which
+/// agree to 12 digits. The fluid's mass by discs of two masses: what is over 1 kg + M and over 4 kg + M.
+static void black(void **unused) {
+    (void)unused;
+    static const char *const names[] = {"kxx, N/m", "kxy, N/m", "cxx, N s/m", "cxy, N s/m"};
+    static const char *const expected[] = {"3477798.856", "4133952.62", "26317.55976", "2650.673312"};
+    double light[4], heavy[4];
+    black_over_mass(1.0, 0.5, light);
+    black_over_mass(4.0, 0.5, heavy);
+    const double moved = (4.0 * heavy[2] - light[2]) / (light[2] - heavy[2]), turn = 50.0 * acos(-1.0);
+    for (int i = 0; i < 4; i++)
+        check_digits("Seal", words("by geometry: %s", names[i]), expected[i], light[i] * (1.0 + moved));
+    check_digits("Seal", "by geometry: M, kg", "8.437355202", moved);
+    check_digits("Seal", "by geometry: K, N/m", "3685982.251", light[0] * (1.0 + moved) + moved * turn * turn);
+}
+
+/// Swirl at the inlet: kxx, kxy, cxx, cxy by the first-order flow whose speed around the shaft tends to half the
+/// surface's along the seal, integrated in 4000 steps (trapezoidal rule), against its mean here.
+static void inlet_swirl(void **unused) {
+    (void)unused;
+    static const double swirls[] = {0.0, 0.25, 0.7, 1.0};
+    static const double flow[][4] = {{3601090, 2575850, 26335.1, 1677.17},
+                                     {3546840, 3355210, 26331.1, 2163.38},
+                                     {3412000, 4757660, 26321.7, 3039.19},
+                                     {3295540, 5692450, 26314.1, 3623.56}};
+    static const char *const names[] = {"kxx", "kxy", "cxx", "cxy"};
+    for (int s = 0; s < 4; s++) {
+        double light[4], heavy[4];
+        black_over_mass(1.0, swirls[s], light);
+        black_over_mass(4.0, swirls[s], heavy);
+        const double moved = (4.0 * heavy[2] - light[2]) / (light[2] - heavy[2]);
+        for (int i = 0; i < 4; i++)
+            check_within(
+                "Seal",
+                words("by geometry, swirl %g: %s over that of a swirl that changes along it", swirls[s], names[i]), 1.0,
+                light[i] * (1.0 + moved) / flow[s][i], 0.05);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(threshold), cmocka_unit_test(circles), cmocka_unit_test(weight),
-                                       cmocka_unit_test(unbalance), cmocka_unit_test(the_wall)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(threshold),  cmocka_unit_test(circles),
+                                       cmocka_unit_test(weight),     cmocka_unit_test(unbalance),
+                                       cmocka_unit_test(the_wall),   cmocka_unit_test(black),
+                                       cmocka_unit_test(inlet_swirl)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

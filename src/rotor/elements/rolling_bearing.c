@@ -14,6 +14,7 @@ const element_kernels ISA(rolling_bearing_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
+#include <stdio.h>
 
 /// Those from CONTACT_ANGLE on are of balls alone. The keys of a dent: its depth, width and place; a ball's has none.
 enum {
@@ -246,6 +247,32 @@ static double rounds_of(const element *own, size_t state) {
     return (alike ? own->law & ROLLING_COUNT : 1) * own->number[ROLLING_RATES + state];
 }
 
+/// Of the cage, of a ball about its own axis, and of balls past a place of each race and past a load that stands, where
+/// the outer race does not.
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
+    static const char *const names[] = {"FTF", "BSF", "BPFO", "BPFI", "BPF"};
+    const double *speeds = own->number + ROLLING_SPEEDS, cage = own->number[ROLLING_RATES];
+    const double balls = own->law & ROLLING_COUNT, outer = speeds[DENT_OUTER], inner = speeds[DENT_INNER];
+    const double orders[] = {cage, speeds[DENT_BALL], balls * (cage - outer), balls * (inner - cage),
+                             outer == 0.0 ? 0.0 : balls * cage};
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
+        if (orders[i] == 0.0 || index-- > 0) continue;
+        *order = fabs(orders[i]);
+        *name = names[i];
+        return true;
+    }
+    return false;
+}
+
+static void note(const element *own, double length, double clock, char *text, size_t size) {
+    const char *name;
+    double order;
+    size_t used = 0;
+    (void)length, (void)clock;
+    for (size_t i = 0; used < size && named_order(own, i, &order, &name); i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%s %.4gX", i ? ", " : "", name, order);
+}
+
 KERNELS_OF_EVERY_ISA(rolling_bearing_kernels);
 
 static void doubt_sizes(const key_value *values, const whirl_key *keys, const doubt_teller *to) {
@@ -282,7 +309,8 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
     {                                                                                                                  \
         .group = {name, text, source, keys, sizeof keys / sizeof *keys, NULL, NULL},                                   \
         .number_count = KERNEL_NUMBERS + KERNEL_PORTS, .state_count = states, .turning = states, .rounds = rounds_of,  \
-        .kinked = true, .kernels = own_kernels, .build = own_build, .carries = true, .doubt = own_doubt,               \
+        .kinked = true, .kernels = own_kernels, .build = own_build, .carries = true, .named_order = named_order,       \
+        .note = note, .doubt = own_doubt,                                                                              \
     }
 #define BALL_TYPE(states, own_kernels, own_build)                                                                      \
     ROLLING_TYPE("ball_bearing",                                                                                       \

@@ -17,18 +17,44 @@ enum {
     SEAL_NUMBERS
 };
 
+#include "black.h"
 #include "generic.h"
 #include "registry.h"
 
 const element_kernels ISA(seal_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+#include <stdio.h>
 
-enum { AT, FROM, CLEARANCE, STIFFNESS, DAMPING, MASS, RATIO, GROWTH, SLOWING, KEY_COUNT };
+enum {
+    AT,
+    FROM,
+    LAW,
+    CLEARANCE,
+    STIFFNESS,
+    DAMPING,
+    MASS,
+    RATIO,
+    GROWTH,
+    SLOWING,
+    RADIUS,
+    LENGTH,
+    DENSITY,
+    VISCOSITY,
+    PRESSURE,
+    LOSS,
+    SWIRL,
+    KEY_COUNT
+};
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station in the seal"),
     [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [LAW] = CITED_CHOICE_KEY("law", DEFAULT("muszynska"), "muszynska|black",
+                             "muszynska: stiffness, damping, mass and ratio are given; black: they follow from radius, "
+                             "length, density, viscosity, pressure, loss and swirl at the speed of the shaft",
+                             "Muszynska 1988; Black 1969; Black, Jenssen 1970"),
     [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
     [STIFFNESS] = NUMBER_KEY("stiffness", "K_0", "N/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "stiffness in the middle"),
     [DAMPING] = NUMBER_KEY("damping", "D_0", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
@@ -36,35 +62,100 @@ static const whirl_key keys[KEY_COUNT] = {
     [MASS] = NUMBER_KEY("mass", "m_f", "kg", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                         "mass of the fluid that moves with the station"),
     [RATIO] = CITED_NUMBER_KEY(
-        "ratio", "lambda_0", "1", REQUIRED, WHIRL_NOT_NEGATIVE,
-        "mean speed of the turning fluid over that of the shaft, in the middle; below 0.5 as a rule", "Muszynska 1988"),
+        "ratio", "lambda_0", "1", OPTIONAL, WHIRL_NOT_NEGATIVE,
+        "mean speed of the turning fluid over that of the shaft, in the middle; below 0.5 as a rule; required with law "
+        "muszynska",
+        "Muszynska 1988"),
     [GROWTH] = CITED_NUMBER_KEY(
         "growth", "n", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
         "power by which stiffness and damping grow with the eccentricity ratio e, as (1 - e^2)^-n", "Muszynska 1988"),
     [SLOWING] = CITED_NUMBER_KEY("slowing", "b", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                  "power by which the fluid slows down with it, as (1 - e)^b", "Muszynska 1988"),
+    [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the shaft in the seal; with black"),
+    [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the seal; with black"),
+    [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", OPTIONAL, WHIRL_POSITIVE, "density of the liquid; with black"),
+    [VISCOSITY] =
+        NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, "dynamic viscosity of it; with black"),
+    [PRESSURE] = NUMBER_KEY("pressure", "Delta_p", "Pa", OPTIONAL, WHIRL_POSITIVE,
+                            "pressure that drops over inlet and seal; with black"),
+    [LOSS] =
+        CITED_NUMBER_KEY("loss", "xi", "1", DEFAULT("0.5"), WHIRL_NOT_NEGATIVE,
+                         "loss at the inlet over rho V^2/2, beside the velocity head itself", "Black, Jenssen 1970"),
+    [SWIRL] = CITED_NUMBER_KEY(
+        "swirl", "s", "1", DEFAULT("0.5"), WHIRL_FROM_TO(-2, 2),
+        "speed around the shaft of the liquid that enters over that of the shaft's surface; it tends to 0.5 along the "
+        "seal, and its mean is the ratio",
+        "Black, Allaire, Barrett 1981; Childs 1983"),
 };
 
+/// The middle of the seal: as given, or by its geometry.
+static black_coefficients middle_of(const key_value *values, double speed) {
+    const black_seal seal = {values[RADIUS].number,  values[LENGTH].number,    values[CLEARANCE].number,
+                             values[DENSITY].number, values[VISCOSITY].number, values[PRESSURE].number,
+                             values[LOSS].number,    values[SWIRL].number};
+    if (values[LAW].choice) return black_find(&seal, speed);
+    return (black_coefficients){.stiffness = values[STIFFNESS].number,
+                                .damping = values[DAMPING].number,
+                                .mass = values[MASS].number,
+                                .ratio = values[RATIO].number};
+}
+
+/// The keys of the other law are not there, and those of its own are.
+static whirl_status check_law(const key_value *values) {
+    const bool black = values[LAW].choice;
+    for (int k = STIFFNESS; k <= RATIO; k++)
+        if (black && values[k].given)
+            return whirl_fail(WHIRL_BAD_INPUT, "has law black and %s, which follows from it, expected one of them",
+                              keys[k].name);
+    for (int k = RADIUS; k <= SWIRL; k++) {
+        if (!black && values[k].given)
+            return whirl_fail(WHIRL_BAD_INPUT, "has %s, which law muszynska does not know, expected law black",
+                              keys[k].name);
+        if (black && !values[k].given && k < LOSS)
+            return whirl_fail(WHIRL_BAD_INPUT, "has no %s, expected one with law black", keys[k].name);
+    }
+    return black || values[RATIO].given ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "has no ratio, expected one");
+}
+
 static whirl_status inertia(const key_value *values, assembly *to) {
-    if (!values[FROM].given) to->stations[values[AT].station[0]].fluid += values[MASS].number;
-    return whirl_ok();
+    const whirl_status status = check_law(values);
+    if (status.code == WHIRL_OK && !values[FROM].given)
+        to->stations[values[AT].station[0]].fluid += middle_of(values, to->speed).mass;
+    return status;
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double clearance = values[CLEARANCE].number / to->length;
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
+    const black_coefficients middle = middle_of(values, to->speed);
+    out->law = values[LAW].choice;
     for (size_t a = 0; a < KERNEL_AXES && values[FROM].given; a++)
-        assembly_inerter(to, out->port[a], out->port[KERNEL_AXES + a], values[MASS].number);
-    out->number[SEAL_STIFFNESS] = values[STIFFNESS].number * to->length;
-    out->number[SEAL_DAMPING] = values[DAMPING].number * to->clock * to->length;
-    out->number[SEAL_MASS] = values[MASS].number * to->clock * to->clock * to->length;
+        assembly_inerter(to, out->port[a], out->port[KERNEL_AXES + a], middle.mass);
+    out->number[SEAL_STIFFNESS] = middle.stiffness * to->length;
+    out->number[SEAL_DAMPING] = middle.damping * to->clock * to->length;
+    out->number[SEAL_MASS] = middle.mass * to->clock * to->clock * to->length;
     out->number[SEAL_OVER_CLEARANCE_SQUARE] = 1.0 / (clearance * clearance);
-    out->number[SEAL_RATIO] = values[RATIO].number * to->turn;
+    out->number[SEAL_RATIO] = middle.ratio * to->turn;
     out->number[SEAL_GROWTH] = values[GROWTH].number;
     out->number[SEAL_SLOWING] = values[SLOWING].number;
     generic_scale(out, to, 1.0);
     return whirl_ok();
+}
+
+/// Of Blasius' friction of smooth walls, and of a seal in which fluid flows around the shaft as well.
+static void doubt_black(const key_value *values, double speed, const doubt_teller *to) {
+    const double least = 3000.0, most = 1e5, reynolds = middle_of(values, speed).reynolds;
+    const double share = values[LENGTH].number / (2.0 * values[RADIUS].number), longest = 0.5 * (1.0 + 1e-9);
+    if (reynolds < least || reynolds > most)
+        doubt_value(to, keys[PRESSURE].name,
+                    "is %.4g Pa, by which the Reynolds number is %.3g: the law is for turbulent flow between smooth "
+                    "walls, %g to %g",
+                    values[PRESSURE].number, reynolds, least, most);
+    if (share > longest)
+        doubt_value(to, keys[LENGTH].name,
+                    "is %.3g times the diameter: the law is for short seals, up to 0.5, its stiffness too large beyond",
+                    share);
 }
 
 /// Beyond what was measured (theory.md, "Annular seal").
@@ -73,11 +164,23 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
         int key;
         double most;
     } known[] = {{RATIO, 0.5}, {GROWTH, 3.0}, {SLOWING, 1.0}};
-    (void)speed;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (values[known[i].key].number > known[i].most)
             doubt_value(to, keys[known[i].key].name, "is %g, and seals have up to %g as a rule",
                         values[known[i].key].number, known[i].most);
+    if (values[LAW].choice) doubt_black(values, speed, to);
+}
+
+/// Of a seal by its geometry: in the turning fluid, and on the station in the middle.
+static void note(const element *own, double length, double clock, char *text, size_t size) {
+    const double *number = own->number, turn = number[SEAL_RATIO] * clock;
+    const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
+    const double M = number[SEAL_MASS] / (clock * clock * length);
+    if (!own->law) return;
+    snprintf(text, size,
+             "in the fluid K %.5g N/m, C %.5g N s/m, M %.4g kg, which turns at %.4g of the shaft's speed: kxx %.5g, "
+             "kxy %.5g N/m, cxx %.5g, cxy %.5g N s/m",
+             K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
 static double bearing_clearance(const element *own) {
@@ -96,6 +199,7 @@ const element_type seal_element = {
     .build = build,
     .drags = true,
     .bearing_clearance = bearing_clearance,
+    .note = note,
     .doubt = doubt,
 };
 #endif

@@ -9,7 +9,7 @@
 
 #include "whirl/rotor.h"
 
-enum { MOST = 7 };
+enum { MOST = 8 };
 
 /// An element with values, and the keys that are doubted, in order.
 typedef struct example {
@@ -73,6 +73,13 @@ static void check(const example *of) {
         }                                                                                                              \
     }
 
+#define BLACK(l, drop)                                                                                                 \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"law", 0, "black"}, {"clearance", 2e-4, NULL}, {"radius", 0.05, NULL},                     \
+            {"length", l, NULL}, {"density", 1000.0, NULL}, {"viscosity", 1e-3, NULL}, {                               \
+            "pressure", drop, NULL                                                                                     \
+        }                                                                                                              \
+    }
 #define DENTED(h)                                                                                                      \
     {                                                                                                                  \
         {"at", 0, "disc"}, {"balls", 8, NULL}, {"stiffness", 1e10, NULL}, {"outer_dent", h, NULL},                     \
@@ -103,6 +110,9 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
         {"seal", SEAL(0.48, 3.0, 1.0), ""},
         {"seal", SEAL(0.6, 2.0, 0.5), "ratio"},
         {"seal", SEAL(0.4, 4.0, 1.5), "growth slowing"},
+        {"seal", BLACK(0.05, 1e6), ""},
+        {"seal", BLACK(0.06, 1e6), "length"},
+        {"seal", BLACK(0.05, 1e9), "pressure"},
         {"rub", RUB(1e-3), ""},
         {"rub", RUB(0.2), "gap"},
         {"ball_bearing", BALLS(1e-5), ""},
