@@ -205,7 +205,7 @@ static whirl_status set_dent(const key_value *values, const whirl_key *keys, siz
                              double *number) {
     const key_value *dent = &values[dent_keys[which]], *width = dent + 1;
     const double widest = 2.0943951023931957;
-    if (width->given != (dent->number > 0.0))
+    if (width->given != dent->given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s without %s, expected both",
                           keys[dent_keys[which] + width->given].name, keys[dent_keys[which] + !width->given].name);
     if (width->given && width->number > widest * (1.0 + 1e-12))
@@ -224,12 +224,12 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
     whirl_status status = whirl_ok();
     for (size_t which = 0; which < DENTS && status.code == WHIRL_OK; which++) {
         status = set_dent(values, keys, which, length, out->number);
-        *dented = *dented || out->number[ROLLING_DEPTH + which] > 0.0;
+        *dented = *dented || values[dent_keys[which]].given; // one of depth 0 as well: a sweep may begin there
     }
     if (status.code != WHIRL_OK || !*dented) return status;
     if (values[ROWS].number > 1.0)
         return whirl_fail(WHIRL_BAD_INPUT, "has dents and %g rows, expected one row", values[ROWS].number);
-    if (!(out->number[ROLLING_DEPTH + DENT_BALL] > 0.0)) return status;
+    if (!values[OWN_DENT].given) return status;
     out->law |= ROLLING_BALL_DENT;
     if (out->number[ROLLING_SPEEDS + DENT_BALL] == 0.0)
         return whirl_fail(
