@@ -38,3 +38,5 @@ study spindle spindle <<'END'
   initial: {pulley: {y: -8}, rear: {y: -6}, front: {y: -6}, wheel: {y: -8}}
 END
 picture spindle campbell
+"$whirl" run "$cases/bearing-fault.yaml" --quiet
+picture bearing-fault response-rotor

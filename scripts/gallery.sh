@@ -34,7 +34,8 @@ linear() { # NAME RANGE [INITIAL]
     page "$name-linear" "$work/$name-modes.h5" "$work/$name-unbalance.h5"
 }
 
-for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor overhung-rotor compressor spindle ross-example; do
+for name in paper paper-derived paper-literal jeffcott-rub rigid-rotor overhung-rotor compressor spindle bearing-fault \
+    ross-example; do
     "$build/whirl" run "cases/$name.yaml" -o "$work/$name.h5" --force -q
     page "$name" "$work/$name.h5"
 done

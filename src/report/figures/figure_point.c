@@ -7,6 +7,7 @@
 
 #include "figure_kinds.h"
 #include "machine_at.h"
+#include "named_lines.h"
 #include "quantities.h"
 #include "symbols.h"
 
@@ -24,6 +25,7 @@ static const char dark[] = "#303030";
 /// A point at a station with what there is of it.
 typedef struct subject {
     const whirl_result *result;
+    const whirl_case *machine; ///< that it came from; NULL: none
     const whirl_table *table;
     size_t point, station;
     numbers waveform, section, spectrum, lines;
@@ -43,7 +45,12 @@ static double order_size(const subject *of) {
 
 static subject subject_of(const drawing *to, const whirl_table *table, size_t point, size_t station) {
     const whirl_shown_units *units = to->units;
-    subject of = {.result = to->result, .table = table, .point = point, .station = station, .units = units};
+    subject of = {.result = to->result,
+                  .machine = to->machine,
+                  .table = table,
+                  .point = point,
+                  .station = station,
+                  .units = units};
     of.length = whirl_shown_length(units, table, point);
     of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
@@ -329,6 +336,15 @@ static label place_label(const peak *of, int neighbour, const label *placed, int
     return (label){0};
 }
 
+/// The order as it is shown and, where the machine names it, that name: "3.58 (BPFO)". Gives its length.
+static int label_text(const subject *of, const whirl_machine *named, double place, char *text, size_t size) {
+    const int letters = snprintf(text, size, "%.3g", place);
+    char name[LINE_NAME_SIZE];
+    whirl_named_order whose;
+    if (!named || !named_line(named->system, place / order_size(of), of->station, name, &whose)) return letters;
+    return letters + snprintf(text + letters, size - (size_t)letters, " (%s)", name);
+}
+
 /// Adds the orders of the largest lines above them.
 static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subject *of, const scale *axis,
                             double highest, int full) {
@@ -337,11 +353,13 @@ static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subj
     const size_t found = find_peaks(of, axis, full, peaks);
     whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
     int count = 0;
+    whirl_machine own;
+    const bool made = machine_at(of->machine, of->table, of->point, &own);
     for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
         if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
         if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
-        char text[32];
-        const int letters = snprintf(text, sizeof text, "%.3g", fabs(peaks[k].place));
+        char text[32 + LINE_NAME_SIZE];
+        const int letters = label_text(of, made ? &own : NULL, fabs(peaks[k].place), text, sizeof text);
         // Half a letter between neighbours.
         const double wide = 0.017 * highest * (letters + 0.5), tall = 0.06;
         const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
@@ -351,6 +369,7 @@ static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subj
         placed[count++] = here;
         series_add_text(figure, texts, 0.5 * (here.low + here.high), scale_height(axis, here.height), text);
     }
+    if (made) own.release(own.owner);
 }
 
 /// The frequency up to which the spectrum is drawn, as shown.
