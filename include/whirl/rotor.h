@@ -93,7 +93,7 @@ whirl_status whirl_design_element(whirl_design *design, const char *kind, const 
 /// Frees a design; NULL is none.
 void whirl_design_free(whirl_design *design);
 
-/// What stands for the bearings of a design (bearing, film, ball_bearing).
+/// What stands for the bearings of a design (bearing, film, ball_bearing, roller_bearing).
 typedef enum whirl_bearings {
     WHIRL_BEARINGS_GIVEN,   ///< they themselves
     WHIRL_BEARINGS_SPRINGS, ///< springs without damping, as in critical speed maps, which leave seals, impellers and
@@ -124,13 +124,14 @@ void whirl_design_frequency(whirl_design *design, double frequency);
 /// and elements `unbalance`, and skew. Borrowed until the rotor is built. 0: the rotor has its own.
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed);
 
-/// What the weight does to the shafts of finite elements, each on its own bearings (bearing, film, ball_bearing), which
-/// hold it without giving way: out [stations of the design], and influence [stations][stations] as whirl_machine has
-/// it. Masses of stations and discs weigh, fluid does not; shafts with flats bend by their mean stiffness. Of gravity
-/// the acceleration counts, where the design has any, else 9.80665 m/s2. couplings: names of stations, separated by
-/// blanks: the bearings behind the first two of a shaft are raised until it carries neither moment nor shear there (the
-/// mean of both sides), by the least elevations that do so. WHIRL_BAD_INPUT where there is no such shaft, one has fewer
-/// than two bearings or shares one with another shaft, a name is no station of a shaft, or no elevations do that.
+/// What the weight does to the shafts of finite elements, each on its own bearings (bearing, film, ball_bearing,
+/// roller_bearing), which hold it without giving way: out [stations of the design], and influence [stations][stations]
+/// as whirl_machine has it. Masses of stations and discs weigh, fluid does not; shafts with flats bend by their mean
+/// stiffness. Of gravity the acceleration counts, where the design has any, else 9.80665 m/s2. couplings: names of
+/// stations, separated by blanks: the bearings behind the first two of a shaft are raised until it carries neither
+/// moment nor shear there (the mean of both sides), by the least elevations that do so. WHIRL_BAD_INPUT where there is
+/// no such shaft, one has fewer than two bearings or shares one with another shaft, a name is no station of a shaft, or
+/// no elevations do that.
 whirl_status whirl_design_statics(const whirl_design *design, const char *couplings, whirl_station_statics *out,
                                   double *influence);
 

@@ -55,13 +55,13 @@ static void print_synchronous(FILE *out, const whirl_shown_units *units, const w
 
 /// "at BPFO 3.085X of ball_bearing at rear: wheel x 0.0225 um 0-p, y 0.0193 um 0-p", for the largest lines of a station
 /// that the machine has a name for.
-static void print_named(FILE *out, const whirl_result *result, const whirl_table *table, size_t point,
+static void print_named(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point,
                         const whirl_system *system) {
+    const whirl_result *result = units->result;
     enum { MOST = 4 };
     const double least = 0.01;
-    const whirl_shown_units units = summary_units(result);
-    const whirl_unit unit = summary_length_unit(&units);
-    const double size = units.amplitude * whirl_result_length_scale(result, table, point) / unit.size;
+    const whirl_unit unit = summary_length_unit(units);
+    const double size = units->amplitude * whirl_result_length_scale(result, table, point) / unit.size;
     for (size_t s = 0; s < result->station_count; s++) {
         const numbers lines = point_lines(table, point, s);
         int told = 0;
@@ -72,20 +72,20 @@ static void print_named(FILE *out, const whirl_result *result, const whirl_table
             if (hypot(line[1], line[2]) < least * hypot(lines.at[1], lines.at[2])) break;
             if (!named_line(system, line[0], s, name, &of)) continue;
             fprintf(out, "  at %s %.4gX of %s: %s x %.4g %s %s, y %.4g %s %s\n", name, line[0], of.part,
-                    result->stations[s].name, size * line[1], unit.name, units.amplitude_name, size * line[2],
-                    unit.name, units.amplitude_name);
+                    result->stations[s].name, size * line[1], unit.name, units->amplitude_name, size * line[2],
+                    unit.name, units->amplitude_name);
             told++;
         }
     }
 }
 
 /// The same, of the machine at that point.
-static void print_named_of(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES)) return;
-    whirl_case *machine = machine_of(result);
+    whirl_case *machine = machine_of(units->result);
     whirl_machine own;
     if (machine_at(machine, table, point, &own)) {
-        print_named(out, result, table, point, own.system);
+        print_named(out, units, table, point, own.system);
         own.release(own.owner);
     }
     whirl_case_free(machine);
@@ -138,7 +138,7 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
     print_rubs(out, units, table, point);
     print_radii(out, units, table, point);
     print_synchronous(out, units, table, point);
-    print_named_of(out, units->result, table, point);
+    print_named_of(out, units, table, point);
 }
 
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table) {

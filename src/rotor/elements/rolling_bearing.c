@@ -46,8 +46,7 @@ enum {
 
 #define DENT_KEYS(place, symbol)                                                                                       \
     CITED_NUMBER_KEY(place "_dent", "h_" symbol, "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,                                \
-                     "depth of a dent, which takes h (1 + cos(2 pi phi/w))/2 from the approach",                       \
-                     "Harsha 2006; Sassi et al. 2007"),                                                                \
+                     "depth of a dent, which takes h (1 + cos(2 pi phi/w))/2 from the approach", "Sassi et al. 2007"), \
         NUMBER_KEY(place "_dent_width", "w_" symbol, "rad", OPTIONAL, WHIRL_POSITIVE,                                  \
                    "angle that the dent takes up, at most 120 degrees")
 
