@@ -18,7 +18,8 @@ ANGLES = {
     "unbalance": {"angle": 0},
     "force": {"angle": 0},
     "crack": {"angle": 0},
-    "ball_bearing": {"angle": 0},
+    "ball_bearing": {"angle": 0, "inner_dent_angle": 0, "outer_dent_angle": 0},
+    "roller_bearing": {"angle": 0, "inner_dent_angle": 0, "outer_dent_angle": 0},
     "gravity": {"direction": None},
     "segment": {"flats_angle": None},
 }
