@@ -396,9 +396,10 @@ static whirl_status load_numbers(whirl_ensemble *e, size_t lane, const whirl_sys
 
 whirl_status whirl_ensemble_load(whirl_ensemble *e, size_t lane, const whirl_system *system, const double *x) {
     if (!is_of_structure(e, system))
-        return whirl_fail(
-            WHIRL_BAD_INPUT,
-            "the machine has another structure than the ensemble, expected the same stations and elements");
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the machine has another structure than the ensemble, expected the same stations and "
+                          "elements and, on shafts "
+                          "of finite elements, the same masses (method cvode-bdf takes machines one by one)");
     const whirl_status status = e->alone ? alone_lanes_load(e->alone, lane, system) : load_numbers(e, lane, system);
     if (status.code != WHIRL_OK) return status;
     e->machines[lane] = system;
