@@ -49,7 +49,7 @@ typedef struct element {
     bool lumped;            ///< it is part of the assembly alone
     size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
     size_t state;           ///< where its own first-order states begin, in the rows of the velocities
-    size_t states;          ///< of them; those of its type where `build` says nothing else
+    size_t states;          ///< how many it has: those of its type, unless `build` makes them fewer
     size_t first_switch;    ///< where its switches begin, in those of the machine
     size_t station;         ///< where it sits
     double *number;         ///< [type->number_count]
@@ -85,7 +85,7 @@ typedef struct element_kernels {
 typedef struct whirl_element_type {
     whirl_group group;
     size_t number_count;
-    size_t state_count;                    ///< first-order states of its own
+    size_t state_count;                    ///< first-order states of its own, at most
     bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
     size_t turning;                        ///< of these, from the first on, are angles: 2 pi is 0
     bool spun;                             ///< its force goes with the speed of the shaft that it acts on
@@ -124,9 +124,12 @@ typedef struct whirl_element_type {
     /// With switches, optional: whether its force may jump at one.
     bool (*jumps)(const element *own);
 
-    /// For unilateral contacts: the gap in length scales around its station.
+    /// For unilateral contacts: the gap in length scales around its station; 0 where the stator moves.
     double (*contact_gap)(const element *own);
-    bool (*contact_damped)(const element *own); ///< whether the force depends on the velocity
+
+    /// Whether more than the gap tells of contact: a force that depends on the velocity, which jumps where `jumps` does
+    /// not say otherwise, a stator that moves or is not all around.
+    bool (*contact_damped)(const element *own);
 
     /// What carries the rotor, and what drags it besides (seals, impellers). A key `role`, where there is one, says it
     /// of a single element: bearing, or another word.

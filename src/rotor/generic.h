@@ -5,10 +5,11 @@
 ///
 ///     KERNEL_FILE      the header of the kernel, in quotes
 ///     KERNEL_AXES      displacements that it sees: of its place, or of one place from another
-///     KERNEL_STATES    first-order states of its own, 0 where it has none
+///     KERNEL_STATES    first-order states of its own, 0 where it has none; with KERNEL_FEWER_STATES at most so many,
+///                      own->states of them
 ///     KERNEL_NUMBERS   its numbers; as many as there are ports follow, by which forces become accelerations
-///     KERNEL_SWITCHES  switching functions, affine in what it sees; 0 where it is smooth
-///     KERNEL_STATES_VARY  where elements may have fewer states, own->states
+///     KERNEL_SWITCHES  switching functions, affine in what it sees unless KERNEL_CURVED is defined and the type has a
+///                      switch_curvature of its own; 0 where it is smooth
 ///     KERNEL_PHASED    1 where it looks at values of time, n_phase(view, COS_TAU), ...; may be left out where not
 ///
 /// and the kernel's header, included twice, defines
@@ -30,10 +31,10 @@
 #ifndef KERNEL_PHASED
 #define KERNEL_PHASED 0
 #endif
-#ifdef KERNEL_STATES_VARY
-#define KERNEL_STATES_OF(own) ((int)(own)->states)
+#ifdef KERNEL_FEWER_STATES
+#define STATES_OF(own) ((own)->states < KERNEL_STATES ? (int)(own)->states : KERNEL_STATES)
 #else
-#define KERNEL_STATES_OF(own) ((void)(own), KERNEL_STATES)
+#define STATES_OF(own) KERNEL_STATES
 #endif
 
 enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES + KERNEL_PHASED };
@@ -81,7 +82,7 @@ VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t
         in.d[a] = between(own, q, b->stride, a);
         in.w[a] = between(own, v, b->stride, a);
     }
-    for (int s = 0; s < KERNEL_STATES_OF(own); s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
+    for (int s = 0; s < STATES_OF(own); s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
     in.phase = phase_of(b, n, k);
     return in;
 }
@@ -107,7 +108,7 @@ VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k
         if (other != NO_COORDINATE)
             a[other * b->stride] = v_fnma(scale[(size_t)(KERNEL_AXES + i) * b->stride], force[i], a[other * b->stride]);
     }
-    for (int s = 0; s < KERNEL_STATES_OF(own); s++) a[(own->state + (size_t)s) * b->stride] = slope[s];
+    for (int s = 0; s < STATES_OF(own); s++) a[(own->state + (size_t)s) * b->stride] = slope[s];
 }
 
 VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
@@ -120,12 +121,13 @@ VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
 
 /// What the derivative of `of` makes of a perturbation.
 VECTOR_INLINE vec along(const element *own, const dual *of, const kernel_inputs *in) {
+    (void)own;
     vec sum = v_set(0.0);
     for (int a = 0; a < KERNEL_AXES; a++) {
         sum = v_fma(of->by[a], in->d[a], sum);
         sum = v_fma(of->by[KERNEL_AXES + a], in->w[a], sum);
     }
-    for (int s = 0; s < KERNEL_STATES_OF(own); s++) sum = v_fma(of->by[2 * KERNEL_AXES + s], in->s[s], sum);
+    for (int s = 0; s < STATES_OF(own); s++) sum = v_fma(of->by[2 * KERNEL_AXES + s], in->s[s], sum);
     return KERNEL_PHASED ? v_fma(of->by[DUAL_INPUTS - 1], in->phase, sum) : sum;
 }
 
@@ -143,17 +145,18 @@ VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const d
             trace = same_place ? v_fma(part, derivative, trace) : v_fnma(part, derivative, trace);
         }
     }
-    for (int s = 0; s < KERNEL_STATES_OF(own); s++) trace = v_add(trace, slope[s].by[2 * KERNEL_AXES + s]);
+    for (int s = 0; s < STATES_OF(own); s++) trace = v_add(trace, slope[s].by[2 * KERNEL_AXES + s]);
     return trace;
 }
 
 /// The inputs as duals.
 VECTOR_INLINE void seed(const element *own, const kernel_inputs *in, dual *d, dual *w, dual *s) {
+    (void)own;
     for (int a = 0; a < KERNEL_AXES; a++) {
         d[a] = dual_input(in->d[a], a);
         w[a] = dual_input(in->w[a], KERNEL_AXES + a);
     }
-    for (int i = 0; i < KERNEL_STATES_OF(own); i++) s[i] = dual_input(in->s[i], 2 * KERNEL_AXES + i);
+    for (int i = 0; i < STATES_OF(own); i++) s[i] = dual_input(in->s[i], 2 * KERNEL_AXES + i);
 }
 
 static void add_dual(const element *own, const block *b, size_t k) {
@@ -161,15 +164,16 @@ static void add_dual(const element *own, const block *b, size_t k) {
     const kernel_inputs in = inputs_of(own, b, 0, k);
     dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
+    for (int i = STATES_OF(own); i < KERNEL_STATES; i++) slopes[i] = v_set(0.0);
     seed(own, &in, d, w, s);
     force_dual(own, &view, d, w, s, force, slope);
     for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;
-    for (int i = 0; i < KERNEL_STATES_OF(own); i++) slopes[i] = slope[i].value;
+    for (int i = 0; i < STATES_OF(own); i++) slopes[i] = slope[i].value;
     spread(own, b, 0, k, values, slopes);
     for (size_t n = 1; n <= b->perturbations; n++) {
         const kernel_inputs change = inputs_of(own, b, n, k);
         for (int a = 0; a < KERNEL_AXES; a++) values[a] = along(own, &force[a], &change);
-        for (int i = 0; i < KERNEL_STATES_OF(own); i++) slopes[i] = along(own, &slope[i], &change);
+        for (int i = 0; i < STATES_OF(own); i++) slopes[i] = along(own, &slope[i], &change);
         spread(own, b, n, k, values, slopes);
     }
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
@@ -230,6 +234,7 @@ static void generic_gradient(const element *own, const double *q, const double *
     }
 }
 
+#ifndef KERNEL_CURVED
 /// They are affine.
 static void generic_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
                               const double *uv, double *by_q, double *by_v) {
@@ -237,11 +242,16 @@ static void generic_curvature(const element *own, const double *q, const double 
     for (int p = 0; p < KERNEL_PORTS; p++) by_q[p] = by_v[p] = 0.0;
 }
 #endif
+#endif
 
 #define GENERIC_KERNELS                                                                                                \
     { .flow = generic_flow, .switches = generic_switches }
+#ifdef KERNEL_CURVED
+#define GENERIC_SWITCHES .switch_count = generic_switch_count, .switch_gradient = generic_gradient
+#else
 #define GENERIC_SWITCHES                                                                                               \
     .switch_count = generic_switch_count, .switch_gradient = generic_gradient, .switch_curvature = generic_curvature
+#endif
 #else
 #define GENERIC_KERNELS                                                                                                \
     { .flow = generic_flow }

@@ -76,6 +76,11 @@ VECTOR_INLINE dual dual_pow(dual a, vec power) {
     FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
     return out;
 }
+VECTOR_INLINE dual dual_exp(dual a) {
+    dual out = {.value = v_exp(a.value)};
+    FOR_INPUTS out.by[i] = v_mul(out.value, a.by[i]);
+    return out;
+}
 VECTOR_INLINE dual dual_select(vec_mask mask, dual yes, dual no) {
     dual out = {.value = v_select(mask, yes.value, no.value)};
     FOR_INPUTS out.by[i] = v_select(mask, yes.by[i], no.by[i]);
@@ -134,6 +139,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #undef n_div
 #undef n_sqrt
 #undef n_pow
+#undef n_exp
 #undef n_select
 #undef n_less
 #undef n_sincos
@@ -152,6 +158,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_div dual_div
 #define n_sqrt dual_sqrt
 #define n_pow dual_pow
+#define n_exp dual_exp
 #define n_select dual_select
 #define n_less dual_less
 #define n_sincos dual_sincos
@@ -170,6 +177,7 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_div v_div
 #define n_sqrt v_sqrt
 #define n_pow v_pow
+#define n_exp v_exp
 #define n_select v_select
 #define n_less v_less
 #define n_sincos v_sincos

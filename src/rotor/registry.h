@@ -26,7 +26,8 @@
     X(stage)                                                                                                           \
     X(pad_bearing)                                                                                                     \
     X(tilting_pad)                                                                                                     \
-    X(roller_bearing)
+    X(roller_bearing)                                                                                                  \
+    X(contact)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -179,8 +179,9 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     const size_t k = rotor->contact_count++;
     const double gap = own->type->contact_gap(own);
     whirl_probe *probe = &rotor->probes[own->station];
-    if (own->type->contact_damped(own)) rotor->lanes.damped = rotor->lanes.jumps = true;
-    if (probe->gap == 0.0 || gap < probe->gap) probe->gap = gap;
+    if (own->type->contact_damped(own)) rotor->lanes.damped = true;
+    if (own->type->contact_damped(own) && !own->type->jumps) rotor->lanes.jumps = true;
+    if (gap > 0.0 && (probe->gap == 0.0 || gap < probe->gap)) probe->gap = gap;
     rotor->contacts[k] = index;
     snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name, probe->name);
     rotor->contact_names[k] = rotor->contact_text[k];

@@ -30,61 +30,65 @@ static void turn(const double n[2], double r, const double *u, double e[2]) {
     for (int i = 0; i < 2; i++) e[i] = (u[i] - n[i] * along) / r;
 }
 
-/// Which of the three an index is.
-static bool is_slip(const element *own, size_t index) {
-    return rub_sharp(own) && index == rub_slip_switch(own);
-}
-
-void rub_switch_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
-                         double *by_v) {
+void radial_gradient(radial_form of, const double *q, const double *v, double *by_q, double *by_v) {
     double n[2], e[2];
     const double r = normal_at(q, n);
     turn(n, r, v, e);
-    const double surface = own->number[RUB_SURFACE], stiffness = own->number[RUB_STIFFNESS];
-    const double damping = own->number[RUB_DAMPING];
     by_v[0] = by_v[1] = 0.0;
-    if (index == 0) {
-        by_q[0] = n[0];
-        by_q[1] = n[1];
-    } else if (is_slip(own, index)) {
-        by_q[0] = surface * n[0] + v[1];
-        by_q[1] = surface * n[1] - v[0];
+    if (of.slip) {
+        by_q[0] = of.by_r * n[0] + v[1];
+        by_q[1] = of.by_r * n[1] - v[0];
         by_v[0] = -q[1];
         by_v[1] = q[0];
-    } else {
-        for (int i = 0; i < 2; i++) {
-            by_q[i] = stiffness * n[i] + damping * e[i];
-            by_v[i] = damping * n[i];
-        }
+        return;
+    }
+    for (int i = 0; i < 2; i++) {
+        by_q[i] = of.by_r * n[i];
+        if (of.by_growth == 0.0) continue;
+        by_q[i] += of.by_growth * e[i];
+        by_v[i] = of.by_growth * n[i];
     }
 }
 
-void rub_switch_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
-                          const double *uv, double *by_q, double *by_v) {
+void radial_curvature(radial_form of, const double *q, const double *v, const double *uq, const double *uv,
+                      double *by_q, double *by_v) {
     double n[2], e[2], swing[2], push[2];
     const double r = normal_at(q, n);
     turn(n, r, uq, e);
     turn(n, r, v, swing);
     turn(n, r, uv, push);
-    const double surface = own->number[RUB_SURFACE], stiffness = own->number[RUB_STIFFNESS];
-    const double damping = own->number[RUB_DAMPING];
     by_v[0] = by_v[1] = 0.0;
-    if (index == 0) {
-        by_q[0] = e[0];
-        by_q[1] = e[1];
-    } else if (is_slip(own, index)) {
-        by_q[0] = surface * e[0] + uv[1];
-        by_q[1] = surface * e[1] - uv[0];
+    if (of.slip) {
+        by_q[0] = of.by_r * e[0] + uv[1];
+        by_q[1] = of.by_r * e[1] - uv[0];
         by_v[0] = -uq[1];
         by_v[1] = uq[0];
-    } else {
-        // e(v) is (v - n (n . v))/r: n turns, r grows, v changes.
-        const double growth = dot(n, v), turned = dot(e, v), grown = dot(n, uq);
-        for (int i = 0; i < 2; i++) {
-            const double second = push[i] - (e[i] * growth + n[i] * turned + swing[i] * grown) / r;
-            by_q[i] = stiffness * e[i] + damping * second;
-            by_v[i] = damping * e[i];
-        }
+        return;
     }
+    // e(v) is (v - n (n . v))/r: n turns, r grows, v changes.
+    const double growth = dot(n, v), turned = dot(e, v), grown = dot(n, uq);
+    for (int i = 0; i < 2; i++) {
+        by_q[i] = of.by_r * e[i];
+        if (of.by_growth == 0.0) continue;
+        by_q[i] += of.by_growth * (push[i] - (e[i] * growth + n[i] * turned + swing[i] * grown) / r);
+        by_v[i] = of.by_growth * e[i];
+    }
+}
+
+/// The switches in their order: depth, normal force, slip.
+static radial_form form_of(const element *own, size_t index) {
+    if (index == 0) return (radial_form){.by_r = 1.0};
+    if (rub_sharp(own) && index == rub_slip_switch(own)) return (radial_form){true, own->number[RUB_SURFACE], 0.0};
+    return (radial_form){false, own->number[RUB_STIFFNESS], own->number[RUB_DAMPING]};
+}
+
+void rub_switch_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
+                         double *by_v) {
+    radial_gradient(form_of(own, index), q, v, by_q, by_v);
+}
+
+void rub_switch_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
+                          const double *uv, double *by_q, double *by_v) {
+    radial_curvature(form_of(own, index), q, v, uq, uv, by_q, by_v);
 }
 #endif

@@ -2,7 +2,7 @@
 #define KERNEL_FILE "elements/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES (2 * MAX_PADS)
-#define KERNEL_STATES_VARY
+#define KERNEL_FEWER_STATES
 #define KERNEL_NUMBERS PADS_NUMBERS
 #define KERNEL_SWITCHES 0
 
