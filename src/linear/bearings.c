@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "lanes.h"
 #include "mean.h"
 
 /// Of a station of 1 kg: the forces on it are its accelerations.
@@ -29,7 +30,10 @@ whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double
     if (!jacobian)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of %zu stations", system->probe_count);
     if (status.code == WHIRL_OK) mean_jacobian(&mean, x, jacobian);
-    for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK; p++)
+    // A bearing with states of its own has no coefficients that hold at every frequency.
+    const bool simple = !system->lanes || mean.count <= 2 * system->lanes->degrees;
+    for (size_t i = 0; i < 8 * system->probe_count && !simple; i++) coefficients[i] = (double)NAN;
+    for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK && simple; p++)
         take(&mean, jacobian, alone->clock, &system->probes[p], coefficients + 8 * p);
     free(jacobian);
     free(block);

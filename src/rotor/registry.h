@@ -27,7 +27,8 @@
     X(pad_bearing)                                                                                                     \
     X(tilting_pad)                                                                                                     \
     X(roller_bearing)                                                                                                  \
-    X(contact)
+    X(contact)                                                                                                         \
+    X(magnetic)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -1,0 +1,85 @@
+// A radial magnetic bearing (Schweitzer, Maslen 2009): on each of two axes, u along it, a pair of opposing magnets,
+//
+//     F = k cos a [((i_0 + i)/(s_0 - u))^2 - ((i_0 - i)/(s_0 + u))^2],       both currents within 0 and i_max,
+//
+// or F = k_i i + k_s u, and a loop i = -A(p) C(p) S(p) u of sensor, controller (PID, then a filter) and amplifier, each
+// a transfer function b(p)/a(p) of order m in observable form, a_m = 1,
+//
+//     y = x_1 + b_m u,    x_j' = x_{j+1} + b_{m-j} u - a_{m-j} y,    x_{m+1} = 0.
+//
+// A bearing that fails has one state more: x' = lambda (1 - x), which begins at 0, so that x = 1 - e^(-lambda tau)
+// tells the time; currents fall smoothly where it goes from one value to another. Where linear analyses put out what
+// depends on time, x stays 0.
+
+/// One of the loop's transfer functions: its input u, its states s and their slopes; returns its output.
+static inline num KERNEL(transfer)(const kernel_view *view, int part, int order, num u, const num *s, num *slope) {
+    const size_t stride = view->stride;
+    const vec *b = view->number + ((size_t)MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS) * stride;
+    const vec *a = b + (size_t)(BLOCK_ORDER + 1) * stride;
+    num y = n_scale(b[(size_t)order * stride], u);
+    if (order > 0) y = n_add(s[0], y);
+    for (int j = 0; j < order; j++) {
+        const size_t back = (size_t)(order - 1 - j) * stride;
+        slope[j] = n_sub(n_scale(b[back], u), n_scale(a[back], y));
+        if (j + 1 < order) slope[j] = n_add(slope[j], s[j + 1]);
+    }
+    return y;
+}
+
+/// The current of a loop at u.
+static inline num KERNEL(current)(const element *own, const kernel_view *view, num u, const num *s, num *slope) {
+    int first = 0;
+    for (int part = 0; part < LOOP_BLOCKS; part++) {
+        const int order = block_order(own, part);
+        u = KERNEL(transfer)(view, part, order, u, s + first, slope + first);
+        first += order;
+    }
+    return n_sub(n_set(0.0), u);
+}
+
+/// Of a coil, within its limits.
+static inline num KERNEL(limited)(const kernel_view *view, num current) {
+    const num none = n_set(0.0), most = n_of(view->number[MAGNETIC_MOST * view->stride]);
+    const num above = n_select(n_less(none, current), current, none);
+    return n_select(n_less(above, most), above, most);
+}
+
+/// The force along an axis.
+static inline num KERNEL(pull)(const element *own, const kernel_view *view, num u, num current) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    if (own->law & MAGNETIC_LINEAR)
+        return n_add(n_scale(number[MAGNETIC_BY_CURRENT * stride], current),
+                     n_scale(number[MAGNETIC_BY_PLACE * stride], u));
+    const num bias = n_of(number[MAGNETIC_BIAS * stride]), gap = n_of(number[MAGNETIC_GAP * stride]);
+    const num one = n_div(KERNEL(limited)(view, n_add(bias, current)), n_sub(gap, u));
+    const num other = n_div(KERNEL(limited)(view, n_sub(bias, current)), n_add(gap, u));
+    return n_scale(number[MAGNETIC_FORCE * stride], n_sub(n_mul(one, one), n_mul(other, other)));
+}
+
+static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
+                                 num *force, num *slope) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0);
+    const num u[2] = {n_add(n_scale(c, d[0]), n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
+    num pull[2], left = n_set(1.0);
+    const int loop = loop_order(own);
+    (void)w;
+    for (int line = 0; line < 2; line++) {
+        const num current = KERNEL(current)(own, view, u[line], s + line * loop, slope + line * loop);
+        pull[line] = KERNEL(pull)(own, view, u[line], current);
+    }
+    if (own->law & MAGNETIC_FAILS) {
+        const vec C = view->phase[COS_TAU], S = view->phase[SIN_TAU], running = v_fma(C, C, v_mul(S, S));
+        const num clock = s[2 * loop], way = n_sub(clock, n_of(number[MAGNETIC_FAILS_AT * stride]));
+        slope[2 * loop] = n_scale(number[MAGNETIC_CLOCK * stride], n_sub(n_of(running), clock));
+        num q = n_scale(number[MAGNETIC_FALLS * stride], way);
+        q = n_select(n_less(n_set(0.0), q), q, n_set(0.0));
+        q = n_select(n_less(q, n_set(1.0)), q, n_set(1.0));
+        const num share = n_sub(n_of(one), n_mul(n_mul(q, q), n_sub(n_set(3.0), n_scale(v_set(2.0), q))));
+        left = n_mul(share, share);
+    }
+    force[0] = n_mul(left, n_sub(n_scale(c, pull[0]), n_scale(sine, pull[1])));
+    force[1] = n_mul(left, n_add(n_scale(sine, pull[0]), n_scale(c, pull[1])));
+}
