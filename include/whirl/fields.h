@@ -107,6 +107,8 @@
 #define WHIRL_FIELD_MODES_STABILITY "modes/stability"
 #define WHIRL_FIELD_MODES_MODULO "modes/modulo"
 #define WHIRL_FIELD_MODES_KNOWN "modes/known"
+#define WHIRL_FIELD_MODES_SENSITIVITY "modes/sensitivity"
+#define WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY "modes/sensitivity_frequency"
 #define WHIRL_FIELD_MODES_CRITICAL "modes/critical"
 #define WHIRL_FIELD_MODES_REST "modes/rest"
 #define WHIRL_FIELD_MODES_SHAPE "modes/shape"

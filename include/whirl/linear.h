@@ -66,6 +66,18 @@ typedef struct whirl_whirling {
 /// machines.
 whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *others, whirl_modes **modes);
 
+/// The largest modulus of the sensitivity functions of a system's loops of control (ISO 14839-3) about an equilibrium,
+/// rest [dimension]: S of a loop is its sensor's signal over a signal that is added to it, all loops closed, in place
+/// of their own 1. With the modes about it, near whose frequencies it is looked for.
+typedef struct whirl_sensitivity_peak {
+    double peak;      ///< NaN without loops
+    double frequency; ///< by the system's unit of time
+    size_t loop;      ///< which of them
+} whirl_sensitivity_peak;
+
+/// Finds it. WHIRL_NO_MEMORY.
+whirl_status whirl_loops_peak(const whirl_system *system, const whirl_modes *modes, whirl_sensitivity_peak *out);
+
 /// Frees modes; NULL is none.
 void whirl_modes_free(whirl_modes *modes);
 

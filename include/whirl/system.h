@@ -151,6 +151,12 @@ typedef struct whirl_system {
 
     /// Optional: order number `index`, from 0 on, that the machine names; false beyond the last.
     bool (*named_order)(const void *model, size_t index, whirl_named_order *out);
+
+    /// Optional: loops of control, as magnetic bearings have them.
+    size_t loop_count;
+    /// Of loop `index` at x: what a signal that is added to its sensor's adds to the slope, by that signal, input
+    /// [dimension], and the sensor's own signal by the state, sensed [dimension].
+    void (*loop)(const void *model, const double *x, size_t index, double *input, double *sensed);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

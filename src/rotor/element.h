@@ -131,6 +131,12 @@ typedef struct whirl_element_type {
     /// not say otherwise, a stator that moves or is not all around.
     bool (*contact_damped)(const element *own);
 
+    /// Optional: loops of control that it has, and of one of them what a signal added to its sensor's adds to the
+    /// accelerations of the ports and to the slopes of its states, and the sensor's signal by the ports' places.
+    size_t loops;
+    void (*loop)(const element *own, const double *q, const double *states, size_t index, double *acceleration,
+                 double *slope, double *sensed);
+
     /// What carries the rotor, and what drags it besides (seals, impellers). A key `role`, where there is one, says it
     /// of a single element: bearing, or another word.
     bool carries, drags;

@@ -28,7 +28,8 @@
     X(tilting_pad)                                                                                                     \
     X(roller_bearing)                                                                                                  \
     X(contact)                                                                                                         \
-    X(magnetic)
+    X(magnetic)                                                                                                        \
+    X(blade_rub)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -178,6 +178,33 @@ static bool named_order(const void *model, size_t index, whirl_named_order *out)
     return false;
 }
 
+static size_t count_loops(const whirl_rotor *rotor) {
+    size_t count = 0;
+    for (size_t i = 0; i < rotor->element_count; i++) count += rotor->elements[i].type->loops;
+    return count;
+}
+
+static void loop(const void *model, const double *x, size_t index, double *input, double *sensed) {
+    const whirl_rotor *rotor = model;
+    const size_t degrees = rotor->lanes.degrees;
+    const element *own = rotor->elements;
+    for (; index >= own->type->loops; own++) index -= own->type->loops;
+    const port_state at = see(rotor, own, x);
+    double acceleration[MAX_PORTS] = {0}, seen[MAX_PORTS] = {0};
+    memset(input, 0, rotor->system.dimension * sizeof *input);
+    memset(sensed, 0, rotor->system.dimension * sizeof *sensed);
+    own->type->loop(own, at.q, x + degrees + own->state, index, acceleration, input + degrees + own->state, seen);
+    for (size_t p = 0; p < MAX_PORTS; p++) {
+        if (own->port[p] == NO_COORDINATE) continue;
+        sensed[own->port[p]] = seen[p];
+        for (size_t row = 0; row < degrees; row++)
+            if (row == own->port[p] || rotor->coupled.count > 0)
+                input[degrees + row] +=
+                    acceleration[p] *
+                    (rotor->coupled.count > 0 ? coupling_share(&rotor->coupled, row, own->port[p]) : 1.0);
+    }
+}
+
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
@@ -202,6 +229,8 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .frequencies = rotor->frequencies,
                                    .probe_count = rotor->station_count,
                                    .probes = rotor->probes,
+                                   .loop_count = count_loops(rotor),
+                                   .loop = loop,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

@@ -20,6 +20,9 @@ ANGLES = {
     "crack": {"angle": 0},
     "ball_bearing": {"angle": 0, "inner_dent_angle": 0, "outer_dent_angle": 0},
     "roller_bearing": {"angle": 0, "inner_dent_angle": 0, "outer_dent_angle": 0},
+    "contact": {"arc_middle": 0},
+    "blade_rub": {"angle": 0},
+    "magnetic": {"angle": None},
     "gravity": {"direction": None},
     "segment": {"flats_angle": None},
 }

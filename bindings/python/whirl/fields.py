@@ -94,6 +94,8 @@ class FIELD:
     MODES_STABILITY = "modes/stability"
     MODES_MODULO = "modes/modulo"
     MODES_KNOWN = "modes/known"
+    MODES_SENSITIVITY = "modes/sensitivity"
+    MODES_SENSITIVITY_FREQUENCY = "modes/sensitivity_frequency"
     MODES_CRITICAL = "modes/critical"
     MODES_REST = "modes/rest"
     MODES_SHAPE = "modes/shape"

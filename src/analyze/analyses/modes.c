@@ -18,6 +18,8 @@ enum {
     STABILITY,
     MODULO,
     KNOWN,
+    SENSITIVITY,
+    SENSITIVITY_FREQUENCY,
     CRITICAL,
     REST,
     SHAPE,
@@ -58,6 +60,11 @@ static const field_plan fields[FIELD_COUNT] = {
     [KNOWN] = {WHIRL_FIELD_MODES_KNOWN, "rad/s",
                "low, high (frequencies of whirl at which tables of bearings are known: modes beyond are not found)",
                WHIRL_PER_POINT, 2, NULL},
+    [SENSITIVITY] = {WHIRL_FIELD_MODES_SENSITIVITY, "1",
+                     "largest modulus of the sensitivity of loops of control (ISO 14839-3); missing without any",
+                     WHIRL_PER_POINT, 1, NULL},
+    [SENSITIVITY_FREQUENCY] = {WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY, "rad/s", "at which it is largest",
+                               WHIRL_PER_POINT, 1, NULL},
     [CRITICAL] = {WHIRL_FIELD_MODES_CRITICAL, "1", "kind, value, speed, frequency, damping, direction", WHIRL_PER_POINT,
                   6, located},
     [REST] = {WHIRL_FIELD_MODES_REST, "length", "x, y (from the centre)", WHIRL_PER_STATION, 2, NULL},
@@ -108,11 +115,15 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         const whirl_probe *probe = &point->system->probes[p];
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, modes->rest, c);
     }
+    whirl_sensitivity_peak sensitivity;
+    const whirl_status status = whirl_loops_peak(point->system, modes, &sensitivity);
+    *view_numbers(view, SENSITIVITY, 0) = sensitivity.peak;
+    *view_numbers(view, SENSITIVITY_FREQUENCY, 0) = point->clock * sensitivity.frequency;
     fill_modes(point, modes, most, view);
     for (size_t i = 0; i < modes->count && i < most; i++)
         fill_shape(point->system, modes->vectors + 2 * i * modes->dimension, i, SHAPE, view);
     fill_critical(point, most + 1, view);
-    return whirl_ok();
+    return status;
 }
 
 const analysis_plan modes_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

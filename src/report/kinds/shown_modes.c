@@ -8,6 +8,16 @@
 
 // ---------------------------------------------------------------- the summary
 
+/// The peak of loops of control, and the zone that it is in.
+static void print_sensitivity(FILE *out, const whirl_table *table, size_t point) {
+    const double peak = whirl_table_number(table, point, WHIRL_FIELD_MODES_SENSITIVITY, 0);
+    const double frequency = whirl_table_number(table, point, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY, 0);
+    const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
+    if (isfinite(peak))
+        fprintf(out, "  peak sensitivity of the loops of control %.7g at %.6g Hz: zone %c of ISO 14839-3\n", peak,
+                frequency / 6.283185307179586, zone);
+}
+
 /// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
 static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
@@ -32,6 +42,7 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
         fprintf(out,
                 "  %smodes from %.6g to %.6g rad/s: beyond, tables of bearings do not know the frequency of whirl\n",
                 frequency && isfinite(frequency[0]) ? "" : "no ", known[0], known[1]);
+    print_sensitivity(out, table, point);
     if (isfinite(stability))
         fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n",
                 stability > 0 ? "unstable" : "stable", rigid > 0 ? " other" : "", stability);

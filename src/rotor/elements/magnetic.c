@@ -299,6 +299,25 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+static void loop(const element *own, const double *q, const double *states, size_t index, double *acceleration,
+                 double *slope, double *sensed) {
+    const kernel_view view = {.stride = 1, .number = own->number};
+    const double c = own->number[MAGNETIC_COS], sine = own->number[MAGNETIC_SIN];
+    const double along[2] = {index == 0 ? c : 0.0 - sine, index == 0 ? sine : c};
+    const double u = along[0] * (q[0] - q[2]) + along[1] * (q[1] - q[3]);
+    const size_t order = (size_t)loop_order(own), first = index * order;
+    dual s[KERNEL_STATES], rates[KERNEL_STATES];
+    for (size_t i = 0; i < order; i++) s[i] = dual_of(states[first + i]);
+    const dual current = current_dual(own, &view, dual_input(u, 0), s, rates);
+    const double pull = pull_dual(own, &view, dual_of(u), current).by[0];
+    for (size_t i = 0; i < order; i++) slope[first + i] = rates[i].by[0];
+    for (size_t p = 0; p < KERNEL_PORTS; p++) {
+        const double way = p < KERNEL_AXES ? 1.0 : -1.0;
+        acceleration[p] = way * own->number[KERNEL_NUMBERS + p] * pull * along[p % KERNEL_AXES];
+        sensed[p] = way * along[p % KERNEL_AXES];
+    }
+}
+
 /// Iron saturates: B = mu_0 N i/(2 s_0) of a magnet whose N turns are on both poles.
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 1.6;
@@ -320,6 +339,8 @@ const element_type magnetic_element = {
     .state_count = KERNEL_STATES,
     .kernels = kernels,
     .build = build,
+    .loops = KERNEL_AXES,
+    .loop = loop,
     .carries = true,
     .doubt = doubt,
 };

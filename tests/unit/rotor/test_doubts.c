@@ -9,7 +9,7 @@
 
 #include "whirl/rotor.h"
 
-enum { MOST = 8 };
+enum { MOST = 10 };
 
 /// An element with values, and the keys that are doubted, in order.
 typedef struct example {
@@ -94,6 +94,33 @@ static void check(const example *of) {
             "axial_load", load, NULL                                                                                   \
         }                                                                                                              \
     }
+#define CONTACT(gap, e)                                                                                                \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"gap", gap, NULL}, {"stiffness", 1e8, NULL}, {"law", 0, "lankarani_nikravesh"},            \
+            {"restitution", e, NULL}, {"impact_speed", 0.2, NULL}, {"friction", 0.1, NULL}, {                          \
+            "radius", 0.1, NULL                                                                                        \
+        }                                                                                                              \
+    }
+#define BRISTLES(damping)                                                                                              \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"gap", 1e-3, NULL}, {"stiffness", 1e8, NULL}, {"friction_law", 0, "lugre"},                \
+            {"friction", 0.1, NULL}, {"static_friction", 0.2, NULL}, {"stribeck_speed", 0.01, NULL},                   \
+            {"bristle_stiffness", 1e4, NULL}, {"bristle_damping", damping, NULL}, {                                    \
+            "radius", 0.1, NULL                                                                                        \
+        }                                                                                                              \
+    }
+#define MAGNETS(bias)                                                                                                  \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"turns", 120, NULL}, {"area", 4e-4, NULL}, {"gap", 5e-4, NULL}, {"bias", bias, NULL}, {    \
+            "proportional", 2e4, NULL                                                                                  \
+        }                                                                                                              \
+    }
+#define BLADES(extension)                                                                                              \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"blades", 5, NULL}, {"radius", 0.3, NULL}, {"gap", 1e-3, NULL}, {"stiffness", 0, "1e6"}, { \
+            "extension", 0, #extension                                                                                 \
+        }                                                                                                              \
+    }
 
 static void every_element_doubts_what_it_is_not_for(void **unused) {
     (void)unused;
@@ -115,6 +142,15 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
         {"seal", BLACK(0.05, 1e9), "pressure"},
         {"rub", RUB(1e-3), ""},
         {"rub", RUB(0.2), "gap"},
+        {"contact", CONTACT(1e-3, 0.95), ""},
+        {"contact", CONTACT(0.2, 0.95), "gap"},
+        {"contact", CONTACT(1e-3, 0.7), "restitution"},
+        {"contact", BRISTLES(1e-3), ""},
+        {"contact", BRISTLES(0.3), "bristle_damping"},
+        {"magnetic", MAGNETS(3.0), ""},
+        {"magnetic", MAGNETS(30.0), "bias"},
+        {"blade_rub", BLADES(1e-4), ""},
+        {"blade_rub", BLADES(2e-3), "extension"},
         {"ball_bearing", BALLS(1e-5), ""},
         {"ball_bearing", BALLS(-1e-3), "clearance"},
         {"ball_bearing", DENTED(3e-4), "outer_dent"},

@@ -1,0 +1,137 @@
+// The sensitivity of loops of control: S(i w) = 1 + c (i w - J)^-1 b, b what a signal added to the sensor's adds to the
+// slope and c the sensor's signal by the state.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "matrix.h"
+#include "mean.h"
+
+/// A closed loop, and room for its equations.
+typedef struct closed_loop {
+    const mean_system *mean;
+    const double *jacobian; ///< [count][count]
+    double *input, *sensed; ///< [count]
+    double *matrix, *side;  ///< [count][count][2], [count][2]
+} closed_loop;
+
+/// The modulus of S at w; NaN where the equations are singular.
+static double sensitivity(const closed_loop *of, double w) {
+    const size_t n = of->mean->count;
+    double real = 1.0, imaginary = 0.0;
+    for (size_t i = 0; i < n * n; i++) {
+        of->matrix[2 * i] = -of->jacobian[i];
+        of->matrix[2 * i + 1] = i % (n + 1) == 0 ? w : 0.0;
+    }
+    for (size_t i = 0; i < n; i++) {
+        of->side[2 * i] = of->input[i];
+        of->side[2 * i + 1] = 0.0;
+    }
+    if (!matrix_solve_complex(n, of->matrix, 1, of->side)) return (double)NAN;
+    for (size_t i = 0; i < n; i++) {
+        real += of->sensed[i] * of->side[2 * i];
+        imaginary += of->sensed[i] * of->side[2 * i + 1];
+    }
+    return hypot(real, imaginary);
+}
+
+/// The largest value between two frequencies with one in the middle that is above both, by golden sections.
+static void sharpen(const closed_loop *of, double low, double high, whirl_sensitivity_peak *out) {
+    const double golden = 0.6180339887498949;
+    double one = high - golden * (high - low), other = low + golden * (high - low);
+    double at_one = sensitivity(of, one), at_other = sensitivity(of, other);
+    while (high - low > 1e-9 * high) {
+        const bool left = at_one > at_other;
+        if (left)
+            high = other, other = one, at_other = at_one, one = high - golden * (high - low);
+        else
+            low = one, one = other, at_one = at_other, other = low + golden * (high - low);
+        if (left)
+            at_one = sensitivity(of, one);
+        else
+            at_other = sensitivity(of, other);
+    }
+    const double w = 0.5 * (low + high), peak = sensitivity(of, w);
+    if (!(peak > out->peak)) return;
+    out->peak = peak;
+    out->frequency = w;
+}
+
+static int by_size(const void *a, const void *b) {
+    const double p = *(const double *)a, q = *(const double *)b;
+    return p < q ? -1 : p > q;
+}
+
+enum { EVEN = 240, AROUND = 9 };
+
+/// Frequencies to look at, rising: evenly over the logarithm around those of all eigenvalues, and closely around each
+/// mode's.
+static size_t frequencies(const whirl_modes *modes, double *out) {
+    double low = INFINITY, high = 0.0;
+    size_t count = 0;
+    for (size_t i = 0; i < modes->count + modes->real_count; i++) {
+        const bool wave = i < modes->count;
+        const whirl_mode *mode = &modes->modes[wave ? i : 0];
+        const double size = wave ? hypot(mode->real, mode->imaginary) : fabs(modes->reals[i - modes->count]);
+        if (!(size > 0.0)) continue;
+        low = fmin(low, size);
+        high = fmax(high, size);
+        for (int k = 0; wave && k < AROUND; k++)
+            out[count++] = fabs(mode->imaginary + 0.5 * mode->real * (k - AROUND / 2));
+    }
+    if (!(high > 0.0)) return 0;
+    low = fmax(0.1 * low, 1e-8 * high);
+    for (int k = 0; k < EVEN; k++) out[count++] = low * pow(10.0 * high / low, k / (EVEN - 1.0));
+    qsort(out, count, sizeof *out, by_size);
+    return count;
+}
+
+static void search(const closed_loop *of, const double *w, size_t count, whirl_sensitivity_peak *out) {
+    double before = 0.0, here = count > 0 ? sensitivity(of, w[0]) : 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double next = i + 1 < count ? sensitivity(of, w[i + 1]) : 0.0;
+        if (here >= before && here >= next && here > 0.9 * out->peak)
+            sharpen(of, i > 0 ? w[i - 1] : 0.0, i + 1 < count ? w[i + 1] : w[i], out);
+        before = here;
+        here = next;
+    }
+}
+
+static void search_loops(mean_system *m, const whirl_modes *modes, double *numbers, whirl_sensitivity_peak *out) {
+    const size_t n = m->count, d = m->system->dimension;
+    double *jacobian = numbers, *input = jacobian + n * n, *sensed = input + d, *matrix = sensed + d;
+    double *side = matrix + 2 * n * n, *w = side + 2 * n;
+    const closed_loop of = {m, jacobian, input, sensed, matrix, side};
+    const size_t count = frequencies(modes, w);
+    mean_jacobian(m, modes->rest, jacobian);
+    for (size_t k = 0; k < m->system->loop_count; k++) {
+        const double peak = out->peak;
+        m->system->loop(m->system->model, modes->rest, k, input, sensed);
+        for (size_t i = 0; i < n; i++) {
+            input[i] = input[m->kept[i]]; // rising, so that none is overwritten before it is read
+            sensed[i] = sensed[m->kept[i]];
+        }
+        search(&of, w, count, out);
+        if (out->peak > peak) out->loop = k;
+    }
+}
+
+whirl_status whirl_loops_peak(const whirl_system *system, const whirl_modes *modes, whirl_sensitivity_peak *out) {
+    *out = (whirl_sensitivity_peak){(double)NAN, (double)NAN, 0};
+    if (system->loop_count == 0 || modes->period > 0.0) return whirl_ok();
+    mean_system mean;
+    void *block;
+    whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code != WHIRL_OK) return status;
+    const size_t n = mean.count, d = system->dimension;
+    double *numbers = calloc(3 * n * n + 2 * n + 2 * d + EVEN + AROUND * modes->count, sizeof *numbers);
+    out->peak = 0.0;
+    if (numbers)
+        search_loops(&mean, modes, numbers, out);
+    else
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the sensitivity of %zu coordinates", n);
+    if (!(out->peak > 0.0)) out->peak = (double)NAN;
+    free(numbers);
+    free(block);
+    return status;
+}

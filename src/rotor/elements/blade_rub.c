@@ -1,0 +1,160 @@
+// Blades that pass a casing: its keys and the numbers of its kernel.
+#define KERNEL_FILE "elements/blade_rub_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES 1
+#define KERNEL_NUMBERS BLADE_NUMBERS
+#define KERNEL_SWITCHES 0
+
+enum { MOST_BLADES = 128 };
+
+/// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
+/// sine of the angle between blades; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is
+/// the number of blades.
+enum {
+    BLADE_CASING,
+    BLADE_POWER,
+    BLADE_FRICTION,
+    BLADE_RATE,
+    BLADE_START,
+    BLADE_APART_COS,
+    BLADE_APART_SIN,
+    BLADE_STIFFNESSES,
+    BLADE_LENGTHS = BLADE_STIFFNESSES + MOST_BLADES,
+    BLADE_NUMBERS = BLADE_LENGTHS + MOST_BLADES
+};
+
+#include "generic.h"
+#include "registry.h"
+
+static void contact(const element *own, const block *b, void *force) {
+    vec *out = force;
+    for (size_t k = 0; k < b->vectors; k++) {
+        const kernel_view view = view_of(own, b, k);
+        const kernel_inputs in = inputs_of(own, b, 0, k);
+        vec sum[2];
+        blades_plain(own, &view, in.d, in.s, sum, &out[k]);
+    }
+}
+
+const element_kernels ISA(blade_rub_kernels) = {.flow = generic_flow, .contact = contact};
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+enum { AT, FROM, BLADES, RADIUS, GAP, STIFFNESS, POWER, EXTENSION, FRICTION, ANGLE, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [AT] = STATION_KEY("at", REQUIRED, "station of the disc that has the blades"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the casing, which moves; the ground where absent"),
+    [BLADES] = WHOLE_KEY("blades", "n", REQUIRED, WHIRL_FROM_TO(1, 128),
+                         "number of blades, at equal angles, counted along the rotation"),
+    [RADIUS] = NUMBER_KEY("radius", "l", "m", REQUIRED, WHIRL_POSITIVE, "of the tips, from the axis"),
+    [GAP] = NUMBER_KEY("gap", "delta", "m", REQUIRED, WHIRL_POSITIVE, "between the tips and the casing in the middle"),
+    [STIFFNESS] = CITED_NUMBERS_KEY("stiffness", "k", "1", REQUIRED, WHIRL_POSITIVE,
+                                    "of a blade and the casing along the blade in N/m^p: force over depth to the "
+                                    "power; one number, or one for each blade",
+                                    "Ma et al. 2016"),
+    [POWER] = NUMBER_KEY("power", "p", "1", DEFAULT("1"), WHIRL_FROM_TO(1, 4), "power of the depth"),
+    [EXTENSION] =
+        CITED_NUMBERS_KEY("extension", "", "m", DEFAULT("0"), WHIRL_ANY,
+                          "by which a blade is longer than the radius; one number, or one for each blade", ""),
+    [FRICTION] = NUMBER_KEY("friction", "f", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                            "coefficient of friction, against the rotation"),
+    [ANGLE] = NUMBER_KEY("angle", "theta_0", "rad", DEFAULT("0"), WHIRL_ANY,
+                         "where the first blade stands at t = 0, from the x axis towards y"),
+};
+
+/// The number of a blade.
+static double of_blade(const key_value *list, int blade) {
+    return list->count ? list->list[list->count == 1 ? 0 : blade] : list->number;
+}
+
+static whirl_status check_list(const key_value *values, int key) {
+    const size_t count = values[key].count, blades = (size_t)values[BLADES].number;
+    if (count <= 1 || count == blades) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "has %zu numbers of %s for %zu blades, expected one, or one for each", count,
+                      keys[key].name, blades);
+}
+
+/// Blades that are all alike come round n times a revolution.
+static double rounds(const element *own) {
+    bool alike = true;
+    for (int j = 1; j < own->law; j++)
+        alike = alike && own->number[BLADE_LENGTHS + j] == own->number[BLADE_LENGTHS] &&
+                own->number[BLADE_STIFFNESSES + j] == own->number[BLADE_STIFFNESSES];
+    return own->number[BLADE_RATE] * (alike ? own->law : 1);
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const double length = to->length, p = values[POWER].number, apart = 6.283185307179586476925 / values[BLADES].number;
+    whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
+    if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
+    if (status.code == WHIRL_OK) status = check_list(values, EXTENSION);
+    if (status.code != WHIRL_OK) return status;
+    out->law = (int)values[BLADES].number;
+    out->number[BLADE_CASING] = (values[RADIUS].number + values[GAP].number) / length;
+    out->number[BLADE_POWER] = p - 1.0;
+    out->number[BLADE_FRICTION] = copysign(values[FRICTION].number, to->turn);
+    out->number[BLADE_RATE] = to->turn;
+    out->number[BLADE_START] = values[ANGLE].number;
+    out->number[BLADE_APART_COS] = cos(apart);
+    out->number[BLADE_APART_SIN] = copysign(sin(apart), to->turn); // numbered along the rotation
+    for (int j = 0; j < out->law; j++) {
+        const double own = values[RADIUS].number + of_blade(&values[EXTENSION], j);
+        if (!(own > 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "has a blade of %g m, expected one above 0", own);
+        out->number[BLADE_LENGTHS + j] = own / length;
+        out->number[BLADE_STIFFNESSES + j] = of_blade(&values[STIFFNESS], j) * pow(length, p);
+    }
+    generic_scale(out, to, 1.0);
+    return whirl_ok();
+}
+
+static double contact_gap(const element *own) {
+    (void)own;
+    return 0.0;
+}
+
+/// Where blades stand tells of contact, too.
+static bool contact_damped(const element *own) {
+    (void)own;
+    return true;
+}
+
+static bool jumps(const element *own) {
+    (void)own;
+    return false;
+}
+
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const double share = values[GAP].number / values[RADIUS].number, most = 0.1;
+    (void)speed;
+    if (share > most)
+        doubt_value(to, keys[GAP].name, "is %.3g times the radius, and casings are up to %g times away", share, most);
+    for (int j = 0; j < (int)values[BLADES].number; j++) {
+        const double over = of_blade(&values[EXTENSION], j);
+        if (fabs(over) <= values[GAP].number) continue;
+        doubt_value(to, keys[EXTENSION].name, "is %.3g m of a blade, more than the gap of %.3g m", over,
+                    values[GAP].number);
+        return;
+    }
+}
+
+KERNELS_OF_EVERY_ISA(blade_rub_kernels);
+
+const element_type blade_rub_element = {
+    .group = {"blade_rub", "blades whose tips pass a casing, each with its own length and stiffness", "Ma et al. 2016",
+              keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = KERNEL_STATES,
+    .turning = 1,
+    .rounds = rounds,
+    .kinked = true,
+    .kernels = kernels,
+    .build = build,
+    .jumps = jumps,
+    .contact_gap = contact_gap,
+    .contact_damped = contact_damped,
+    .doubt = doubt,
+};
+#endif

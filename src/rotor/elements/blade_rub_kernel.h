@@ -1,0 +1,45 @@
+// Blades whose tips pass a casing. Blade j, of length l_j from the shaft's axis, points along e_j at the angle
+// theta_j = theta + 2 pi j/n, theta = theta_0 + tau; its tip t_j = d + l_j e_j is pressed in where it is further from
+// the casing's centre than the casing's radius,
+//
+//     depth_j = |t_j| - (l + gap),    f = -sum_j k_j depth_j^p (1 + f_k J) t_j/|t_j|,    J a quarter turn,
+//
+// with friction against the rotation, which the tips' speed is all but that of. theta - theta_0 is a state.
+
+/// The forces of all blades that touch along their normals, as a vector, and the sum of their sizes.
+static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
+                                  num *all) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride];
+    const num none = n_set(0.0), least = n_set(0x1p-800), casing = n_of(number[BLADE_CASING * stride]);
+    num x, y;
+    n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
+    sum[0] = sum[1] = *all = none;
+    for (int j = 0; j < own->law; j++) {
+        const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
+        const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
+        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
+        const num depth = n_sub(far, casing);
+        const num power = n_pow(n_select(n_less(least, depth), depth, least), number[BLADE_POWER * stride]);
+        const num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], n_mul(depth, power));
+        const num force = n_select(n_less(none, depth), push, none), part = n_div(force, far);
+        sum[0] = n_fma(part, tip[0], sum[0]);
+        sum[1] = n_fma(part, tip[1], sum[1]);
+        *all = n_add(*all, force);
+        const num next = n_sub(n_scale(c, x), n_scale(sine, y));
+        y = n_add(n_scale(sine, x), n_scale(c, y));
+        x = next;
+    }
+}
+
+static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
+                                 num *force, num *slope) {
+    const vec friction = view->number[BLADE_FRICTION * view->stride];
+    num sum[2], all;
+    (void)w;
+    KERNEL(blades)(own, view, d, s, sum, &all);
+    slope[0] = n_of(view->number[BLADE_RATE * view->stride]);
+    force[0] = n_sub(n_scale(friction, sum[1]), sum[0]);
+    force[1] = n_sub(n_set(0.0), n_add(n_scale(friction, sum[0]), sum[1]));
+}
