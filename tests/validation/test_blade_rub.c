@@ -102,7 +102,7 @@ static double order_of(const whirl_rotor *rotor, double x, int order) {
     for (int i = 0; i < ANGLES; i++) {
         const double angle = 2.0 * pi * i / ANGLES;
         force_at(rotor, x, angle, force);
-        sum += 2.0 / ANGLES * force[0] * cexp(-I * order * angle);
+        sum += 2.0 / ANGLES * force[0] * cexp(-I * (order * angle));
     }
     return cabs(sum);
 }
