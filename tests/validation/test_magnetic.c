@@ -59,7 +59,8 @@ static void forces(void **unused) {
         const double angle = n == 0 ? two_pi / 8.0 : 0.4 * n;
         check_digits("magnetic-force", words("u = .1 mm, i = .5 A, first axis at %.3g rad: force, N", angle),
                      "98.973652488", force_at(1e-4, 0.5, 10.0, angle, &other));
-        check_within("magnetic-force", "... and across", 0.0, other, 1e-12);
+        check_within("magnetic-force", words("the same, first axis at %.3g rad: force across it, N", angle), 0.0, other,
+                     1e-12);
     }
     // With an integral alone the current is a state, which the place does not change at once.
     const whirl_setting integral[MOST] = {{"at", 0.0, "mass"},  {"turns", turns, NULL},    {"area", area, NULL},
