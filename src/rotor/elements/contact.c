@@ -139,6 +139,7 @@ static whirl_status check_pair(const key_value *values, int key, bool needed, co
     return whirl_ok();
 }
 
+/// Whether friction needs a radius; with one there is friction, if only of 0, so that a sweep may begin there.
 static bool rubs(const key_value *values) {
     return values[FRICTION].number > 0.0 || values[STATIC_FRICTION].given || values[VISCOUS].number > 0.0 ||
            values[FRICTION_LAW].choice != COULOMB;
@@ -159,7 +160,7 @@ static whirl_status check_keys(const key_value *values) {
                  {STRIBECK_SPEED, falls, "friction_law: stribeck or lugre"},
                  {BRISTLE, bristles, "friction_law: lugre"},
                  {BRISTLE_DAMPING, bristles, "friction_law: lugre"},
-                 {RADIUS, rubs(values), "friction"}};
+                 {RADIUS, rubs(values) || values[RADIUS].given, "friction"}};
     for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
         const whirl_status status = check_pair(values, rules[i].key, rules[i].needed, rules[i].choice);
         if (status.code != WHIRL_OK) return status;
@@ -188,7 +189,7 @@ static int law_of(const key_value *values) {
     const bool bristles = values[FRICTION_LAW].choice == LUGRE;
     const bool sharp = !bristles && !(values[SLIP_SPEED].number > 0.0);
     return (loss_of(values) > 0.0 ? CONTACT_LOSSY : 0) | (values[ARC_WIDTH].given ? CONTACT_PARTIAL : 0) |
-           (rubs(values) ? CONTACT_SLIPS | (bristles ? CONTACT_BRISTLES : 0) | (sharp ? CONTACT_SHARP : 0) : 0);
+           (values[RADIUS].given ? CONTACT_SLIPS | (bristles ? CONTACT_BRISTLES : 0) | (sharp ? CONTACT_SHARP : 0) : 0);
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
