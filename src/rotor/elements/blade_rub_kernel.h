@@ -28,7 +28,7 @@ static inline void KERNEL(blades)(const element *own, const kernel_view *view, c
         sum[1] = n_fma(part, tip[1], sum[1]);
         *all = n_add(*all, force);
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
-        y = n_add(n_scale(sine, x), n_scale(c, y));
+        y = n_fma(n_of(sine), x, n_scale(c, y)); // explicitly, as in magnetic_kernel.h
         x = next;
     }
 }

@@ -62,7 +62,8 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const size_t stride = view->stride;
     const vec *number = view->number;
     const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0);
-    const num u[2] = {n_add(n_scale(c, d[0]), n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
+    // The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that are not to be fused.
+    const num u[2] = {n_fma(n_of(c), d[0], n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
     num pull[2], left = n_set(1.0);
     const int loop = loop_order(own);
     (void)w;
@@ -81,5 +82,5 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         left = n_mul(share, share);
     }
     force[0] = n_mul(left, n_sub(n_scale(c, pull[0]), n_scale(sine, pull[1])));
-    force[1] = n_mul(left, n_add(n_scale(sine, pull[0]), n_scale(c, pull[1])));
+    force[1] = n_mul(left, n_fma(n_of(sine), pull[0], n_scale(c, pull[1])));
 }
