@@ -114,6 +114,8 @@ def test_a_clockwise_machine_is_the_mirror_image(path):
         "winding/direction": lambda a: a,
         "poincare/section": lambda a: a * np.tile(sign, 2),
     }.items():
+        if path.stem == "magnetic-drop" and name.startswith("winding/"):
+            continue  # before the drop its retainer goes up and down on a line, round nothing
         found, expected = np.asarray(theirs[name]), mirror(np.asarray(ours[name]))
         size = np.nanmax(np.abs(expected), initial=1e-300)
         assert np.allclose(found, expected, rtol=0, atol=1e-6 * size, equal_nan=True), name

@@ -1,0 +1,98 @@
+// Elements with states and laws of their own have the same bits in all instruction sets that fuse, and in all that do
+// not.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "whirl/case.h"
+#include "whirl/ensemble.h"
+
+static const char frame[] = "whirl: 1\n"
+                            "rotor:\n"
+                            "  speed: 9000 rpm\n"
+                            "  length_scale: 0.1 mm\n"
+                            "  stations:\n"
+                            "    rotor:  {mass: 10 kg, damping: 500 N.s/m, eccentricity: 40 um}\n"
+                            "    stator: {mass: 2 kg, damping: 3 kN.s/m}\n"
+                            "  elements:\n"
+                            "    - spring: {between: [stator, ground], stiffness: 8 MN/m}\n"
+                            "    - spring: {between: [rotor, ground], stiffness: 4 MN/m}\n"
+                            "    - gravity\n"
+                            "    - %s\n"
+                            "study: {response: {}}\n";
+
+#define STATOR "at: rotor, from: stator, gap: 60 um, stiffness: 3e9, radius: 40 mm, friction: 0.1"
+static const char *const elements[] = {
+    "magnetic: {at: rotor, from: stator, gap: 0.5 mm, bias: 3 A, turns: 120, area: 4 cm2, max_current: 5 A, "
+    "proportional: 2e4, integral: 1e5, derivative: 40, derivative_filter: 0.2 ms, numerator: [1, 60, 4e6], "
+    "denominator: [1, 900, 4e6], sensor_bandwidth: 4 kHz, amplifier_bandwidth: 2 kHz, fails_after: 2}",
+    "contact: {" STATOR ", law: hunt_crossley, loss: 0.5, friction_law: stribeck, static_friction: 0.2, "
+    "stribeck_speed: 0.1 m/s, arc: 200 deg, arc_middle: -1 rad}",
+    "contact: {" STATOR ", friction_law: lugre, static_friction: 0.2, stribeck_speed: 0.1 m/s, bristle_stiffness: 100, "
+    "bristle_damping: 0.01}",
+    "blade_rub: {at: rotor, from: stator, blades: 5, radius: 0.3 m, gap: 60 um, stiffness: 2e7, friction: 0.1, "
+    "extension: [20 um, 0 m, 0 m, 5 um, 0 m]}"};
+enum { ELEMENTS = sizeof elements / sizeof *elements, LANES = 5, REVOLUTIONS = 3, MOST = 64 };
+
+static void must(whirl_status status) {
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+}
+
+/// States of all lanes by one instruction set; false where the processor has it not.
+static bool carry(const char *isa, const char *method, const char *element, double *x) {
+    char text[2048];
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_case *object;
+    whirl_rotor *rotor;
+    whirl_ensemble *lanes;
+    snprintf(options.method, sizeof options.method, "%s", method);
+    snprintf(text, sizeof text, frame, element);
+    must(whirl_case_parse(text, strlen(text), "element", NULL, &object));
+    must(whirl_case_rotor(object, NULL, NAN, &rotor));
+    const whirl_system *system = whirl_rotor_system(rotor);
+    assert_true(system->dimension <= MOST);
+    setenv("WHIRL_ISA", isa, 1);
+    const bool present = whirl_ensemble_new(system, &options, LANES, &lanes).code == WHIRL_OK;
+    for (size_t i = 0; i < LANES && present; i++) {
+        const double start[MOST] = {0.1, -0.1 * (double)i, 0.0, -0.1};
+        must(whirl_ensemble_load(lanes, i, system, start));
+    }
+    for (int n = 0; n < REVOLUTIONS && present; n++) whirl_ensemble_revolve(lanes, LANES, NULL);
+    for (size_t i = 0; i < LANES && present; i++) whirl_ensemble_state(lanes, i, x + i * MOST);
+    if (present) whirl_ensemble_free(lanes);
+    whirl_rotor_free(rotor);
+    whirl_case_free(object);
+    return present;
+}
+
+static void the_same_bits(void **state) {
+    static const char *const sets[2][3] = {{"fma", "avx2", "avx512"}, {"scalar", "simd128", NULL}};
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    (void)state;
+    for (int e = 0; e < ELEMENTS; e++)
+        for (int m = 0; m < 3; m++)
+            for (int s = 0; s < 2; s++) {
+                static double first[LANES * MOST], x[LANES * MOST];
+                bool any = false;
+                for (int i = 0; i < 3 && sets[s][i]; i++) {
+                    if (!carry(sets[s][i], methods[m], elements[e], x)) continue;
+                    if (any && memcmp(first, x, sizeof x) != 0)
+                        fail_msg("%.12s by %s differs by %s", elements[e], methods[m], sets[s][i]);
+                    memcpy(first, x, sizeof x);
+                    any = true;
+                }
+            }
+    unsetenv("WHIRL_ISA");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_same_bits)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
