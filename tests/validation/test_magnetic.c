@@ -180,6 +180,38 @@ static void transfer_functions(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// Masses that couple both axes: S of the first is 1 + X, (M s^2 + k_i G - k_s) (X, Y) = -(k_i G, 0).
+static void coupled_masses(void **unused) {
+    (void)unused;
+    const double own = 12.0, cross = 4.0, start[8] = {0.0};
+    whirl_setting settings[MOST];
+    whirl_design *design;
+    whirl_rotor *rotor;
+    memcpy(settings, linear, sizeof linear);
+    settings[8] = (whirl_setting){"angle", 0.0, NULL};
+    require_ok(whirl_design_new(400.0, 1e-4, &design));
+    require_ok(whirl_design_station(design, "mass", (whirl_setting[]){{"mass", 10.0, NULL}}, 1));
+    require_ok(whirl_design_element(design, "magnetic", settings, 9));
+    const whirl_setting fluid[] = {{"at", 0.0, "mass"}, {"mxx", own - 10.0, NULL}, {"mxy", cross, NULL}};
+    require_ok(whirl_design_element(design, "bearing", fluid, 3));
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    whirl_modes *modes;
+    whirl_sensitivity_peak found;
+    require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
+    require_ok(whirl_loops_peak(whirl_rotor_system(rotor), modes, &found));
+    double peak = 0.0;
+    for (int k = 0; k <= 1000000; k++) {
+        const double complex p = I * pow(10.0, 1.0 + 4.0 * k / 1e6);
+        const double complex push = 200.0 * (2e4 + 1e5 / p + 40.0 * p / (1.0 + 2e-4 * p));
+        const double complex straight = own * p * p + push - 2e6, across = cross * p * p;
+        peak = fmax(peak, cabs(1.0 - push * straight / (straight * straight - across * across)));
+    }
+    check_within("magnetic-loop", "masses that couple both axes: peak sensitivity", peak, found.peak, 1e-7);
+    whirl_modes_free(modes);
+    whirl_rotor_free(rotor);
+}
+
 static double uniform(uint64_t *seed, double low, double high) {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;
     return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
@@ -335,7 +367,8 @@ static void dropping(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(forces),      cmocka_unit_test(poles),   cmocka_unit_test(transfer_functions),
-        cmocka_unit_test(derivatives), cmocka_unit_test(failing), cmocka_unit_test(dropping)};
+        cmocka_unit_test(forces),         cmocka_unit_test(poles),       cmocka_unit_test(transfer_functions),
+        cmocka_unit_test(coupled_masses), cmocka_unit_test(derivatives), cmocka_unit_test(failing),
+        cmocka_unit_test(dropping)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
