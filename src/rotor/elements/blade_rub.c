@@ -77,7 +77,8 @@ static whirl_status check_list(const key_value *values, int key) {
 }
 
 /// Blades that are all alike come round n times a revolution.
-static double rounds(const element *own) {
+static double rounds(const element *own, size_t state) {
+    (void)state;
     bool alike = true;
     for (int j = 1; j < own->law; j++)
         alike = alike && own->number[BLADE_LENGTHS + j] == own->number[BLADE_LENGTHS] &&
