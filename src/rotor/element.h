@@ -91,6 +91,7 @@ typedef struct whirl_element_type {
     bool spun;                             ///< its force goes with the speed of the shaft that it acts on
     bool kinked;                           ///< its force has kinks that no switch tells of
     const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
+    const struct whirl_element_type *variant; ///< what `build` may make of it, as out->type: other kernels and numbers
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.
     whirl_status (*inertia)(const key_value *values, assembly *to);

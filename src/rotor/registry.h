@@ -29,7 +29,8 @@
     X(roller_bearing)                                                                                                  \
     X(contact)                                                                                                         \
     X(magnetic)                                                                                                        \
-    X(blade_rub)
+    X(blade_rub)                                                                                                       \
+    X(floating_ring)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

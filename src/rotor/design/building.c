@@ -23,9 +23,15 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     return whirl_ok();
 }
 
+/// Of an element of a type, whatever its `build` makes of it.
+static size_t most_numbers(const element_type *type) {
+    const size_t other = type->variant ? type->variant->number_count : 0;
+    return type->number_count > other ? type->number_count : other;
+}
+
 static whirl_status begin(building *b, const whirl_design *design) {
     size_t numbers = 1;
-    for (size_t i = 0; i < design->element_count; i++) numbers += design->elements[i].type->number_count;
+    for (size_t i = 0; i < design->element_count; i++) numbers += most_numbers(design->elements[i].type);
     b->design = design;
     size_t culprit;
     whirl_status status = mesh_make(design, &b->mesh, &culprit);
@@ -176,7 +182,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
         if (status.code == WHIRL_OK) status = check_spin(b, &b->design->elements[i]);
         status = with_element(b, i, status);
         if (!type->kernels || own->lumped) continue;
-        b->number_count += type->number_count;
+        b->number_count += own->type->number_count;
         b->state_count += own->states;
         b->element_count++;
     }

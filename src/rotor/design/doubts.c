@@ -23,12 +23,13 @@ void doubt_clearance(const doubt_teller *to, double clearance, double radius) {
     if (radius > largest) doubt_value(to, "radius", "is %g m, and bearings have up to %g m", radius, largest);
 }
 
-void doubt_length(const doubt_teller *to, double length, double radius) {
+void doubt_length(const doubt_teller *to, double length, double radius, const char *instead) {
     // theory.md, "Oil film of a short journal bearing".
     const double share = length / (2.0 * radius), most = 0.5 * (1.0 + 1e-9);
     if (share > most)
         doubt_value(to, "length",
-                    "is %.3g times the diameter: the short law is for up to 0.5, its force is too large beyond", share);
+                    "is %.3g times the diameter: the short law is for up to 0.5, its force is too large beyond%s",
+                    share, instead);
 }
 
 void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, void *context) {

@@ -8,7 +8,8 @@
 /// and of a radius that none has.
 void doubt_clearance(const doubt_teller *to, double clearance, double radius);
 
-/// Of a film whose law leaves out the flow around it: of one that is longer than its radius.
-void doubt_length(const doubt_teller *to, double length, double radius);
+/// Of a film whose law leaves out the flow around it: of one that is longer than its radius. `instead` ends the
+/// sentence.
+void doubt_length(const doubt_teller *to, double length, double radius, const char *instead);
 
 #endif

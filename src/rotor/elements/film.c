@@ -1,13 +1,20 @@
-// The film of a short journal bearing: its pass over vectors, its keys and the numbers of its kernel.
-#include "block.h"
+// The film of a journal bearing: its pass over vectors where it is short and on the ground, its keys and the numbers of
+// its kernels. film_finite.c has the others' pass.
 #include "doubts.h"
+#include "film_flow.h"
+#include "film_ratio.h"
 #include "film_tangent.h"
 #include "oil.h"
 #include "registry.h"
 #include "whirl/rotor.h"
 
-/// What a film adds to vector k and its perturbations.
-static void finish(const element *own, const block *b, size_t k, const film_state *film) {
+/// Phases of a film that the ground holds.
+static inline void begin(const element *own, const block *b, size_t k, film_work *work, size_t at) {
+    const vec *number = numbers_of(b, own) + k;
+    film_begin(own, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, work, at);
+}
+
+static inline void finish(const element *own, const block *b, size_t k, const film_state *film) {
     const vec *number = numbers_of(b, own) + k, strength = number[FILM_STRENGTH * b->stride];
     tangent_block tangent;
     film_add(film, strength, &b->a[own->port[0] * b->stride + k], &b->a[own->port[1] * b->stride + k]);
@@ -16,25 +23,8 @@ static void finish(const element *own, const block *b, size_t k, const film_stat
     tangent_apply(&tangent, own, b, k);
 }
 
-/// Three vectors are in films at a time, one in each phase: the vectors of one film after those of the other.
 static void flow(const element *first, size_t count, const block *b) {
-    const element *begun = first, *ended = first;
-    const size_t all = count * b->vectors;
-    film_work work;
-    for (size_t i = 0, k = 0, last = 0; i < all + 2; i++) {
-        if (i < all) {
-            const vec *number = numbers_of(b, begun) + k;
-            film_begin(begun, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, &work,
-                       i % FILM_PLACES);
-            if (++k == b->vectors) begun++, k = 0;
-        }
-        if (i >= 1 && i <= all) film_divide(&work, (i - 1) % FILM_PLACES);
-        if (i < 2) continue;
-        const vec quarter = numbers_of(b, ended)[FILM_QUARTER * b->stride + last];
-        const film_state film = film_end(&work, (i - 2) % FILM_PLACES, quarter);
-        finish(ended, b, last, &film);
-        if (++last == b->vectors) ended++, last = 0;
-    }
+    film_flow(first, count, b, begin, finish);
 }
 
 const element_kernels ISA(film_kernels) = {.flow = flow};
@@ -42,13 +32,32 @@ const element_kernels ISA(film_kernels) = {.flow = flow};
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-enum { AT, COUNT, LAW, CLEARANCE, LOAD, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
+enum {
+    AT,
+    FROM,
+    COUNT,
+    LAW,
+    CLEARANCE,
+    LOAD,
+    VISCOSITY,
+    KINEMATIC,
+    DENSITY,
+    RADIUS,
+    LENGTH,
+    JOURNAL_RATIO,
+    HOUSING_RATIO,
+    KEY_COUNT
+};
+enum { CAPONE, SHORT, FINITE };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station of the journal"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; the ground where absent"),
     [COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings that carry this station"),
-    [LAW] = CITED_CHOICE_KEY("law", DEFAULT("capone"), "capone",
-                             "capone: short bearing, film over half the circumference", "Capone 1991"),
+    [LAW] = CITED_CHOICE_KEY("law", DEFAULT("capone"), "capone|short|finite",
+                             "capone, short: short bearing, film over half the circumference; finite: Reynolds' "
+                             "equation for L/D of .1 to 2, without negative pressures",
+                             "Capone 1991; Reynolds 1886"),
     [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
     [LOAD] = CITED_NUMBER_KEY("load", "F0", "N", OPTIONAL, WHIRL_NOT_NEGATIVE,
                               "scale F0 of the film force of one bearing, in place of viscosity, radius and length",
@@ -58,6 +67,10 @@ static const whirl_key keys[KEY_COUNT] = {
     [DENSITY] = OIL_DENSITY,
     [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the bearing"),
+    [JOURNAL_RATIO] = NUMBER_KEY("journal_ratio", "", "1", OPTIONAL, WHIRL_ANY,
+                                 "speed of the journal over that of the rotor; that of its shaft where absent, 1"),
+    [HOUSING_RATIO] = NUMBER_KEY("housing_ratio", "", "1", DEFAULT("0"), WHIRL_ANY,
+                                 "speed at which the housing turns, over that of the rotor"),
 };
 
 static oil oil_of(const key_value *values) {
@@ -81,28 +94,71 @@ static whirl_status load_scale(const key_value *values, double speed, double *lo
     return status;
 }
 
+/// The speed that draws oil in, that of the journal and the housing together, over the rotor's.
+static whirl_status wedge(const key_value *values, const assembly *to, double *speed) {
+    const double own = to->stations[values[AT].station[0]].ratio;
+    const double other = values[FROM].given ? to->stations[values[FROM].station[0]].ratio : 1.0;
+    if (other != 1.0 && !values[HOUSING_RATIO].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a housing on a shaft of another speed, expected its housing_ratio");
+    *speed = (values[JOURNAL_RATIO].given ? values[JOURNAL_RATIO].number : own) + values[HOUSING_RATIO].number;
+    if (*speed == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "draws no oil in, as its journal and housing turn against each other at one "
+                                           "speed, expected another ratio, or the element squeeze");
+    return whirl_ok();
+}
+
+/// What films of finite length, and those in housings that move, have besides.
+static void build_finite(const key_value *values, const assembly *to, element *out) {
+    double *number = out->number;
+    const double square = number[FILM_CLEARANCE_SQUARE], scale = assembly_force_scale(to, out->port[0]);
+    out->type = &film_finite_type;
+    for (int i = 0; i < 2; i++)
+        number[FILM_REACTION_X + i] =
+            out->port[2 + i] == NO_COORDINATE ? 0.0 : scale / assembly_force_scale(to, out->port[2 + i]);
+    number[FILM_OVER_CLEARANCE] = 1.0 / number[FILM_CLEARANCE];
+    number[FILM_OVER_FOLD] = 1.0 / (square * FILM_FOLD);
+    number[FILM_TURNS] = copysign(0.63661977236758134308, number[FILM_QUARTER]);
+    if (out->law != FILM_OF_FINITE_LENGTH) return;
+    number[FILM_LENGTH] = values[LENGTH].number / (2.0 * values[RADIUS].number);
+    film_coefficients(number[FILM_LENGTH], number + FILM_COEFFICIENT);
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    double load = 0.0;
+    double load = 0.0, speed = 1.0;
     whirl_status status = load_scale(values, to->speed, &load);
-    out->station = values[AT].station[0];
-    out->law = values[LAW].choice;
-    if (status.code == WHIRL_OK) status = assembly_find_plane(to, out->station, out->port);
+    out->law = values[LAW].choice == FINITE ? FILM_OF_FINITE_LENGTH : 0;
+    if (status.code == WHIRL_OK && out->law && values[LOAD].given)
+        status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");
+    if (status.code == WHIRL_OK) status = wedge(values, to, &speed);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;
+    const double strength = fabs(speed) * values[COUNT].number * load;
     out->number[FILM_CLEARANCE] = clearance;
     out->number[FILM_CLEARANCE_SQUARE] = square;
-    out->number[FILM_STRENGTH] =
-        FILM_STRENGTH_OF_1 * square * values[COUNT].number * load / assembly_force_scale(to, out->port[0]);
-    out->number[FILM_TWICE] = 2.0 / to->turn;
-    out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn);
+    out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);
+    out->number[FILM_TWICE] = 2.0 / (to->turn * speed);
+    out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn * speed);
+    // The structure of pair_kernel.h has films of this kernel, whose journals alone turn, with the rotor.
+    if (out->law || values[FROM].given || speed != 1.0) build_finite(values, to, out);
     return whirl_ok();
+}
+
+/// Beyond the table.
+static void doubt_ratio(const doubt_teller *to, double ratio) {
+    if (ratio < FILM_SHORTEST * (1.0 - 1e-9) || ratio > FILM_LONGEST * (1.0 + 1e-9))
+        doubt_value(to, keys[LENGTH].name, "is %.3g times the diameter: the law is for %g to %g", ratio, FILM_SHORTEST,
+                    FILM_LONGEST);
 }
 
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
     if (!values[RADIUS].given) return;
-    doubt_length(to, values[LENGTH].number, radius);
+    if (values[LAW].choice == FINITE)
+        doubt_ratio(to, values[LENGTH].number / (2.0 * radius));
+    else
+        doubt_length(to, values[LENGTH].number, radius, ", or use law: finite");
     doubt_clearance(to, clearance, radius);
     // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
     const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
@@ -128,9 +184,9 @@ void whirl_film_force(double x, double y, double vx, double vy, double force[2])
 KERNELS_OF_EVERY_ISA(film_kernels);
 
 const element_type film_element = {
-    .group = {"film", "the oil film of a short journal bearing", "Capone 1991", keys, KEY_COUNT, NULL, NULL},
-    .spun = true,
+    .group = {"film", "the oil film of a journal bearing", "Capone 1991; Reynolds 1886", keys, KEY_COUNT, NULL, NULL},
     .number_count = FILM_NUMBERS,
+    .variant = &film_finite_type,
     .kernels = kernels,
     .build = build,
     .carries = true,

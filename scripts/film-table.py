@@ -1,0 +1,164 @@
+#!/usr/bin/python3
+"""The coefficients of films of finite length:  scripts/film-table.py > src/rotor/elements/film_table.h
+
+The force of a closed film of finite length without negative pressures (Guembel's condition) is that of the short film
+times a complex ratio R, a function of p = e cos a and beta = atan(e sin a/sqrt(1 - e^2)), with the eccentricity ratio e
+and the direction a of (A, B) against the journal's, and of L/D (docs/theory.md). This finds R from Reynolds' equation
+and fits polynomials in p and b = 2 beta/pi to it by least squares, at Chebyshev places of s = r/(SHIFT + r), r = L/D,
+over which R (1 + r^2) is then a polynomial. Takes half a minute.
+"""
+
+import numpy as np
+from numpy.polynomial import chebyshev, legendre
+from scipy.linalg import eigh, solveh_banded
+
+LEAST, MOST, SHIFT, PLACES = 0.1, 2.0, 0.6, 11  # of L/D
+IN_P, IN_B = 18, 16  # degrees: of p^i b^j those with i/IN_P + j/IN_B <= 1
+# Weights of relative errors at eccentricity ratios, by straight lines of their logarithms over sqrt(1 - e^2).
+WEIGHTS = {0.0: 1.0, 0.9: 1.0, 0.95: 0.3, 0.97: 0.03, 0.987: 0.003}
+
+
+def axial_modes(count, points):
+    """Shapes of the pressure along z = -1 to 1 with which its equation falls apart: eigenvalues, loads, values."""
+    z, weight = legendre.leggauss(points)
+    series = np.zeros((count, 2 * count + 1))
+    for n in range(count):
+        series[n, 2 * n], series[n, 2 * n + 2] = -1.0, 1.0
+    shape, slope = legendre.legval(z, series.T), legendre.legval(z, legendre.legder(series.T))
+    value, vector = eigh((slope * weight) @ slope.T, (shape * weight) @ shape.T)
+    half = points // 2  # the other half is its mirror image
+    return value, vector.T @ (shape @ weight), (vector.T @ shape)[:, half:], 2.0 * weight[half:]
+
+
+def pressures(e, length, modes, terms):
+    """Fourier coefficients [z, n] of the pressure by A, sines, and by B, cosines, of a journal at (e, 0):
+    (h^3 P')' + (1/length)^2 h^3 P'' = A sin t - B cos t, h = 1 - e cos t, by Galerkin's method."""
+    value, load, shape, _ = modes
+    n = np.arange(terms + 1)
+    cube = np.array([1.0 + 1.5 * e**2, -1.5 * e - 0.375 * e**3, 0.75 * e**2, -0.125 * e**3])  # of exp(i n t)
+    sines, cosines = (np.zeros((shape.shape[1], terms + 1)) for _ in range(2))
+    for k in range(len(value)):
+        for by, parity in ((sines, -1.0), (cosines, 1.0)):
+            bands = np.zeros((4, terms + 1))
+            for d in range(4):
+                a, b = n[d:], n[: terms + 1 - d]
+                both = np.where(a + b < 4, cube[np.minimum(a + b, 3)], 0.0)
+                bands[d, : terms + 1 - d] = (
+                    a * b * (cube[d] - parity * both) + value[k] / length**2 * (cube[d] + parity * both)
+                )
+            first = 1 if parity < 0.0 else 0
+            right = np.zeros(terms + 1 - first)
+            right[1 - first] = parity * load[k]
+            by[:, first:] += np.outer(shape[k], solveh_banded(bands[:, first:], right, lower=True))
+    return sines, cosines
+
+
+def finite_force(e, length, angles, axial=10):
+    """f_x + i f_y of a journal at (e, 0) for (A, B) = (cos a, sin a), in mu omega R L (R/c)^2. The zeros of the pressure
+    at every z bound what counts, whose integral is that of its Fourier series."""
+    modes = axial_modes(axial, 2 * axial)
+    terms = int(max(48, 30.0 / np.sqrt(1.0 - e**2)))
+    sines, cosines = pressures(e, length, modes, terms)
+    n, grid = np.arange(terms + 1), 4 * terms
+    spectrum = np.zeros((2, len(sines), grid // 2 + 1), complex)
+    spectrum[0, :, : terms + 1], spectrum[1, :, : terms + 1] = -0.5j * grid * sines, 0.5 * grid * cosines
+    spectrum[1, :, 0] *= 2.0
+    by_a, by_b = np.fft.irfft(spectrum, n=grid, axis=2)
+    A, B = np.cos(angles), np.sin(angles)
+    pressure = A[:, None, None] * by_a + B[:, None, None] * by_b
+    above = pressure > 0.0
+    i, z, j = np.nonzero(above != np.roll(above, -1, axis=2))
+    left, right = pressure[i, z, j], pressure[i, z, (j + 1) % grid]
+    t = 2.0 * np.pi / grid * (j + left / (left - right))
+    half = 0.5 * (B[i, None] * cosines[z] - 1j * A[i, None] * sines[z])  # of exp(i n t), with its conjugate
+    for _ in range(3):
+        wave = half * np.exp(1j * np.outer(t, n))
+        t -= wave.real.sum(1) / (1j * n * wave).real.sum(1)
+    once, wave = np.exp(1j * t)[:, None], np.exp(1j * np.outer(t, n))
+    down = np.where(n == 1, 0.0, 1j * (1 - n) + (n == 1))
+    integral = (half * wave * once / (1j * (n + 1))).sum(1) + t * np.conj(half[:, 1])
+    integral += (np.conj(half[:, n != 1]) * (np.conj(wave) * once)[:, n != 1] / down[n != 1]).sum(1)
+    total = np.zeros(len(angles), complex)
+    np.add.at(total, i, np.where(left > 0.0, 1.0, -1.0) * integral * modes[3][z])
+    around = 0.5 * (B[:, None] * cosines[None, :, 1] + 1j * A[:, None] * sines[None, :, 1])
+    return -3.0 * (total + (above[:, :, 0] * 2.0 * np.pi * around * modes[3]).sum(1))
+
+
+def short_force(e, angles):
+    """That of the short film in (L/D)^2 of that unit (Capone 1991; src/rotor/elements/film_kernel.h)."""
+    A, B, q = np.cos(angles), np.sin(angles), 1.0 - e**2
+    P, U, W = e * B, e * A, np.sqrt(q)
+    angle, E = 0.5 * np.pi + np.arctan2(P, W), U * W / (W**2 + P**2)
+    M = 3.0 * (W + P * angle) / q
+    return -2.0 / q**1.5 * (e * M + B * angle - A * E - 1j * (A * angle + B * E))
+
+
+def powers(parity):
+    """(i, j) of p^i b^j, the even ones of p or the odd ones, in the order of the table."""
+    return [(i, j) for i in range(parity, IN_P + 1, 2) for j in range(IN_B * (IN_P - i) // IN_P + 1)]
+
+
+def polynomials(p, b, parity):
+    in_p, in_b = chebyshev.chebvander(p, IN_P), chebyshev.chebvander(b, IN_B)
+    return np.array([in_p[:, i] * in_b[:, j] for i, j in powers(parity)]).T
+
+
+def monomials(parity, coefficients):
+    """Those of T_i(p) T_j(b) as those of p^i b^j."""
+    square = np.zeros((IN_P + 1, IN_B + 1, coefficients.shape[1]))
+    for (i, j), row in zip(powers(parity), coefficients):
+        p, b = chebyshev.cheb2poly(np.eye(i + 1)[i]), chebyshev.cheb2poly(np.eye(j + 1)[j])
+        square[: i + 1, : j + 1] += p[:, None, None] * b[None, :, None] * row
+    return np.array([square[i, j] for i, j in powers(parity)])
+
+
+def fit():
+    """[coefficient, Chebyshev term over s] of the real part, then of the imaginary one."""
+    end = list(WEIGHTS)[-1]
+    radii = end * np.sin(0.5 * np.pi * (np.arange(34) + 0.5) / 34)
+    angles = np.pi * ((np.arange(32) + 0.5) / 32 - 0.5)  # the other half is its mirror image
+    e, a = (m.ravel() for m in np.meshgrid(radii, angles, indexing="ij"))
+    knots = [np.sqrt(1.0 - np.array(list(WEIGHTS)[::-1]) ** 2), np.log(list(WEIGHTS.values())[::-1])]
+    weight = np.exp(np.interp(np.sqrt(1.0 - e**2), *knots))
+    p, b = e * np.cos(a), np.arctan(e * np.sin(a) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi
+    ends = [r / (SHIFT + r) for r in (LEAST, MOST)]
+    x = np.cos(np.pi * (np.arange(PLACES) + 0.5) / PLACES)
+    s = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * x
+    found = [[], []]
+    for r in SHIFT * s / (1.0 - s):
+        ratio = np.concatenate([finite_force(one, r, angles) / short_force(one, angles) for one in radii]) / r**2
+        own = weight / np.abs(ratio)
+        for parity, part in ((0, ratio.real), (1, ratio.imag)):
+            basis = polynomials(p, b, parity) * own[:, None]
+            found[parity].append(np.linalg.lstsq(basis, part * own, rcond=1e-12)[0] * (1.0 + r**2))
+    terms = np.linalg.inv(chebyshev.chebvander(x, PLACES - 1))
+    return [monomials(parity, (terms @ np.array(found[parity])).T) for parity in (0, 1)]
+
+
+def main():
+    parts = fit()
+    count = sum(len(part) for part in parts)
+    print(
+        f"""/// What films of finite length have over short ones (film_ratio.h), written by scripts/film-table.py.
+#ifndef ROTOR_FILM_TABLE_H
+#define ROTOR_FILM_TABLE_H
+
+/// L/D from which to which it goes; of s = r/(FILM_SHIFT + r), r = L/D, the coefficients are Chebyshev series.
+#define FILM_SHORTEST {LEAST}
+#define FILM_LONGEST {MOST}
+#define FILM_SHIFT {SHIFT}
+
+/// Degrees in p and b; how many coefficients there are; the terms of their series over s.
+enum {{ FILM_IN_P = {IN_P}, FILM_IN_B = {IN_B}, FILM_COEFFICIENTS = {count}, FILM_TERMS = {PLACES} }};
+
+/// 1 + r^2 times the coefficients of p^i b^j, i/FILM_IN_P + j/FILM_IN_B <= 1, j innermost: i even, of the real part,
+/// then i odd, of the imaginary one.
+static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {{"""
+    )
+    for row in np.concatenate(parts):
+        print("    {" + ", ".join(f"{value:.12g}" for value in row) + "},")
+    print("};\n\n#endif")
+
+
+if __name__ == "__main__":
+    main()
