@@ -92,6 +92,23 @@ whirl_rotor *chain_rotor(size_t stations, double r_k) {
     return built(design);
 }
 
+whirl_rotor *films_rotor(const char *law, double length) {
+    enum { FILMS = 10 };
+    const whirl_setting mass = {"mass", 20, 0}, gravity = {"acceleration", 9.81, 0};
+    whirl_design *design;
+    must(whirl_design_new(100.0, 1e-4, &design));
+    for (size_t s = 0; s < FILMS; s++) {
+        char name[24];
+        snprintf(name, sizeof name, "s%zu", s);
+        const whirl_setting film[] = {{"at", 0, name},        {"law", 0, law},      {"clearance", 1e-4, 0},
+                                      {"viscosity", 0.02, 0}, {"radius", 0.025, 0}, {"length", length, 0}};
+        must(whirl_design_station(design, name, &mass, 1));
+        if (law) must(whirl_design_element(design, "film", film, 6));
+    }
+    must(whirl_design_element(design, "gravity", &gravity, 1));
+    return built(design);
+}
+
 /// The shaft of overhung.h with its disc, out of balance, between three stations: left, right, disc.
 static whirl_design *overhung_shaft(double speed) {
     static const struct piece {

@@ -1,7 +1,9 @@
 // whirl's own kernels, through the public library: the ensemble of the instruction set that WHIRL_ISA names, bare and
 // watched, of the paper's two stations, of ten and of fifty; and the integrator of single machines.
 //
-//   bench_whirl_kernels SECONDS [KIND...]      kinds: integrator bare watched ten fifty; all without
+//   bench_whirl_kernels SECONDS [KIND...]      kinds: integrator bare watched ten fifty films; all without
+//
+// films: ten journals without films, in short ones, in ones of finite length, and of a length that differs by the lane.
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -95,6 +97,45 @@ static void measure_integrator(double seconds) {
     single_free(&s);
 }
 
+static whirl_rotor *unsupported(size_t stations, int lane, int lanes) {
+    (void)stations, (void)lane, (void)lanes;
+    return films_rotor(NULL, 0.025);
+}
+
+static whirl_rotor *in_short_films(size_t stations, int lane, int lanes) {
+    (void)stations, (void)lane, (void)lanes;
+    return films_rotor("short", 0.025);
+}
+
+static whirl_rotor *in_finite_films(size_t stations, int lane, int lanes) {
+    (void)stations, (void)lane, (void)lanes;
+    return films_rotor("finite", 0.025);
+}
+
+static whirl_rotor *in_different_films(size_t stations, int lane, int lanes) {
+    (void)stations;
+    return films_rotor("finite", 0.025 + 0.01 * lane / lanes);
+}
+
+static void measure_films(double seconds) {
+    enum { FILMS = 10 };
+    static const struct {
+        const char *name;
+        whirl_rotor *(*rotor)(size_t stations, int lane, int lanes);
+    } kinds[] = {{"none", unsupported},
+                 {"short", in_short_films},
+                 {"finite", in_finite_films},
+                 {"finite, of all lengths", in_different_films}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        char name[64];
+        const crowd_kind kind = {FILMS, whirl_integrate_default(), kinds[i].rotor, start_of};
+        crowd *c = crowd_new(&kind, false);
+        snprintf(name, sizeof name, "whirl %s films: %s", whirl_ensemble_isa(c->ensemble), kinds[i].name);
+        peer_measure(&(peer){name, c->lanes, crowd_revolve, crowd_x1, c}, seconds);
+        crowd_free(c);
+    }
+}
+
 static bool wanted(int argc, char **argv, const char *kind) {
     for (int i = 2; i < argc; i++)
         if (strcmp(argv[i], kind) == 0) return true;
@@ -108,5 +149,6 @@ int main(int argc, char **argv) {
     if (wanted(argc, argv, "watched")) measure_crowd("watched", 2, true, seconds);
     if (wanted(argc, argv, "ten")) measure_crowd("ten", 10, false, seconds);
     if (wanted(argc, argv, "fifty")) measure_crowd("fifty", 50, false, seconds);
+    if (wanted(argc, argv, "films")) measure_films(seconds);
     return 0;
 }

@@ -15,12 +15,14 @@
 #define VECTOR_INLINE static inline __attribute__((always_inline))
 
 /// A loop of a constant number of rounds, at most eight, that is written out, so that arrays of vectors become
-/// registers.
+/// registers; before a loop of at most 32.
 #if defined(__clang__)
 #define VECTOR_FOR(i, rounds) _Pragma("unroll") for (size_t i = 0; i < (rounds); i++)
+#define VECTOR_WHOLE _Pragma("unroll")
 #define VECTOR_BY_TWO _Pragma("unroll 2")
 #else
 #define VECTOR_FOR(i, rounds) _Pragma("GCC unroll 8") for (size_t i = 0; i < (rounds); i++)
+#define VECTOR_WHOLE _Pragma("GCC unroll 32")
 #define VECTOR_BY_TWO _Pragma("GCC unroll 2")
 #endif
 

@@ -149,19 +149,28 @@ static whirl_status check_spin(const building *b, const design_element *own) {
     return whirl_ok();
 }
 
-/// A spring in the place of a bearing; nothing in that of other replaced ones.
-static whirl_status add_replaced(building *b, const design_element *own) {
-    const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
+/// Where bearings hold, both places are held; but not two shafts that turn in each other.
+static whirl_status add_springs(building *b, const key_value *at, const key_value *from, double stiffness) {
     element place = {.type = NULL};
-    if (!on_springs(b->design) || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
-    const whirl_status status = element_in_housing(at, from ? from : &nowhere, &b->assembly, &place);
-    const bool between = from && from->given && b->assembly.stations[from->station[0]].shaft != NO_SHAFT;
+    const whirl_status status = element_in_housing(at, from, &b->assembly, &place);
+    const bool between = from->given && b->assembly.stations[from->station[0]].shaft != NO_SHAFT;
     const bool held = b->design->bearings == WHIRL_BEARINGS_HELD && !between;
     for (size_t i = 0; i < 2 && status.code == WHIRL_OK; i++) {
-        assembly_spring(&b->assembly, place.port[i], held ? NO_COORDINATE : place.port[2 + i], b->design->stiffness);
-        if (held) assembly_spring(&b->assembly, place.port[2 + i], NO_COORDINATE, b->design->stiffness);
+        assembly_spring(&b->assembly, place.port[i], held ? NO_COORDINATE : place.port[2 + i], stiffness);
+        if (held) assembly_spring(&b->assembly, place.port[2 + i], NO_COORDINATE, stiffness);
     }
     return status;
+}
+
+/// A spring in the place of a bearing, two in series where a ring floats in it; nothing in that of other replaced ones.
+static whirl_status add_replaced(building *b, const design_element *own) {
+    const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
+    const key_value *const ring = building_value(own, "ring"), *const house = from ? from : &nowhere;
+    const double stiffness = b->design->stiffness;
+    if (!on_springs(b->design) || role_of(own) != ROLE_BEARING || !at) return whirl_ok();
+    if (!ring) return add_springs(b, at, house, stiffness);
+    const whirl_status status = add_springs(b, at, ring, 2.0 * stiffness);
+    return status.code == WHIRL_OK ? add_springs(b, ring, house, 2.0 * stiffness) : status;
 }
 
 /// Builds the elements of one type, in the order of the design.

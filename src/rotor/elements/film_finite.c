@@ -5,6 +5,8 @@
 #include "film_tangent.h"
 #include "registry.h"
 
+#include <stdio.h>
+
 VECTOR_INLINE vec apart(const element *own, const vec *row, size_t stride, size_t i) {
     const vec here = row[own->port[i] * stride];
     return own->port[2 + i] == NO_COORDINATE ? here : v_sub(here, row[own->port[2 + i] * stride]);
@@ -165,6 +167,17 @@ static double bearing_clearance(const element *own) {
     return own->port[2] == NO_COORDINATE ? own->number[FILM_CLEARANCE] : 0.0;
 }
 
+static void note(const element *own, double length, double clock, char *text, size_t size) {
+    (void)length, (void)clock;
+    const double length = own->number[FILM_LENGTH];
+    size_t next = 0;
+    if (own->law != FILM_OF_FINITE_LENGTH || length < FILM_SHORTEST || length > FILM_LONGEST) return;
+    while (next + 1 < FILM_TRIED && film_errors[next][0] < length) next++;
+    const double *const more = film_errors[next], *const less = film_errors[next > 0 ? next - 1 : 0];
+    snprintf(text, size, "L/D %.3g: the force errs by up to %.1g of itself to an eccentricity ratio of .9, %.1g to .95",
+             length, fmax(more[1], less[1]), fmax(more[2], less[2]));
+}
+
 KERNELS_OF_EVERY_ISA(film_finite_kernels);
 
 const element_type film_finite_type = {
@@ -173,5 +186,6 @@ const element_type film_finite_type = {
     .number_count = FILM_ALL_NUMBERS,
     .kernels = kernels,
     .bearing_clearance = bearing_clearance,
+    .note = note,
 };
 #endif

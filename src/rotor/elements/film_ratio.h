@@ -51,52 +51,57 @@ VECTOR_INLINE vec film_coefficient(const film_series *of, size_t n) {
     return of->all ? v_set(of->all[n]) : of->lanes[n * of->stride];
 }
 
-/// Powers of b at p^m.
+/// Rows of powers of b, by the powers m of p; the length of one, and where it begins among the coefficients.
+enum { FILM_ROWS = FILM_IN_P + 1 };
 #define FILM_POWERS(m) (FILM_IN_B * (FILM_IN_P - (m)) / FILM_IN_P + 1)
 
-/// R and I, and where `slopes` says so their derivatives by p and b.
+VECTOR_INLINE size_t film_row(int m) {
+    size_t first = 0;
+    VECTOR_WHOLE for (int i = 0; i < FILM_ROWS; i++) if (i % 2 < m % 2 || (i % 2 == m % 2 && i < m)) first +=
+        FILM_POWERS(i);
+    return first;
+}
+
+/// R and I, and their derivatives by p and b where these are asked for.
 typedef struct film_ratio {
     vec real, imaginary, real_p, imaginary_p, real_b, imaginary_b;
 } film_ratio;
 
-/// One of both as a polynomial in u = p^2: sum, derivatives by u and b.
-VECTOR_INLINE void film_part(const film_series *of, size_t first, int odd, vec u, vec b, bool slopes, vec *sum,
-                             vec *by_u, vec *by_b) {
-    vec s = v_set(0.0), s_u = s, s_b = s;
-    size_t end = first;
-    for (int m = odd; m <= FILM_IN_P; m += 2) end += FILM_POWERS(m);
-    for (int m = FILM_IN_P - (FILM_IN_P + odd) % 2; m >= 0; m -= 2) {
-        const int count = FILM_POWERS(m);
-        const size_t row = end - (size_t)count;
-        vec c = film_coefficient(of, end - 1), slope = v_set(0.0);
-        for (size_t n = end - 1; n-- > row;) {
-            if (slopes) slope = v_fma(slope, b, c);
-            c = v_fma(c, b, film_coefficient(of, n));
-        }
-        if (slopes) {
-            s_u = v_fma(s_u, u, s);
-            s_b = v_fma(s_b, u, slope);
-        }
-        s = v_fma(s, u, c);
-        end = row;
+/// A polynomial in u of every other row from `first` on: its value, and its derivative where `slope` is not NULL.
+VECTOR_INLINE vec film_sum(const vec row[FILM_ROWS], int first, vec u, vec *slope) {
+    vec s = v_set(0.0), by_u = s;
+    VECTOR_WHOLE for (int m = FILM_ROWS - 1; m >= 0; m--) {
+        if (m % 2 != first) continue;
+        by_u = v_fma(by_u, u, s);
+        s = v_fma(s, u, row[m]);
     }
-    *sum = s, *by_u = s_u, *by_b = s_b;
+    if (slope) *slope = by_u;
+    return s;
 }
 
+/// All rows go side by side, so that no multiply-add waits for the one before it.
 VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool slopes) {
-    size_t even = 0;
-    for (int m = 0; m <= FILM_IN_P; m += 2) even += FILM_POWERS(m);
+    vec row[FILM_ROWS], by_b[FILM_ROWS];
+    VECTOR_WHOLE for (int m = 0; m < FILM_ROWS; m++) row[m] = by_b[m] = v_set(0.0);
+    VECTOR_WHOLE for (int j = FILM_IN_B; j >= 0; j--) {
+        VECTOR_WHOLE for (int m = 0; m < FILM_ROWS; m++) {
+            if (j >= FILM_POWERS(m)) continue;
+            const vec c = film_coefficient(of, film_row(m) + (size_t)j);
+            if (slopes) by_b[m] = v_fma(by_b[m], b, row[m]);
+            row[m] = j == FILM_POWERS(m) - 1 ? c : v_fma(row[m], b, c);
+        }
+    }
     const vec u = v_mul(p, p);
     film_ratio r;
-    vec by_u, odd, odd_u, odd_b;
-    film_part(of, 0, 0, u, b, slopes, &r.real, &by_u, &r.real_b);
-    film_part(of, even, 1, u, b, slopes, &odd, &odd_u, &odd_b);
+    vec by_u, odd_u, odd = film_sum(row, 1, u, slopes ? &odd_u : NULL);
+    r.real = film_sum(row, 0, u, slopes ? &by_u : NULL);
     r.imaginary = v_mul(p, odd);
     if (!slopes) return r;
     const vec twice = v_add(p, p);
     r.real_p = v_mul(twice, by_u);
     r.imaginary_p = v_fma(v_mul(twice, p), odd_u, odd);
-    r.imaginary_b = v_mul(p, odd_b);
+    r.real_b = film_sum(by_b, 0, u, NULL);
+    r.imaginary_b = v_mul(p, film_sum(by_b, 1, u, NULL));
     return r;
 }
 

@@ -46,6 +46,13 @@ static void check(const example *of) {
             "length", l, NULL                                                                                          \
         }                                                                                                              \
     }
+#define FINITE(l)                                                                                                      \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"law", 0, "finite"}, {"clearance", 5e-5, NULL}, {"viscosity", 0.02, NULL},                  \
+            {"radius", 0.025, NULL}, {                                                                                 \
+            "length", l, NULL                                                                                          \
+        }                                                                                                              \
+    }
 #define DAMPER(law, l)                                                                                                 \
     {                                                                                                                  \
         {"at", 0, "disc"}, {"law", 0, law}, {"clearance", 1e-4, NULL}, {"viscosity", 0.02, NULL},                      \
@@ -131,6 +138,9 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
         {"film", FILM(0.07, 35.0, 1.0), "radius"},           // ... of all but the clearance
         {"film", FILM(5e-5, 35.0, 1.0), "clearance radius"},
         {"film", FILM(1e-3, 0.025, 0.2), "length clearance"},
+        {"film", FINITE(0.1), ""},
+        {"film", FINITE(0.0049), "length"},
+        {"film", FINITE(0.11), "length"},
         {"squeeze", DAMPER("short", 0.05), ""},
         {"squeeze", DAMPER("short", 0.06), "length"},
         {"squeeze", DAMPER("long", 0.2), ""}, // sealed ends
