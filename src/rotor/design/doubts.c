@@ -15,19 +15,19 @@ void doubt_value(const doubt_teller *to, const char *key, const char *format, ..
     to->tell(to->context, to->element, key, sentence);
 }
 
-void doubt_clearance(const doubt_teller *to, double clearance, double radius) {
+void doubt_clearance(const doubt_teller *to, const char *key, double clearance, double radius) {
     // Bearings and dampers have 5e-4 to 5e-3 (San Andres 2010); a unit that is mistaken is off by 1000.
     const double share = clearance / radius, least = 1e-4, most = 1e-2, largest = 10.0;
     if (share < least || share > most)
-        doubt_value(to, "clearance", "is %.3g times the radius, and films have %g to %g times", share, least, most);
+        doubt_value(to, key, "is %.3g times the radius, and films have %g to %g times", share, least, most);
     if (radius > largest) doubt_value(to, "radius", "is %g m, and bearings have up to %g m", radius, largest);
 }
 
-void doubt_length(const doubt_teller *to, double length, double radius, const char *instead) {
+void doubt_length(const doubt_teller *to, const char *key, double length, double radius, const char *instead) {
     // theory.md, "Oil film of a short journal bearing".
     const double share = length / (2.0 * radius), most = 0.5 * (1.0 + 1e-9);
     if (share > most)
-        doubt_value(to, "length",
+        doubt_value(to, key,
                     "is %.3g times the diameter: the short law is for up to 0.5, its force is too large beyond%s",
                     share, instead);
 }

@@ -158,8 +158,8 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     if (values[LAW].choice == FINITE)
         doubt_ratio(to, values[LENGTH].number / (2.0 * radius));
     else
-        doubt_length(to, values[LENGTH].number, radius, ", or use law: finite");
-    doubt_clearance(to, clearance, radius);
+        doubt_length(to, keys[LENGTH].name, values[LENGTH].number, radius, ", or use law: finite");
+    doubt_clearance(to, keys[CLEARANCE].name, clearance, radius);
     // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
     const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
     if (reynolds > most)

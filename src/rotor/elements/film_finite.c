@@ -167,8 +167,8 @@ static double bearing_clearance(const element *own) {
     return own->port[2] == NO_COORDINATE ? own->number[FILM_CLEARANCE] : 0.0;
 }
 
-static void note(const element *own, double length, double clock, char *text, size_t size) {
-    (void)length, (void)clock;
+static void note(const element *own, double scale, double clock, char *text, size_t size) {
+    (void)scale, (void)clock;
     const double length = own->number[FILM_LENGTH];
     size_t next = 0;
     if (own->law != FILM_OF_FINITE_LENGTH || length < FILM_SHORTEST || length > FILM_LONGEST) return;

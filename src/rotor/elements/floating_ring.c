@@ -109,9 +109,8 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     (void)speed;
     for (int outer = 0; outer < 2; outer++) {
         const ring_side side = side_of(values, outer);
-        const doubt_teller *const by = to;
-        doubt_length(by, side.length, side.radius, "");
-        doubt_clearance(by, side.clearance, side.radius);
+        doubt_length(to, keys[outer ? OUTER_LENGTH : LENGTH].name, side.length, side.radius, "");
+        doubt_clearance(to, keys[outer ? OUTER_CLEARANCE : CLEARANCE].name, side.clearance, side.radius);
     }
 }
 

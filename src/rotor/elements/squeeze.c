@@ -70,8 +70,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010
-    if (values[LAW].choice == 0) doubt_length(to, values[LENGTH].number, values[RADIUS].number, "");
-    doubt_clearance(to, values[CLEARANCE].number, values[RADIUS].number);
+    if (values[LAW].choice == 0) doubt_length(to, keys[LENGTH].name, values[LENGTH].number, values[RADIUS].number, "");
+    doubt_clearance(to, keys[CLEARANCE].name, values[CLEARANCE].number, values[RADIUS].number);
     if (reynolds > most)
         doubt_value(
             to, keys[DENSITY].name,

@@ -33,6 +33,7 @@ static void check(const example *of) {
     while (count < MOST && of->values[count].key) count++;
     assert_int_equal(whirl_design_new(300.0, 1e-4, &design).code, WHIRL_OK);
     assert_int_equal(whirl_design_station(design, "disc", &mass, 1).code, WHIRL_OK);
+    assert_int_equal(whirl_design_station(design, "ring", &mass, 1).code, WHIRL_OK);
     const whirl_status added = whirl_design_element(design, of->kind, of->values, count);
     if (added.code != WHIRL_OK) fail_msg("%s", added.message);
     whirl_design_doubts(design, note, doubted);
@@ -48,7 +49,7 @@ static void check(const example *of) {
     }
 #define FINITE(l)                                                                                                      \
     {                                                                                                                  \
-        {"at", 0, "disc"}, {"law", 0, "finite"}, {"clearance", 5e-5, NULL}, {"viscosity", 0.02, NULL},                  \
+        {"at", 0, "disc"}, {"law", 0, "finite"}, {"clearance", 5e-5, NULL}, {"viscosity", 0.02, NULL},                 \
             {"radius", 0.025, NULL}, {                                                                                 \
             "length", l, NULL                                                                                          \
         }                                                                                                              \
@@ -58,6 +59,14 @@ static void check(const example *of) {
         {"at", 0, "disc"}, {"law", 0, law}, {"clearance", 1e-4, NULL}, {"viscosity", 0.02, NULL},                      \
             {"radius", 0.05, NULL}, {                                                                                  \
             "length", l, NULL                                                                                          \
+        }                                                                                                              \
+    }
+#define RING(l)                                                                                                        \
+    {                                                                                                                  \
+        {"at", 0, "disc"}, {"ring", 0, "ring"}, {"inertia", 4e-7, NULL}, {"viscosity", 0.02, NULL},                    \
+            {"clearance", 2e-5, NULL}, {"radius", 0.005, NULL}, {"length", 0.005, NULL},                               \
+            {"outer_clearance", 4e-5, NULL}, {"outer_radius", 0.008, NULL}, {                                          \
+            "outer_length", l, NULL                                                                                    \
         }                                                                                                              \
     }
 #define SEAL(r, n, b)                                                                                                  \
@@ -141,6 +150,8 @@ static void every_element_doubts_what_it_is_not_for(void **unused) {
         {"film", FINITE(0.1), ""},
         {"film", FINITE(0.0049), "length"},
         {"film", FINITE(0.11), "length"},
+        {"floating_ring", RING(0.008), ""},
+        {"floating_ring", RING(0.009), "outer_length"},
         {"squeeze", DAMPER("short", 0.05), ""},
         {"squeeze", DAMPER("short", 0.06), "length"},
         {"squeeze", DAMPER("long", 0.2), ""}, // sealed ends
