@@ -213,7 +213,8 @@ static void test_fused_and_unfused_agree(void **state) {
 
 // ---------------------------------------------------------------- against the integrator that runs alone
 
-/// A chain of `count` stations on shafts, every third one in a film, every fourth with a rub that follows the slip.
+/// A chain of `count` stations on shafts, every third one in a film, every other of these of finite
+/// length, every fourth with a rub that follows the slip.
 static whirl_rotor *long_rotor(size_t count) {
     char name[32], pair[64];
     whirl_design *design;
@@ -228,7 +229,10 @@ static whirl_rotor *long_rotor(size_t count) {
         const whirl_setting rub[] = {{"at", 0, name},       {"gap", 0.02, 0},   {"stiffness", 3, 0},
                                      {"friction", 0.2, 0},  {"law", 0, "slip"}, {"radius", 0.05, 0},
                                      {"slip_speed", 0.1, 0}};
-        if (i % 3 == 0) must(whirl_design_element(design, "film", film, 3));
+        const whirl_setting finite[] = {{"at", 0, name},  {"clearance", 2, 0}, {"law", 0, "finite"},
+                                        {"radius", 1, 0}, {"length", 1.5, 0},  {"viscosity", 1.5, 0}};
+        if (i % 6 == 0) must(whirl_design_element(design, "film", film, 3));
+        if (i % 6 == 3) must(whirl_design_element(design, "film", finite, 6));
         if (i % 4 == 0) must(whirl_design_element(design, "rub", rub, 7));
         if (i == 0) continue;
         snprintf(pair, sizeof pair, "s%zu, s%zu", i - 1, i);
