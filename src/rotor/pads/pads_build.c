@@ -116,7 +116,7 @@ void pads_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double radius = values[PADS_RADIUS].number, clearance = values[PADS_CLEARANCE].number;
     const double ratio = values[PADS_LENGTH].number / (2.0 * radius);
-    doubt_clearance(to, clearance, radius);
+    doubt_clearance(to, "clearance", clearance, radius);
     if (ratio < 0.1 || ratio > 2.0)
         doubt_value(to, "length", "is %.3g times the diameter, and bearings of pads have 0.1 to 2 times", ratio);
     // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
