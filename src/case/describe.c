@@ -95,16 +95,21 @@ static whirl_status describe_axes(const case_content *content, const whirl_batch
     return whirl_result_add_fact(result, name, text);
 }
 
-/// At which values a batch has the parameters of its condition: "unbalance_minimum with" "clearance = 9e-05 m".
+/// At which values a batch has the parameters of its condition, in the units in which the case writes them:
+/// "unbalance_minimum with" "clearance = 90 um".
 static whirl_status describe_given(const case_content *content, const whirl_batch *batch, whirl_result *result) {
     char name[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE] = "";
     if (batch->given_count == 0) return whirl_ok();
     snprintf(name, sizeof name, "%s with", batch->name);
     for (size_t i = 0; i < batch->given_count; i++) {
         const size_t used = strlen(text);
-        const char *unit = known_unit(content, parameters_find(&content->parameters, batch->given[i].name));
+        const size_t index = parameters_find(&content->parameters, batch->given[i].name);
+        const char *const known = known_unit(content, index);
+        const whirl_unit written = formula_unit(&content->parameters, content->parameters.items[index].text, known);
+        const bool as_written = written.size > 0.0;
+        const char *const unit = as_written ? written.name : known;
         snprintf(text + used, sizeof text - used, "%s%s = %.10g%s%s", i ? ", " : "", batch->given[i].name,
-                 batch->given[i].value, *unit ? " " : "", unit);
+                 as_written ? batch->given[i].value / written.size : batch->given[i].value, *unit ? " " : "", unit);
     }
     return whirl_result_add_fact(result, name, text);
 }

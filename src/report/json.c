@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "document.h"
+#include "margins_json.h"
 #include "quantities.h"
 #include "whirl/report.h"
 #include "whirl/result.h"
@@ -516,6 +517,15 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "jumps", object, stream) && well;
 }
 
+// What is told of responses to unbalance, where there are any.
+static bool dump_margins(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *margins = margins_json(&well, result);
+    if (json_object_size(margins) > 0) return dump_member(",\n", "margins", margins, stream) && well;
+    json_decref(margins);
+    return well;
+}
+
 enum { MOST_ATTRACTORS = 64 };
 
 // Attractors of a basin, that of most starts first: the first point (from 1 in "points") that came to rest there.
@@ -539,14 +549,14 @@ static json_t *attractors_of(bool *well, const whirl_table *table) {
 }
 
 // Attractors of all places of a table with several starts, place by place.
-static json_t *coexisting_of(bool *well, const whirl_result *result, const whirl_table *table) {
-    json_t *array = json_array();
+static void append_coexisting(bool *well, const whirl_result *result, const whirl_table *table, json_t *array) {
     whirl_coexistence found;
     if (whirl_table_coexistence(table, &found).code != WHIRL_OK) *well = false;
     for (size_t k = 0; *well && k < found.count; ++k) {
         const whirl_coexisting *at = &found.items[k];
         const whirl_verdict verdict = whirl_table_verdict(table, at->first);
         json_t *one = json_object();
+        document_put(well, one, "table", document_text(table->name));
         document_put(well, one, "parameters", point_parameters(well, result, table, at->first));
         document_put(well, one, "attractor", json_integer((json_int_t)at->number));
         document_put(well, one, "first", json_integer((json_int_t)whirl_table_slot(table, at->first) + 1));
@@ -559,17 +569,19 @@ static json_t *coexisting_of(bool *well, const whirl_result *result, const whirl
         document_append(well, array, one);
     }
     whirl_coexistence_free(&found);
-    return array;
 }
 
 static bool dump_attractors(const whirl_result *result, FILE *stream) {
     bool well = true;
     const whirl_table *basin = whirl_result_table(result, "basin");
     if (basin) return dump_member(",\n", "attractors", attractors_of(&well, basin), stream) && well;
-    for (size_t t = 0; t < result->table_count; ++t)
-        if (result->tables[t].starts > 1)
-            return dump_member(",\n", "attractors", coexisting_of(&well, result, &result->tables[t]), stream) && well;
-    return true;
+    json_t *array = NULL;
+    for (size_t t = 0; t < result->table_count; ++t) {
+        if (result->tables[t].starts <= 1) continue;
+        if (!array) array = json_array();
+        append_coexisting(&well, result, &result->tables[t], array);
+    }
+    return well && (!array || dump_member(",\n", "attractors", array, stream));
 }
 
 // Of a refined map: points of its grid and of a row of it, those that were computed, every how many of them first,
@@ -648,7 +660,7 @@ static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
                                         "force_scale", "partial",    "table",     "points",         "parameters",
                                         "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
-                                        "refined",     "warnings"};
+                                        "refined",     "warnings",   "margins"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
@@ -664,7 +676,8 @@ static whirl_status write_document(const whirl_result *result, bool full, FILE *
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], full, stream);
-    well = well && dump_jumps(result, stream) && dump_attractors(result, stream) && dump_refined(result, stream);
+    well = well && dump_jumps(result, stream) && dump_margins(result, stream) && dump_attractors(result, stream) &&
+           dump_refined(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));

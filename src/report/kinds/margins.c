@@ -50,12 +50,16 @@ static void tell_margin(const whirl_table *table, const whirl_response_peak *pea
     const double from = table->record.running_low, to = table->record.running_high;
     const double low = from > 0.0 ? from : to, high = to > 0.0 ? to : from; // one alone: it runs at that speed
     *text = '\0';
+    row->had = row->asked = NAN;
     if (!(low > 0.0)) return;
     const bool above = peak->speed > high, below = peak->speed < low;
     const double asked = whirl_margin_required(peak->amplification, above);
     const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
     row->told = asked > 0.0;
     row->holds = (above || below) && had >= asked;
+    row->above = above;
+    row->asked = asked;
+    if (above || below) row->had = had;
     if (asked == 0.0)
         snprintf(text, MARGIN_TEXT, "no margin asked for (amplification below 2.5)");
     else if (!above && !below)

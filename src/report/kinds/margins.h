@@ -18,6 +18,8 @@ typedef struct margin_row {
     double amplification;   ///< factor
     char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
     bool told, holds;       ///< whether a margin is asked for, and had
+    bool above;             ///< the peak lies above the running speeds
+    double had, asked;      ///< margins in %; NaN where running speeds are not said, or the peak is within them
     char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
 } margin_row;
 

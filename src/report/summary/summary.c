@@ -43,7 +43,7 @@ void summarize_heading(FILE *out, const whirl_table *table) {
     fputc('\n', out);
 }
 
-/// The values of parameters at the condition of a table: "  with clearance = 9e-05 m".
+/// The values of parameters at the condition of a table: "  with clearance = 90 um".
 static void print_given(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char name[2 * WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s with", table->name);
