@@ -40,3 +40,5 @@ END
 picture spindle campbell
 "$whirl" run "$cases/bearing-fault.yaml" --quiet
 picture bearing-fault response-rotor
+"$whirl" run "$cases/pump.yaml" --quiet
+picture pump unbalance-stage_3-first_worn
