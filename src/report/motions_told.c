@@ -70,7 +70,12 @@ static void add_regimes(const paragraph *p) {
         diverged += verdict.regime == WHIRL_DIVERGING;
     }
     add(p, "%zu of %zu motions come back every revolution", periodic, done);
-    if (diverged > 0) add(p, ", %zu diverge", diverged);
+    if (diverged > 0)
+        add(p,
+            ", %zu diverge (a station comes to the wall of a film or seal, or a coordinate beyond the limit: "
+            "clearances "
+            "and contacts are told without them)",
+            diverged);
     if (doubtful > 0) add(p, ", %zu are in doubt", doubtful);
     if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
 }
@@ -114,7 +119,7 @@ static void add_contact(const paragraph *p, size_t contact) {
     for (size_t i = 0; i < p->table->count; i++) {
         const double own = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_SHARE, contact);
         const double strength = whirl_table_number(p->table, i, WHIRL_FIELD_RUB_MAX_FORCE, contact);
-        if (!whirl_table_done(p->table, i)) continue;
+        if (!whirl_table_done(p->table, i) || isnan(own)) continue; // of a motion that diverges it is not known
         done++;
         if (!(own > 0.0)) continue;
         if (touching++ == 0) first = i;
@@ -122,6 +127,7 @@ static void add_contact(const paragraph *p, size_t contact) {
         share = fmax(share, own);
         if (strength > force) force = strength, hardest = i;
     }
+    if (done == 0) return;
     add(p, "; %s ", p->view->contacts[contact]);
     if (touching == 0) {
         add(p, "never touches");
