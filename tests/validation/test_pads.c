@@ -215,6 +215,26 @@ static void short_limit(void **unused) {
     check_within("B1", "short film, L/D 0.02: attitude, rad", 0.0, state.at[1], 1e-3);
 }
 
+/// Every usual bearing carries loads from heavy to light; tilting pads hold it on the line of the load.
+static void carried(void **unused) {
+    static const char *const names[] = {"plain",     "two-groove",  "elliptical", "three-lobe",
+                                        "four-lobe", "offset-half", "tilting-4",  "tilting-5"};
+    static const double numbers[] = {0.01, 0.1, 10.0};
+    (void)unused;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        for (size_t k = 0; k < sizeof numbers / sizeof *numbers; k++) {
+            const double load = 1.0 / (pi * numbers[k]);
+            whirl_pads bearing = {.ratio = 0.5, .fineness = 480};
+            assert_true(whirl_pads_named(names[i], 0.5, &bearing));
+            const whirl_pads_state state = rest(&bearing, load);
+            check_within("B3", words("%s, S %g: the film's force over the load", names[i], numbers[k]), 1.0,
+                         state.force[1] / load, 1e-6);
+            if (bearing.tilting)
+                check_within("B4", words("%s, S %g: place across the load", names[i], numbers[k]), 0.0, state.at[0],
+                             1e-7);
+        }
+}
+
 static void refused(void **unused) {
     whirl_pads_state state;
     whirl_pads bearing = {.ratio = 0.5};
@@ -230,8 +250,9 @@ static void refused(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain),  cmocka_unit_test(fixed_pads),  cmocka_unit_test(between_pads),
-        cmocka_unit_test(on_pad), cmocka_unit_test(short_limit), cmocka_unit_test(refused),
+        cmocka_unit_test(plain),   cmocka_unit_test(fixed_pads),  cmocka_unit_test(between_pads),
+        cmocka_unit_test(on_pad),  cmocka_unit_test(short_limit), cmocka_unit_test(carried),
+        cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests_name("pads", tests, NULL, NULL);
 }

@@ -219,8 +219,8 @@ static void step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
         const bool tilts = bearing->tilting && state->loaded[i] && tkt > 0.0;
         // F.t = moment - (t K) d + (t K t) turn = 0
         back[i] = tilts ? -state->moment[i] / tkt : 0.0;
+        for (int c = 0; c < 2; c++) by[i][c] = tilts ? tk[c] / tkt : 0.0;
         for (int r = 0; r < 2; r++) {
-            by[i][r] = tilts ? tk[r] / tkt : 0.0;
             right[r] += kt[r] * back[i];
             for (int c = 0; c < 2; c++) sum[r][c] += k[r][c] - kt[r] * by[i][c];
         }
