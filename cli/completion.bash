@@ -85,6 +85,7 @@ _whirl_options() {
     export) echo '--csv= --mat= --npz= --force --help' ;;
     check) echo '--set= --help' ;;
     balance) echo '--json --help' ;;
+    bearing) echo '-o --output= --json --csv= --table= --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
     describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
@@ -111,6 +112,7 @@ _whirl() {
         return
         ;;
     --csv | --mat | --npz) _whirl_files "$word"; return ;;
+    --table) _whirl_files "$word" yaml yml; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;
     --gnuplot | --weasyprint) mapfile -t COMPREPLY < <(compgen -c -- "$word"); return ;;
@@ -118,7 +120,8 @@ _whirl() {
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
     *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
-    --points | --revolutions | --refine | --shard | --max-time | --units) return ;;
+    --figure) _whirl_words "$word" 'curves sommerfeld locus'; return ;;
+    --at | --points | --revolutions | --refine | --shard | --max-time | --units) return ;;
     esac
     [ "$of_key" ] && return # a number
     if [[ $word == -* ]]; then
@@ -126,13 +129,13 @@ _whirl() {
         return
     fi
     case $command in
-    '') _whirl_words "$word" 'new import run merge verify check describe report figure show export balance help' ;;
+    '') _whirl_words "$word" 'new import run merge verify check describe report figure show export balance bearing help' ;;
     new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
     import) _whirl_files "$word" toml json ;;
-    run | merge | verify | check | balance) _whirl_files "$word" yaml yml ;;
+    run | merge | verify | check | balance | bearing) _whirl_files "$word" yaml yml ;;
     report | figure | show | export) _whirl_files "$word" h5 ;;
     describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
-    help) _whirl_words "$word" 'new import run merge verify check describe report figure show export balance' ;;
+    help) _whirl_words "$word" 'new import run merge verify check describe report figure show export balance bearing' ;;
     esac
 }
 

@@ -48,6 +48,7 @@ static void collect(catalogue *all) {
     add_groups(all, "groups of a case file", whirl_case_groups());
     add_groups(all, "groups of a claims file", whirl_claims_groups());
     add_groups(all, "groups of a balancing file", whirl_balance_groups());
+    add_groups(all, "groups of a bearing's file", whirl_bearing_groups());
     const whirl_method *method;
     for (size_t i = 0; (method = whirl_method_at(i)) != NULL; i++)
         add_subject(all, (subject){SUBJECT_METHOD, "methods of integration", method->name, method->meaning, "", NULL});

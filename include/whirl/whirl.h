@@ -10,6 +10,8 @@
 
 #include "whirl/analyze.h"
 #include "whirl/balance.h"
+#include "whirl/bearing.h"
+#include "whirl/bearing_table.h"
 #include "whirl/case.h"
 #include "whirl/claims.h"
 #include "whirl/descriptor.h"

@@ -346,6 +346,14 @@ double settings_number(valuation *v, const setting_list *settings, const char *k
     return number;
 }
 
+double settings_plain(case_reader *reader, const setting_list *settings, const char *name) {
+    const setting *given = settings_find(settings, name);
+    const whirl_key *key = whirl_group_key(settings->group, name);
+    if (!given) return *key->fallback ? strtod(key->fallback, NULL) : NAN;
+    if (given->value.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
+    return given->good && !given->value.expression ? given->value.number : NAN;
+}
+
 const char *settings_word(const setting_list *settings, const char *key) {
     const setting *item = settings_find(settings, key);
     return item && item->word ? item->word : whirl_group_key(settings->group, key)->fallback;

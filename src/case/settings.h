@@ -47,6 +47,10 @@ bool settings_check(case_reader *reader, valuation *v, const setting_list *setti
 /// The value of a number, not yet divided by its scale, or the key's default. Only after settings_check.
 double settings_number(valuation *v, const setting_list *settings, const char *key);
 
+/// The value of a number in a file without parameters: an expression is a problem. What is absent has its default, NaN
+/// without one.
+double settings_plain(case_reader *reader, const setting_list *settings, const char *key);
+
 /// The word of a choice, or the key's default.
 const char *settings_word(const setting_list *settings, const char *key);
 

@@ -1,0 +1,184 @@
+/// whirl bearing: a journal bearing by itself, over load and speed.
+#include "command.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "cores.h"
+#include "guard.h"
+#include "interrupt.h"
+#include "output.h"
+#include "progress.h"
+#include "whirl/bearing_table.h"
+#include "whirl/figure.h"
+
+enum { KEY_FORCE = 0x100, KEY_CSV, KEY_TABLE, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, KEY_THREADS, KEY_QUIET };
+
+typedef struct bearing_arguments {
+    const char *path, *csv, *table, *station, *output, *figure, *gnuplot;
+    int threads;
+    bool json, force, quiet;
+} bearing_arguments;
+
+static const struct argp_option options[] = {
+    {.name = "json", .key = 'j', .doc = "Print all numbers as JSON, in SI and radians"},
+    {.name = "csv", .key = KEY_CSV, .arg = "FILE", .doc = "Write the table as CSV, in SI and radians"},
+    {.name = "table",
+     .key = KEY_TABLE,
+     .arg = "FILE",
+     .doc = "Write the coefficients over the speed as an element `bearing` for the list of elements of a case"},
+    {.name = "at", .key = KEY_AT, .arg = "STATION", .doc = "The station of that element; default: journal"},
+    {.name = "output", .key = 'o', .arg = "FILE", .doc = "Write a figure: FILE.png, .pdf, .svg or .json"},
+    {.name = "figure", .key = KEY_FIGURE, .arg = "NAME", .doc = "Which: curves (default), sommerfeld or locus"},
+    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot, where it is not on the PATH"},
+    {.name = "threads", .key = KEY_THREADS, .arg = "N", .doc = "Threads; default: one a core"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
+    {.name = "quiet", .key = 'q', .doc = "Show no progress"},
+    {0}};
+
+static error_t parse(int key, char *argument, struct argp_state *state) {
+    bearing_arguments *arguments = state->input;
+    char rest;
+    switch (key) {
+    case 'j':
+        arguments->json = true;
+        return 0;
+    case 'q':
+        arguments->quiet = true;
+        return 0;
+    case 'o':
+        arguments->output = argument;
+        return 0;
+    case KEY_CSV:
+        arguments->csv = argument;
+        return 0;
+    case KEY_TABLE:
+        arguments->table = argument;
+        return 0;
+    case KEY_AT:
+        arguments->station = argument;
+        return 0;
+    case KEY_FIGURE:
+        arguments->figure = argument;
+        return 0;
+    case KEY_GNUPLOT:
+        arguments->gnuplot = argument;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
+        return 0;
+    case KEY_THREADS:
+        if (sscanf(argument, "%d%c", &arguments->threads, &rest) != 1 || arguments->threads < 1 ||
+            arguments->threads > 1024)
+            bad_argument(state, "--threads is '%s', expected a number from 1 to 1024", argument);
+        return 0;
+    case ARGP_KEY_ARG:
+        if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);
+        arguments->path = argument;
+        return 0;
+    case ARGP_KEY_END:
+        require_option(state, arguments->path, "FILE.yaml");
+        if (arguments->figure && !arguments->output) bad_argument(state, "--figure needs -o, the file of the figure");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+/// Before anything is computed: whether files may be made where they are wanted.
+static bool may_write(const bearing_arguments *arguments) {
+    const char *const paths[] = {arguments->csv, arguments->table, arguments->output};
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        struct stat there, input;
+        if (!paths[i] || stat(paths[i], &there) != 0) continue;
+        if (stat(arguments->path, &input) == 0 && there.st_dev == input.st_dev && there.st_ino == input.st_ino) {
+            complain("'%s' is the file that is read, expected another one", paths[i]);
+            return false;
+        }
+        if (arguments->force) continue;
+        complain("'%s' is there already and is kept: add --force to replace it", paths[i]);
+        return false;
+    }
+    return true;
+}
+
+/// Writes one file; `station`: of an element, or NULL for CSV.
+static int write_file(const whirl_bearing_table *table, const char *path, const char *station) {
+    FILE *stream = fopen(path, "w");
+    if (!stream) {
+        complain("'%s' cannot be written", path);
+        return EXIT_FAILED;
+    }
+    const whirl_status status =
+        station ? whirl_bearing_write_element(table, station, stream) : whirl_bearing_write_csv(table, stream);
+    const bool closed = fclose(stream) == 0;
+    if (status.code != WHIRL_OK || !closed) remove(path);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    if (!closed) complain("'%s' cannot be written", path);
+    return closed ? EXIT_DONE : EXIT_FAILED;
+}
+
+static int write_figure(const whirl_bearing_table *table, const bearing_arguments *arguments) {
+    whirl_figure *figure;
+    whirl_status status = whirl_bearing_figure(table, arguments->figure, &figure);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    guard_output(arguments->output);
+    status = whirl_figure_write(figure, arguments->output, arguments->gnuplot);
+    whirl_figure_free(figure);
+    return complain_of(&status);
+}
+
+static int write_all(const whirl_bearing_table *table, const bearing_arguments *arguments) {
+    int outcome = EXIT_DONE;
+    const whirl_status status =
+        arguments->json ? whirl_bearing_write_json(table, stdout) : whirl_bearing_write_summary(table, stdout);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    outcome = finish_output();
+    if (outcome == EXIT_DONE && arguments->csv) outcome = write_file(table, arguments->csv, NULL);
+    if (outcome == EXIT_DONE && arguments->table)
+        outcome = write_file(table, arguments->table, arguments->station ? arguments->station : "journal");
+    if (outcome == EXIT_DONE && arguments->output) outcome = write_figure(table, arguments);
+    return outcome;
+}
+
+static int bearing(const bearing_arguments *arguments, const whirl_bearing *of) {
+    whirl_bearing_table *table;
+    progress_view view = progress_begin();
+    const whirl_bearing_options how = {.threads = arguments->threads ? arguments->threads : available_cores(),
+                                       .progress = arguments->quiet ? NULL : progress_show,
+                                       .context = &view,
+                                       .stop = interrupt_watch()};
+    const whirl_status status = whirl_bearing_solve(of, &how, &table);
+    progress_end(&view);
+    if (status.code == WHIRL_STOPPED) complain("%s (%s)", status.message, interrupt_text());
+    if (status.code != WHIRL_OK) return status.code == WHIRL_STOPPED ? EXIT_UNFINISHED : complain_of(&status);
+    const int outcome = write_all(table, arguments);
+    whirl_bearing_table_free(table);
+    return outcome;
+}
+
+static int run(int argc, char **argv) {
+    static const struct argp argp = {
+        .options = options,
+        .parser = parse,
+        .args_doc = "FILE.yaml",
+        .doc =
+            "Computes a journal bearing by itself, over load and speed: eccentricity, attitude, stiffness, damping, "
+            "film, flow, power. Pads of finite length, fixed or tilting. `whirl describe bearing_file` and `pad` tell "
+            "the keys of FILE.",
+    };
+    bearing_arguments arguments = {.path = NULL};
+    whirl_problems problems = {0};
+    whirl_bearing *of;
+    const int read = read_arguments(&argp, argc, argv, 0, &arguments);
+    if (read != EXIT_DONE) return read;
+    const whirl_status status = whirl_bearing_load(arguments.path, &problems, &of);
+    if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
+    const int outcome = may_write(&arguments) ? bearing(&arguments, of) : EXIT_FAILED;
+    whirl_bearing_free(of);
+    return outcome;
+}
+
+const command bearing_command = {"bearing", "compute a journal bearing by itself", run};

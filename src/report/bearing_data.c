@@ -1,0 +1,243 @@
+// What was computed of a bearing, for programs: JSON, CSV, an element of a case.
+#include <math.h>
+#include <stdio.h>
+
+#include "document.h"
+#include "number.h"
+#include "whirl/bearing_table.h"
+
+static const double rpm = 3.14159265358979323846 / 30.0;
+
+enum { FULL = 2 + WHIRL_MAX_PADS };
+
+// ---------------------------------------------------------------- JSON
+
+static json_t *matrix(bool *well, size_t size, size_t row_size, const double *of) {
+    json_t *made = json_array();
+    for (size_t r = 0; r < size; r++) {
+        json_t *row = json_array();
+        for (size_t c = 0; c < size; c++) document_append(well, row, document_number(of[r * row_size + c]));
+        document_append(well, made, row);
+    }
+    return made;
+}
+
+static json_t *texts(bool *well, const char (*of)[200], size_t count) {
+    json_t *made = json_array();
+    for (size_t i = 0; i < count; i++) document_append(well, made, document_text(of[i]));
+    return made;
+}
+
+static json_t *pads_of(bool *well, const whirl_bearing *of) {
+    json_t *made = json_array();
+    for (size_t i = 0; i < of->pads.count; i++) {
+        const whirl_pad *pad = &of->pads.pads[i];
+        json_t *one = json_object();
+        document_put(well, one, "pivot", document_number(pad->pivot));
+        document_put(well, one, "arc", document_number(pad->arc));
+        document_put(well, one, "offset", document_number(pad->offset));
+        document_put(well, one, "preload", document_number(pad->preload));
+        document_append(well, made, one);
+    }
+    return made;
+}
+
+static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
+    json_t *ratios = json_array();
+    document_put(well, all, "title", document_text(of->title));
+    document_put(well, all, "kind", document_text(of->kind));
+    document_put(well, all, "tilting", json_boolean(of->pads.tilting));
+    document_put(well, all, "cavitation", document_text(of->pads.gumbel ? "gumbel" : "reynolds"));
+    document_put(well, all, "pads", pads_of(well, of));
+    document_put(well, all, "radius", document_number(of->radius));
+    document_put(well, all, "length", document_number(of->length));
+    document_put(well, all, "pad_clearance", document_number(of->pad_clearance));
+    document_put(well, all, "clearance", document_number(of->clearance));
+    document_put(well, all, "viscosity", document_number(of->viscosity));
+    document_put(well, all, "density", document_number(of->density));
+    document_put(well, all, "pad_inertia", document_number(of->inertia));
+    document_put(well, all, "load_angle", document_number(of->load_angle));
+    document_put(well, all, "fineness", json_integer(of->pads.fineness));
+    for (size_t i = 0; i < of->ratio_count; i++) document_append(well, ratios, document_number(of->ratios[i]));
+    document_put(well, all, "whirl_ratios", ratios);
+}
+
+static json_t *both(bool *well, const double (*of)[2][2]) {
+    json_t *made = json_object();
+    document_put(well, made, "stiffness", matrix(well, 2, 2, of[0][0]));
+    document_put(well, made, "damping", matrix(well, 2, 2, of[1][0]));
+    return made;
+}
+
+/// All coordinates: x, y in m, tilts in rad. The film of a pad sees (x, y) - R tilt t, t along the pad.
+static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double *out) {
+    for (size_t i = 0; i < FULL * FULL; i++) out[i] = 0.0;
+    for (size_t i = 0; i < of->pads.count; i++) {
+        const double angle = of->pads.pads[i].pivot, t[] = {-of->radius * -sin(angle), -of->radius * cos(angle)};
+        for (size_t r = 0; r < 2; r++)
+            for (size_t c = 0; c < 2; c++) {
+                const double k = unit * point->state.of_pads[i][which][r][c];
+                out[r * FULL + c] += k;
+                out[r * FULL + 2 + i] += k * t[c];
+                out[(2 + i) * FULL + c] += t[r] * k;
+                out[(2 + i) * FULL + 2 + i] += t[r] * k * t[c];
+            }
+    }
+}
+
+static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const whirl_bearing_point *point) {
+    const double force = of->viscosity * point->speed * of->radius * of->length * (of->radius / of->pad_clearance) *
+                         (of->radius / of->pad_clearance);
+    json_t *reduced = json_array(), *pads = json_array(), *full = json_object();
+    double matrices[2][FULL * FULL];
+    for (size_t i = 0; i < of->ratio_count; i++) {
+        json_t *one = both(well, point->reduced[i]);
+        document_put(well, one, "whirl_ratio", document_number(of->ratios[i]));
+        document_append(well, reduced, one);
+    }
+    document_put(well, made, "reduced", reduced);
+    fill_full(of, point, 0, force / of->pad_clearance, matrices[0]);
+    fill_full(of, point, 1, force / (of->pad_clearance * point->speed), matrices[1]);
+    document_put(well, full, "stiffness", matrix(well, 2 + of->pads.count, FULL, matrices[0]));
+    document_put(well, full, "damping", matrix(well, 2 + of->pads.count, FULL, matrices[1]));
+    document_put(well, made, "full", full);
+    for (size_t i = 0; i < of->pads.count; i++) {
+        json_t *one = json_object();
+        document_put(well, one, "load", document_number(force * point->state.load[i]));
+        document_put(well, one, "tilt", document_number(point->tilt[i]));
+        document_put(well, one, "loaded", json_boolean(point->state.loaded[i]));
+        document_append(well, pads, one);
+    }
+    document_put(well, made, "pads", pads);
+}
+
+static json_t *point_of(bool *well, const whirl_bearing *of, const whirl_bearing_point *point) {
+    json_t *made = json_object(), *error = json_object(), *place = json_array();
+    document_put(well, made, "speed", document_number(point->speed));
+    document_put(well, made, "load", document_number(point->load));
+    document_put(well, made, "sommerfeld", document_number(point->sommerfeld));
+    document_put(well, made, "found", json_boolean(point->found));
+    document_put(well, made, "failure", document_text(point->failure));
+    for (int k = 0; k < 2; k++)
+        document_append(well, place, document_number(point->found ? of->pad_clearance * point->state.at[k] : NAN));
+    document_put(well, made, "place", place);
+    document_put(well, made, "eccentricity", document_number(point->eccentricity));
+    document_put(well, made, "eccentricity_ratio", document_number(point->eccentricity / of->pad_clearance));
+    document_put(well, made, "attitude", document_number(point->attitude));
+    document_put(well, made, "film", document_number(point->film));
+    document_put(well, made, "pressure", document_number(point->pressure));
+    document_put(well, made, "flow", document_number(point->flow));
+    document_put(well, made, "power", document_number(point->power));
+    document_put(well, made, "heating", document_number(point->heating));
+    document_put(well, made, "reynolds", document_number(point->reynolds));
+    document_put(well, made, "stiffness", matrix(well, 2, 2, point->reduced[0][0][0]));
+    document_put(well, made, "damping", matrix(well, 2, 2, point->reduced[0][1][0]));
+    if (of->pads.tilting && point->found) put_tilting(well, made, of, point);
+    document_put(well, made, "critical_mass", document_number(point->critical_mass));
+    document_put(well, made, "critical_whirl_ratio", document_number(point->whirl));
+    document_put(well, error, "place", document_number(point->error_place));
+    document_put(well, error, "stiffness", document_number(point->error_stiffness));
+    document_put(well, error, "damping", document_number(point->error_damping));
+    document_put(well, made, "error", error);
+    document_put(well, made, "warnings", texts(well, point->remarks, point->remark_count));
+    return made;
+}
+
+whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, FILE *out) {
+    bool well = true;
+    json_t *all = json_object(), *points = json_array();
+    put_bearing(&well, all, table->bearing);
+    for (size_t i = 0; i < table->count; i++)
+        document_append(&well, points, point_of(&well, table->bearing, &table->points[i]));
+    document_put(&well, all, "points", points);
+    document_put(&well, all, "warnings", texts(&well, table->remarks, table->remark_count));
+    if (document_write(well, all, out) && fputc('\n', out) != EOF) return whirl_ok();
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON, or it cannot be written");
+}
+
+// ---------------------------------------------------------------- CSV
+
+static void put_number(FILE *out, double value, const char *end) {
+    char text[NUMBER_SIZE] = "";
+    if (isfinite(value)) number_text(value, text);
+    fprintf(out, "%s%s", text, end);
+}
+
+whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out) {
+    const whirl_bearing *of = table->bearing;
+    fputs("speed (rad/s),load (N),sommerfeld,eccentricity ratio,attitude (rad),x (m),y (m),film (m),pressure (Pa),"
+          "flow (m3/s),power (W),kxx (N/m),kxy (N/m),kyx (N/m),kyy (N/m),cxx (N s/m),cxy (N s/m),cyx (N s/m),"
+          "cyy (N s/m),critical mass (kg),error of place (m),error of stiffness,error of damping,warnings\n",
+          out);
+    for (size_t i = 0; i < table->count; i++) {
+        const whirl_bearing_point *point = &table->points[i];
+        const double c = point->found ? of->pad_clearance : NAN;
+        const double row[] = {point->speed,
+                              point->load,
+                              point->sommerfeld,
+                              point->eccentricity / of->pad_clearance,
+                              point->attitude,
+                              c * point->state.at[0],
+                              c * point->state.at[1],
+                              point->film,
+                              point->pressure,
+                              point->flow,
+                              point->power};
+        for (size_t k = 0; k < sizeof row / sizeof *row; k++) put_number(out, row[k], ",");
+        for (int k = 0; k < 8; k++) put_number(out, point->reduced[0][k / 4][k / 2 % 2][k % 2], ",");
+        put_number(out, point->critical_mass, ",");
+        put_number(out, point->error_place, ",");
+        put_number(out, point->error_stiffness, ",");
+        put_number(out, point->error_damping, ",");
+        fprintf(out, "\"%s", point->failure);
+        for (size_t k = 0; k < point->remark_count; k++) fprintf(out, "%s%s", k ? "; " : "", point->remarks[k]);
+        fputs("\"\n", out);
+    }
+    return ferror(out) ? whirl_fail(WHIRL_IO_ERROR, "a table of a bearing cannot be written") : whirl_ok();
+}
+
+// ---------------------------------------------------------------- an element
+
+static whirl_status check_table(const whirl_bearing_table *table) {
+    const whirl_bearing *of = table->bearing;
+    if (!of->pairs && of->load_count != 1)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "an element has one load a speed, and there are %zu: expected one load, or combine: pairs",
+                          of->load_count);
+    if (table->count > WHIRL_MAX_LIST)
+        return whirl_fail(WHIRL_BAD_INPUT, "an element has up to %d speeds, and there are %zu", WHIRL_MAX_LIST,
+                          table->count);
+    for (size_t i = 0; i < table->count; i++) {
+        const whirl_bearing_point *point = &table->points[i];
+        if (!point->found)
+            return whirl_fail(WHIRL_BAD_INPUT, "at %.6g rpm there are no coefficients: %.200s", point->speed / rpm,
+                              point->failure);
+        if (i > 0 && !(point->speed > table->points[i - 1].speed))
+            return whirl_fail(WHIRL_BAD_INPUT, "speeds do not rise: %.6g rpm after %.6g rpm", point->speed / rpm,
+                              table->points[i - 1].speed / rpm);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const char *station, FILE *out) {
+    static const char *const names[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
+    const whirl_bearing *of = table->bearing;
+    const whirl_status status = check_table(table);
+    if (status.code != WHIRL_OK) return status;
+    fprintf(out, "    # %s bearing by `whirl bearing`%s; SI, in rad/s, N/m and N s/m\n    - bearing:\n        at: %s\n",
+            of->kind, of->pads.tilting ? ", pads following at one whirl ratio" : "", station);
+    if (table->count > 1) {
+        fputs("        speeds: [", out);
+        for (size_t i = 0; i < table->count; i++)
+            put_number(out, table->points[i].speed, i + 1 < table->count ? ", " : "]\n");
+    }
+    for (int k = 0; k < 8; k++) {
+        fprintf(out, "        %s: %s", names[k], table->count > 1 ? "[" : "");
+        for (size_t i = 0; i < table->count; i++)
+            put_number(out, table->points[i].reduced[0][k / 4][k / 2 % 2][k % 2],
+                       i + 1 < table->count ? ", "
+                       : i > 0              ? "]\n"
+                                            : "\n");
+    }
+    return ferror(out) ? whirl_fail(WHIRL_IO_ERROR, "an element of a bearing cannot be written") : whirl_ok();
+}
