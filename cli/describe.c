@@ -96,10 +96,20 @@ static void range_text(const whirl_range *range, char *text, size_t size) {
         snprintf(text, size, "any");
 }
 
+/// Choices that would fill a narrow line have room to be broken between.
+static void choices_text(const char *choices, char *text, size_t size) {
+    enum { NARROW = 54 };
+    const bool wide = strlen(choices) > NARROW;
+    size_t used = 0;
+    for (const char *c = choices; *c && used + 4 < size; c++)
+        used += (size_t)snprintf(text + used, size - used, wide && *c == '|' ? " %c " : "%c", *c);
+    text[used] = '\0';
+}
+
 static void allowed_text(const whirl_key *key, char *text, size_t size) {
     switch (key->kind) {
     case WHIRL_KEY_CHOICE:
-        snprintf(text, size, "%s", key->choices);
+        choices_text(key->choices, text, size);
         return;
     case WHIRL_KEY_STATION:
         snprintf(text, size, "a station");
