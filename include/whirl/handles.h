@@ -216,12 +216,12 @@ whirl_status whirl_result_figures(const whirl_result *result, const char *units,
 
 void whirl_text_free(char *text); ///< Frees such a text; NULL is none.
 
-/// What `whirl bearing` answers to the text of a file on a bearing (docs/guide/15-bearings.md), as its JSON document
-/// or, where `figure` names one ("curves", "sommerfeld", "locus"), that of the figure. `name` stands for the file in
-/// messages; threads: 0 for one a core. All that is wrong with the file is written to `problems` as whirl_case_check
-/// does. *json is freed by whirl_text_free.
-whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *figure, int threads,
-                                char *problems, size_t size, char **json);
+/// What `whirl bearing` answers to the text of a file on a bearing (docs/guide/15-bearings.md), as its JSON document,
+/// and its figures (curves, sommerfeld, locus) as a list of the documents of docs/figures.md; figures: NULL where they
+/// are not wanted. `name` stands for the file in messages; threads: 0 for one a core. All that is wrong with the file
+/// is written to `problems` as whirl_case_check does. *json and *figures are freed by whirl_text_free.
+whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
+                                size_t size, char **json, char **figures);
 
 #ifdef __cplusplus
 }

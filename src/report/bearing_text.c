@@ -6,26 +6,42 @@
 #include "whirl/figure.h"
 #include "whirl/handles.h"
 
-/// Writes the table, or a figure of it where `figure` is its name.
-static whirl_status write_all(const whirl_bearing_table *table, const char *figure, FILE *stream) {
-    whirl_figure *made;
-    if (!figure) return whirl_bearing_write_json(table, stream);
-    whirl_status status = whirl_bearing_figure(table, figure, &made);
-    if (status.code == WHIRL_OK) status = whirl_figure_write_json(made, stream);
-    whirl_figure_free(made);
+/// All figures of the table, as a list.
+static whirl_status write_figures(const whirl_bearing_table *table, FILE *stream) {
+    static const char *const names[] = {"curves", "sommerfeld", "locus"};
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < sizeof names / sizeof *names && status.code == WHIRL_OK; i++) {
+        whirl_figure *figure;
+        status = whirl_bearing_figure(table, names[i], &figure);
+        fputs(i ? "," : "[", stream);
+        if (status.code == WHIRL_OK) status = whirl_figure_write_json(figure, stream);
+        whirl_figure_free(figure);
+    }
+    fputs("]", stream);
     return status;
 }
 
-static whirl_status compute(const whirl_bearing *bearing, const char *figure, int threads, char **json) {
-    const whirl_bearing_options options = {.threads = threads};
-    whirl_bearing_table *table;
+/// What is written of a table, as a text; NULL after a failure.
+static whirl_status text_of(const whirl_bearing_table *table,
+                            whirl_status (*write)(const whirl_bearing_table *table, FILE *stream), char **text) {
     size_t size;
-    whirl_status status = whirl_bearing_solve(bearing, &options, &table);
-    if (status.code != WHIRL_OK) return status;
-    FILE *stream = open_memstream(json, &size);
-    status = stream ? write_all(table, figure, stream) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
+    FILE *stream = open_memstream(text, &size);
+    whirl_status status = stream ? write(table, stream) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
     if (stream && fclose(stream) != 0 && status.code == WHIRL_OK)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
+    if (status.code == WHIRL_OK) return status;
+    free(*text);
+    *text = NULL;
+    return status;
+}
+
+static whirl_status compute(const whirl_bearing *bearing, int threads, char **json, char **figures) {
+    const whirl_bearing_options options = {.threads = threads};
+    whirl_bearing_table *table;
+    whirl_status status = whirl_bearing_solve(bearing, &options, &table);
+    if (status.code != WHIRL_OK) return status;
+    status = text_of(table, whirl_bearing_write_json, json);
+    if (status.code == WHIRL_OK && figures) status = text_of(table, write_figures, figures);
     whirl_bearing_table_free(table);
     if (status.code == WHIRL_OK) return status;
     free(*json);
@@ -33,15 +49,16 @@ static whirl_status compute(const whirl_bearing *bearing, const char *figure, in
     return status;
 }
 
-whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *figure, int threads,
-                                char *problems, size_t size, char **json) {
+whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
+                                size_t size, char **json, char **figures) {
     whirl_problems found = {0};
     whirl_bearing *bearing;
     *json = NULL;
+    if (figures) *figures = NULL;
     whirl_status status = whirl_bearing_parse(text, length, name, &found, &bearing);
     whirl_problems_text(&found, problems, size);
     whirl_problems_free(&found);
-    if (status.code == WHIRL_OK) status = compute(bearing, figure, threads, json);
+    if (status.code == WHIRL_OK) status = compute(bearing, threads, json, figures);
     whirl_bearing_free(bearing);
     return status;
 }

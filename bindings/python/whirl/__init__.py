@@ -13,6 +13,7 @@ TYPE_CHECKING = False  # that of typing, without its import; checkers of types k
 if TYPE_CHECKING:
     from . import plot, signals, systems
     from .balancing import Balance, balance, readings
+    from .bearings import Bearing, bearing
     from .case import Case
     from .errors import BadInput, Error, FileFailure, MissingProgram, NumericalFailure, OutOfMemory, Stopped
     from .result import Parameter, Result, Station, open, read
@@ -26,6 +27,8 @@ _HOMES = {
     "Field": "table",
     "Station": "result",
     "Parameter": "result",
+    "Bearing": "bearings",
+    "bearing": "bearings",
     "open": "result",
     "read": "result",
     "run": "running",

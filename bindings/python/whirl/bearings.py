@@ -1,0 +1,153 @@
+"""Journal bearings by themselves, over load and speed.
+
+>>> found = whirl.bearing("bearing.yaml")           # or a dict that says what such a file does
+>>> found.speed, found.eccentricity_ratio, found.stiffness[:, 0, 1]
+>>> found.plot("sommerfeld")
+
+libwhirl computes (``whirl/bearing_table.h``). All is in SI and radians.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
+from .case import _block
+from .errors import BadInput
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["Bearing", "bearing"]
+
+_PROBLEMS = 1 << 16
+
+
+@dataclass(frozen=True)
+class Bearing:
+    """What was computed of a bearing: arrays over the points, NaN where there is no answer."""
+
+    title: str  #: in one line
+    kind: str  #: "two-groove", ...; "pads" of pads of its own
+    tilting: bool  #: pads tilt
+    clearance: float  #: m, radial, of the bearing
+    pad_clearance: float  #: m, radial, of the pads
+    viscosity: float  #: Pa s
+    whirl_ratios: np.ndarray  #: at which coefficients are reduced
+    speed: np.ndarray  #: rad/s
+    load: np.ndarray  #: N
+    found: np.ndarray  #: bool
+    sommerfeld: np.ndarray  #: mu N D L (R/c)^2/W, c of the pads
+    place: np.ndarray  #: m, [points][2]
+    eccentricity_ratio: np.ndarray  #: over the clearance of the pads
+    attitude: np.ndarray  #: rad from the load to the journal, with the rotation
+    film: np.ndarray  #: m, the least
+    pressure: np.ndarray  #: Pa, the highest
+    flow: np.ndarray  #: m3/s that leave at both ends
+    power: np.ndarray  #: W
+    stiffness: np.ndarray  #: N/m, [points][2][2], at the first whirl ratio
+    damping: np.ndarray  #: N s/m, [points][2][2], at the first whirl ratio
+    critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN of tilting pads and where there is none
+    error: np.ndarray  #: [points][3]: m of the place, shares of stiffness and damping, against a mesh half as fine
+    warnings: list[str]  #: of the bearing and of its points
+    document: dict = field(repr=False)  #: all of it as ``whirl bearing --json`` prints it
+    figures: dict = field(repr=False)  #: documents of docs/figures.md by the names curves, sommerfeld, locus
+
+    def reduced(self, number: int = 0) -> tuple[np.ndarray, np.ndarray]:
+        """Stiffness and damping, [points][2][2], at a whirl ratio by its number in ``whirl_ratios``."""
+        if not self.tilting:
+            return self.stiffness, self.damping
+        rows = [p["reduced"][number] if p["found"] else None for p in self.document["points"]]
+        nothing = np.full((2, 2), np.nan)
+        return tuple(np.array([nothing if r is None else r[key] for r in rows]) for key in ("stiffness", "damping"))
+
+    def plot(self, name: str = "curves") -> "Figure":
+        """Draws a figure with Matplotlib: ``curves``, ``sommerfeld`` or ``locus``."""
+        from .figure import draw
+
+        if name not in self.figures:
+            raise BadInput(f"there is no figure '{name}' of a bearing, expected curves, sommerfeld or locus")
+        return draw(self.figures[name])
+
+
+def _array(points, *keys):
+    def value(point):
+        for key in keys:
+            point = point[key]
+        return point
+
+    return np.array([value(point) for point in points], dtype=float)
+
+
+def _warnings(of) -> list[str]:
+    rpm = np.pi / 30.0
+    at = [f"at {p['speed'] / rpm:.6g} rpm, {p['load']:.6g} N: {w}" for p in of["points"] for w in p["warnings"]]
+    return of["warnings"] + at
+
+
+def _made(of: dict[str, Any], figures: list) -> Bearing:
+    points = of["points"]
+    arrays = ("speed", "load", "sommerfeld", "place", "eccentricity_ratio", "attitude", "film", "pressure", "flow")
+    arrays += ("power", "stiffness", "damping", "critical_mass")
+    return Bearing(
+        **{key: of[key] for key in ("title", "kind", "tilting", "clearance", "pad_clearance", "viscosity")},
+        whirl_ratios=np.array(of["whirl_ratios"]),
+        found=np.array([point["found"] for point in points]),
+        **{key: _array(points, key) for key in arrays},
+        error=np.stack([_array(points, "error", key) for key in ("place", "stiffness", "damping")], axis=-1),
+        warnings=_warnings(of),
+        document=of,
+        figures={figure["name"].removeprefix("bearing-"): figure for figure in figures},
+    )
+
+
+def bearing(source: str | os.PathLike | Mapping, *, name: str | None = None, threads: int = 0) -> Bearing:
+    """Computes a journal bearing over load and speed.
+
+    Parameters
+    ----------
+    source : str, path or dict
+        Name of a file as ``whirl bearing`` reads it (guide, chapter 15), or what it would say. Numbers of a dict are in
+        SI and radians, texts may have units. Keys that are None count as absent.
+    name : str, optional
+        Stands for the file in messages.
+    threads : int
+        0: one for every core.
+
+    Raises
+    ------
+    BadInput
+        With the place, what was found and what is expected; ``problems`` lists all that is wrong.
+    """
+    if isinstance(source, Mapping):
+        said = {key: _plain(value) for key, value in source.items() if value is not None}
+        data, name = (_block({"bearing": 1, **said}) + "\n").encode(), name or "bearing.yaml"
+    else:
+        name = name or str(source)
+        try:
+            data = Path(source).read_bytes()
+        except (OSError, ValueError) as failure:
+            raise BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
+    problems, out, drawn = ffi.new("char[]", _PROBLEMS), ffi.new("char **"), ffi.new("char **")
+    status = lib.whirl_bearing_json(data, len(data), path_bytes(name), int(threads), problems, _PROBLEMS, out, drawn)
+    if status.code == BAD_INPUT:
+        found = text(problems).splitlines()
+        raise BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
+    check(status)
+    try:
+        return _made(json.loads(text(out[0])), json.loads(text(drawn[0])))
+    finally:
+        lib.whirl_text_free(out[0])
+        lib.whirl_text_free(drawn[0])
+
+
+def _plain(value):
+    """Arrays as lists."""
+    return value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value

@@ -1,0 +1,26 @@
+% Bearings out of files and structs are those of the command: a row of growth.md B3 in SI.
+function wrong(call, part)
+  try
+    call();
+  catch problem
+    assert(problem.identifier, 'whirl:badInput');
+    assert(~isempty(strfind(problem.message, part)), problem.message);
+    return
+  end
+  error('no error: %s', func2str(call));
+end
+file = struct('kind', 'two-groove', 'diameter', 0.1, 'length', 0.05, 'clearance', 1e-4, 'viscosity', 0.02);
+file.speed = 1000 * pi / 30;
+file.load = 0.02 * 1000 / 60 * 0.1 * 0.05 * 500^2 ./ [0.917, 0.379];
+found = whirl_bearing(file);
+assert([found.points.sommerfeld], [0.917, 0.379], 1e-9);
+assert([found.points.eccentricity_ratio], [0.3716548, 0.5696463], 5e-6);
+assert([found.points.attitude] * 180 / pi, [57.52602, 45.52281], 5e-4);
+assert(1e-4 / found.points(2).load * found.points(2).stiffness, [1.7042, 0.4441; -3.6596, 3.3125], 1e-3);
+point = whirl_bearing([getenv('TESTS') '/fuzz/corpus/bearing/two-groove.yaml']);
+assert(numel(point.points), 2);
+file.kind = 'two';
+wrong(@() whirl_bearing(file), 'kind: is two, expected one of plain');
+wrong(@() whirl_bearing('none.yaml'), 'none.yaml');
+wrong(@() whirl_bearing(3), 'whirl_bearing takes the name of a file');
+disp('all well');
