@@ -38,6 +38,7 @@ typedef struct whirl_pads {
     /// film breaks (Swift 1932, Stieber 1933).
     bool gumbel;
     int fineness; ///< volumes around a full circle of the finest of the grids, a multiple of 16; 0: 960
+    bool halved;  ///< half as many volumes both ways: what that changes tells how good an answer is
 } whirl_pads;
 
 /// What a bearing does with its journal at a place.

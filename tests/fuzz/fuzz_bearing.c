@@ -42,6 +42,7 @@ static void check(whirl_bearing *bearing) {
     require(bearing->viscosity > 0.0 && bearing->pad_clearance > 0.0 && bearing->radius > 0.0);
     bearing->count = 1;
     bearing->pads.fineness = 32;
+    bearing->pads.halved = true;
     require(whirl_bearing_solve(bearing, &options, &table).code == WHIRL_OK);
     require(table->points[0].found || table->points[0].failure[0] != '\0');
     write_all(table);

@@ -331,7 +331,7 @@ whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], wh
     if (status.code != WHIRL_OK) return status;
     s.coarser = COARSER;
     status = find_coarsely(&s, load, state);
-    s.coarser = 1;
+    s.coarser = bearing->halved ? 2 : 1;
     if (status.code == WHIRL_OK) status = polish(&s, load, state);
     add_up(bearing, state);
     pad_workspace_free(s.work);

@@ -133,7 +133,7 @@ static void give_dimensions(const whirl_bearing *of, double unit, whirl_bearing_
 static void estimate_error(const whirl_bearing *of, const double load[2], whirl_bearing_point *point) {
     whirl_pads coarse = of->pads;
     whirl_pads_state other;
-    coarse.fineness = of->pads.fineness / 2;
+    coarse.halved = true;
     if (whirl_pads_rest(&coarse, load, &other).code != WHIRL_OK) return;
     const whirl_pads_state *state = &point->state;
     point->error_place = of->pad_clearance * hypot(state->at[0] - other.at[0], state->at[1] - other.at[1]);
