@@ -91,10 +91,10 @@ static void print_errors(const whirl_bearing_table *table, FILE *out) {
         damping = fmax(damping, point->error_damping);
     }
     if (known)
-        fprintf(out,
-                "a mesh half as fine differs by at most %.2g um in the place of the journal, %.2g %% of the largest "
-                "stiffness, %.2g %% of the largest damping\n",
-                place / um, 100.0 * stiffness, 100.0 * damping);
+        fprintf(
+            out,
+            "error, against a mesh half as fine: place %.2g um, stiffness %.2g %%, damping %.2g %% of the largest\n",
+            place / um, 100.0 * stiffness, 100.0 * damping);
 }
 
 static void print_warnings(const whirl_bearing_table *table, FILE *out) {

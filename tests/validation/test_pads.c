@@ -71,10 +71,10 @@ static void plain(void **unused) {
         require_ok(whirl_pads_rest(&bearing, load, &state));
         char what[64];
         snprintf(what, sizeof what, "plain, L/D %g, eccentricity %g: ", rows[i].ratio, rows[i].eps);
-        check_within("B2", words("%splace along x", what), rows[i].eps, state.at[0], 2e-6);
-        check_within("B2", words("%splace along y", what), 0.0, state.at[1], 2e-6);
-        check_matrix("B2", words("%sK", what), rows[i].stiffness, state.stiffness);
-        check_matrix("B2", words("%sC", what), rows[i].damping, state.damping);
+        check_within("pads-plain", words("%splace along x", what), rows[i].eps, state.at[0], 2e-6);
+        check_within("pads-plain", words("%splace along y", what), 0.0, state.at[1], 2e-6);
+        check_matrix("pads-plain", words("%sK", what), rows[i].stiffness, state.stiffness);
+        check_matrix("pads-plain", words("%sC", what), rows[i].damping, state.damping);
     }
 }
 
@@ -135,12 +135,12 @@ static void fixed_pads(void **unused) {
         whirl_pads_state state = rest(&bearing, load);
         char what[64];
         snprintf(what, sizeof what, "%s, L/D %g, S %g: ", rows[i].name, rows[i].ratio, rows[i].load);
-        check_within("B3", words("%splace along x", what), rows[i].x, state.at[0], 2e-6);
-        check_within("B3", words("%splace along y", what), rows[i].y, state.at[1], 2e-6);
+        check_within("pads-fixed", words("%splace along x", what), rows[i].x, state.at[0], 2e-6);
+        check_within("pads-fixed", words("%splace along y", what), rows[i].y, state.at[1], 2e-6);
         turned(state.stiffness, load, turn);
-        check_matrix("B3", words("%sK c/W, ", what), rows[i].stiffness, turn);
+        check_matrix("pads-fixed", words("%sK c/W, ", what), rows[i].stiffness, turn);
         turned(state.damping, load, turn);
-        check_matrix("B3", words("%sC c Omega/W, ", what), rows[i].damping, turn);
+        check_matrix("pads-fixed", words("%sC c Omega/W, ", what), rows[i].damping, turn);
     }
 }
 
@@ -153,10 +153,10 @@ static void check_reduced(const whirl_pads *bearing, const whirl_pads_state *sta
     const double obtained[] = {stiffness[0][0], stiffness[1][1], damping[0][0], damping[1][1]};
     static const char *const names[] = {"K*xx", "K*yy", "C*xx", "C*yy"};
     for (int i = 0; i < 4; i++)
-        check_within("B4", words("%s at whirl ratio %g: %s/W", what, ratio, names[i]), expected[i], obtained[i] / load,
-                     2e-4 * fmax(expected[i], 4.0));
-    check_within("B4", words("%s at whirl ratio %g: K*xy/W", what, ratio), 0.0, stiffness[0][1] / load, 1e-4);
-    check_within("B4", words("%s at whirl ratio %g: C*yx/W", what, ratio), 0.0, damping[1][0] / load, 1e-4);
+        check_within("pads-tilting", words("%s at whirl ratio %g: %s/W", what, ratio, names[i]), expected[i],
+                     obtained[i] / load, 2e-4 * fmax(expected[i], 4.0));
+    check_within("pads-tilting", words("%s at whirl ratio %g: K*xy/W", what, ratio), 0.0, stiffness[0][1] / load, 1e-4);
+    check_within("pads-tilting", words("%s at whirl ratio %g: C*yx/W", what, ratio), 0.0, damping[1][0] / load, 1e-4);
 }
 
 static void between_pads(void **unused) {
@@ -167,11 +167,11 @@ static void between_pads(void **unused) {
     (void)unused;
     assert_true(whirl_pads_named("tilting-5", 0.5, &bearing));
     whirl_pads_state state = rest(&bearing, load);
-    check_within("B4", "5 pads, load between pads: Y", -.1129304, state.at[1], 2e-6);
+    check_within("pads-tilting", "5 pads, load between pads: Y", -.1129304, state.at[1], 2e-6);
     for (int i = 0; i < 5; i++) {
-        check_within("B4", words("load between pads: load of pad %d over W", i + 1), loads[i], state.load[i] / load,
-                     1e-5);
-        check_within("B4", words("load between pads: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 5e-6);
+        check_within("pads-tilting", words("load between pads: load of pad %d over W", i + 1), loads[i],
+                     state.load[i] / load, 1e-5);
+        check_within("pads-tilting", words("load between pads: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 5e-6);
     }
     check_reduced(&bearing, &state, "load between pads", 1.0, load,
                   (const double[]){6.47468, 7.60997, 7.40401, 8.13164});
@@ -180,7 +180,7 @@ static void between_pads(void **unused) {
     const double held[] = {9.51625, 6.66055, -7.42027, 10.7864};
     double over[2][2];
     for (int i = 0; i < 4; i++) over[i / 2][i % 2] = state.stiffness[i / 2][i % 2] / load;
-    check_matrix("B4", "load between pads, tilts held: K/W ", held, over);
+    check_matrix("pads-tilting", "load between pads, tilts held: K/W ", held, over);
 }
 
 static void on_pad(void **unused) {
@@ -189,14 +189,16 @@ static void on_pad(void **unused) {
     (void)unused;
     for (int i = 0; i < 5; i++) bearing.pads[i] = (whirl_pad){(54.0 + 72.0 * i) * pi / 180.0, pi / 3.0, 0.5, 0.3};
     whirl_pads_state state = rest(&bearing, load);
-    check_within("B4", "5 pads, load on a pad: Y", -.4434533, state.at[1], 2e-6);
+    check_within("pads-tilting", "5 pads, load on a pad: Y", -.4434533, state.at[1], 2e-6);
     static const double loads[] = {0.0, 0.0, .127425, .921247, .127425},
                         tilts[] = {0.0, 0.0, .159126, -.268819, -.684372};
     for (int i = 0; i < 5; i++) {
-        check_within("B4", words("load on a pad: load of pad %d over W", i + 1), loads[i], state.load[i] / load, 1e-5);
-        check_within("B4", words("load on a pad: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 1e-5);
+        check_within("pads-tilting", words("load on a pad: load of pad %d over W", i + 1), loads[i],
+                     state.load[i] / load, 1e-5);
+        check_within("pads-tilting", words("load on a pad: tilt of pad %d", i + 1), tilts[i], state.tilt[i], 1e-5);
     }
-    check_holds("B4", "the upper two pads have no film that holds them", !state.loaded[0] && !state.loaded[1]);
+    check_holds("pads-tilting", "the upper two pads have no film that holds them",
+                !state.loaded[0] && !state.loaded[1]);
     check_reduced(&bearing, &state, "load on a pad", 1.0, load, (const double[]){.769232, 6.9812, 1.1089, 4.41807});
     check_reduced(&bearing, &state, "load on a pad", 0.5, load, (const double[]){1.05458, 7.87454, .92321, 3.98724});
 }
@@ -211,8 +213,8 @@ static void short_limit(void **unused) {
         .count = 1, .pads = {{pi, 2.0 * pi, 0.5, 0.0}}, .ratio = ratio, .gumbel = true, .fineness = FINE};
     whirl_pads_state state;
     require_ok(whirl_pads_rest(&bearing, (const double[]){-force[0], -force[1]}, &state));
-    check_within("B1", "short film, L/D 0.02: eccentricity ratio", eps, hypot(state.at[0], state.at[1]), 1e-3);
-    check_within("B1", "short film, L/D 0.02: attitude, rad", 0.0, state.at[1], 1e-3);
+    check_within("pads-short", "short film, L/D 0.02: eccentricity ratio", eps, hypot(state.at[0], state.at[1]), 1e-3);
+    check_within("pads-short", "short film, L/D 0.02: attitude, rad", 0.0, state.at[1], 1e-3);
 }
 
 /// Every usual bearing carries loads from heavy to light; tilting pads hold it on the line of the load.
@@ -227,11 +229,11 @@ static void carried(void **unused) {
             whirl_pads bearing = {.ratio = 0.5, .fineness = 480};
             assert_true(whirl_pads_named(names[i], 0.5, &bearing));
             const whirl_pads_state state = rest(&bearing, load);
-            check_within("B3", words("%s, S %g: the film's force over the load", names[i], numbers[k]), 1.0,
+            check_within("pads-fixed", words("%s, S %g: the film's force over the load", names[i], numbers[k]), 1.0,
                          state.force[1] / load, 1e-6);
             if (bearing.tilting)
-                check_within("B4", words("%s, S %g: place across the load", names[i], numbers[k]), 0.0, state.at[0],
-                             1e-7);
+                check_within("pads-tilting", words("%s, S %g: place across the load", names[i], numbers[k]), 0.0,
+                             state.at[0], 1e-7);
         }
 }
 

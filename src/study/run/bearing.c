@@ -61,9 +61,7 @@ static void remark_point(const whirl_bearing *of, whirl_bearing_point *point) {
                "is of a laminar one",
                taylor, first_vortices, point->reynolds);
     if (point->heating > 20.0)
-        remark(to, count,
-               "the power would warm the oil that leaves by %.3g K: see that its viscosity is that of the "
-               "warm film",
+        remark(to, count, "the power would warm the leaving oil by %.3g K: is the viscosity that of the warm film?",
                point->heating);
     if (!(error <= 0.01)) remark(to, count, "coefficients differ by %.2g %% on a mesh half as fine", 100.0 * error);
     remark_idle_pads(of, point);
@@ -83,7 +81,7 @@ static void remark_bearing(const whirl_bearing *of, whirl_bearing_table *table) 
 
 // ---------------------------------------------------------------- a point
 
-/// A rigid rotor whirls above that mass a bearing: K - m w^2 + i w C has no inverse at one real w (Lund 1966).
+/// A rigid rotor whirls above that mass a bearing: K - m w^2 + i w C has no inverse at one real w (Lund 1965).
 /// Matrices are xx, xy, yx, yy.
 static void find_critical_mass(const double *k, const double *c, double speed, double *mass, double *whirl) {
     const double together = (k[0] * c[3] + k[3] * c[0] - k[1] * c[2] - k[2] * c[1]) / (c[0] + c[3]);
