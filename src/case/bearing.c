@@ -345,19 +345,19 @@ static void release(void *made) {
     whirl_bearing_free(made);
 }
 
-static const file_kind kind = {&file_group, VERSION, sizeof(whirl_bearing), fill, release};
+static const file_kind bearing_kind = {&file_group, VERSION, sizeof(whirl_bearing), fill, release};
 
 whirl_status whirl_bearing_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                                  whirl_bearing **out) {
     void *made;
-    const whirl_status status = file_parse(&kind, text, length, name, problems, &made);
+    const whirl_status status = file_parse(&bearing_kind, text, length, name, problems, &made);
     *out = made;
     return status;
 }
 
 whirl_status whirl_bearing_load(const char *path, whirl_problems *problems, whirl_bearing **bearing) {
     void *made;
-    const whirl_status status = file_load(&kind, path, problems, &made);
+    const whirl_status status = file_load(&bearing_kind, path, problems, &made);
     *bearing = made;
     return status;
 }

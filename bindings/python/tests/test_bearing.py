@@ -38,6 +38,8 @@ def test_rows_of_lund_and_thomsen():
         ):
             turned = unit * np.array([own[1, 1], -own[1, 0], -own[0, 1], own[0, 0]])
             assert turned == pytest.approx(expected, abs=3e-4 * max(expected))
+        # What is told as the error bounds what is wrong, but for the digits of the rows.
+        assert 1e-4 * abs(found.eccentricity_ratio[i] - eccentricity) <= found.error[i, 0] + 1e-11
     assert (found.error[:, 1:] < 1e-3).all()
 
 
