@@ -6,6 +6,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "case_arguments.h"
 #include "cores.h"
 #include "guard.h"
 #include "interrupt.h"
@@ -14,7 +15,7 @@
 #include "whirl/bearing_table.h"
 #include "whirl/figure.h"
 
-enum { KEY_FORCE = 0x100, KEY_CSV, KEY_TABLE, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, KEY_THREADS, KEY_QUIET };
+enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MOST_THREADS = 1024 };
 
 typedef struct bearing_arguments {
     const char *path, *csv, *table, *station, *output, *figure, *gnuplot;
@@ -40,7 +41,6 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
     bearing_arguments *arguments = state->input;
-    char rest;
     switch (key) {
     case 'j':
         arguments->json = true;
@@ -70,9 +70,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         arguments->force = true;
         return 0;
     case KEY_THREADS:
-        if (sscanf(argument, "%d%c", &arguments->threads, &rest) != 1 || arguments->threads < 1 ||
-            arguments->threads > 1024)
-            bad_argument(state, "--threads is '%s', expected a number from 1 to 1024", argument);
+        arguments->threads = take_whole("--threads", argument, MOST_THREADS, state);
         return 0;
     case ARGP_KEY_ARG:
         if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);

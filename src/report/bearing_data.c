@@ -71,7 +71,7 @@ static json_t *both(bool *well, const double (*of)[2][2]) {
 
 /// All coordinates: x, y in m, tilts in rad. The film of a pad sees (x, y) - R tilt t, t along the pad.
 static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double *out) {
-    for (size_t i = 0; i < FULL * FULL; i++) out[i] = 0.0;
+    for (size_t i = 0; i < (size_t)FULL * FULL; i++) out[i] = 0.0;
     for (size_t i = 0; i < of->pads.count; i++) {
         const double angle = of->pads.pads[i].pivot, t[] = {-of->radius * -sin(angle), -of->radius * cos(angle)};
         for (size_t r = 0; r < 2; r++)
