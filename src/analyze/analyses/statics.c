@@ -32,7 +32,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [ATTITUDE] = {WHIRL_FIELD_STATICS_ATTITUDE, "deg",
                   "from the load of the film to where the journal rests, with the rotation", WHIRL_PER_STATION, 1,
                   NULL},
-    [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest", WHIRL_PER_STATION, 1, NULL},
+    [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest", WHIRL_PER_STATION, 1,
+              NULL},
 };
 
 /// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2].
