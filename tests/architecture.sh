@@ -116,9 +116,9 @@ system_only_in time.h base/clock.c
 # shellcheck disable=SC2086 # they are several
 system_only_in fcntl.h $files $process base/room.c
 # shellcheck disable=SC2086
-system_only_in sys/stat.h $files report/render/gnuplot.c
+system_only_in sys/stat.h $files rotor/pads/tables.c report/render/gnuplot.c
 # shellcheck disable=SC2086
-system_only_in unistd.h $files $process store/journal/underway.c store/hdf5/h5driver.c base/room.c
+system_only_in unistd.h $files $process rotor/pads/tables.c store/journal/underway.c store/hdf5/h5driver.c base/room.c
 system_only_in dirent.h store/journal/underway.c
 system_only_in sys/file.h store/journal/journal_file.c
 system_only_in sys/wait.h $process

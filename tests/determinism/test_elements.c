@@ -37,6 +37,10 @@ static const char *const elements[] = {
     "stribeck_speed: 0.1 m/s, arc: 200 deg, arc_middle: -1 rad}",
     "contact: {" STATOR ", friction_law: lugre, static_friction: 0.2, stribeck_speed: 0.1 m/s, bristle_stiffness: 100, "
     "bristle_damping: 0.01}",
+    "pad_bearing: {at: rotor, from: stator, shape: offset-half, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm}",
+    "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm, inertia: 1e-4 kg m2}",
     "blade_rub: {at: rotor, from: stator, blades: 5, radius: 0.3 m, gap: 60 um, stiffness: 2e7, friction: 0.1, "
     "extension: [20 um, 0 m, 0 m, 5 um, 0 m]}"};
 enum { ELEMENTS = sizeof elements / sizeof *elements, LANES = 5, REVOLUTIONS = 3, MOST = 64 };

@@ -26,11 +26,16 @@ ANGLES = {
     "gravity": {"direction": None},
     "segment": {"flats_angle": None},
 }
-SIGNS = {"bearing": ("kxy", "kyx", "cxy", "cyx", "mxy")}
-ALIKE = "beam coupling film looseness mount rub seal shaft spring squeeze stage".split()
+SIGNS = {
+    "bearing": ("kxy", "kyx", "cxy", "cyx", "mxy"),
+    "pad_bearing": ("turned",),
+    "tilting_pad": ("turned",),
+}
+ALIKE = "beam coupling film floating_ring looseness mount rub seal shaft spring squeeze stage".split()
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]
 CASES += sorted((ROOT / "tests/references/motions").glob("*.yaml"))
+CASES += sorted((ROOT / "tests/rotors").glob("*.yaml"))
 
 
 def from_other_side(angle):

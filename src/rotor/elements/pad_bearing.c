@@ -31,6 +31,7 @@ const element_type pad_bearing_element = {
     .build = build,
     .carries = true,
     .bearing_clearance = pads_clearance,
+    .note = pads_note,
     .doubt = pads_doubt,
 };
 #endif

@@ -15,6 +15,10 @@ const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
+#include <math.h>
+
+#include "centred.h"
+
 static const whirl_key keys[PADS_TILTING_KEYS] = {
     PADS_KEYS("tilting-4|tilting-5"),
     [PADS_INERTIA] =
@@ -29,31 +33,15 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return pads_build(values, true, to, out);
 }
 
-/// The force of a pad's film along it on its pivot, before a journal at rest in the middle, at a tilt.
-static double along_pad(const kernel_view *view, const vec *pad, double tilt) {
-    const vec x = pad[PAD_SHIFT_X] - tilt * pad[PAD_ALONG_X], y = pad[PAD_SHIFT_Y] - tilt * pad[PAD_ALONG_Y];
-    vec force[2];
-    pads_film_plain(view, pad, x, y, x, y, force);
-    return pad[PAD_ALONG_X] * force[0] + pad[PAD_ALONG_Y] * force[1];
-}
-
-/// The first tilt at which the film holds a pad: the force along it rises through 0 with the tilt; 0 where none does.
-static double held_tilt(const kernel_view *view, const vec *pad) {
-    const double widest = 3.0, step = 0.05;
-    double low = -widest;
-    while (low < widest && !(along_pad(view, pad, low) < 0.0 && along_pad(view, pad, low + step) >= 0.0)) low += step;
-    double high = low + step;
-    if (low >= widest) return 0.0;
-    for (int k = 0; k < 50; k++) {
-        const double middle = 0.5 * (low + high);
-        *(along_pad(view, pad, middle) < 0.0 ? &low : &high) = middle;
-    }
-    return 0.5 * (low + high);
-}
-
+/// All pads lie alike before a journal in the middle.
 static void begin(const element *own, double *states) {
-    const kernel_view view = {.stride = 1, .number = own->number};
-    for (int p = 0; p < own->law; p++) states[2 * p] = held_tilt(&view, own->number + PADS_FIRST + p * PAD_NUMBERS);
+    const double *pad = own->number + PADS_FIRST;
+    const pad_table_key key = pad_table_key_of(pad[PAD_TABLE]);
+    const double lead = atan2(pad[PAD_ALONG_X], pad[PAD_ALONG_Y]);
+    const whirl_pad alone = {
+        .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
+    const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
+    for (int p = 0; p < own->law; p++) states[2 * p] = tilt;
 }
 
 KERNELS_OF_EVERY_ISA(tilting_pad_kernels);
@@ -69,6 +57,7 @@ const element_type tilting_pad_element = {
     .begin = begin,
     .carries = true,
     .bearing_clearance = pads_clearance,
+    .note = pads_note,
     .doubt = pads_doubt,
 };
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bracket.h"
+#include "centred.h"
 #include "reynolds.h"
 #include "whirl/bearing.h"
 
@@ -148,6 +149,19 @@ static whirl_status balance_pad(const solver *s, const whirl_pad *pad, const dou
         bracket_tell(&found, *tilt, along);
     }
     return status;
+}
+
+double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel) {
+    static const double middle[2] = {0.0, 0.0};
+    const whirl_pads bearing = {.count = 1, .pads = {*pad}, .ratio = ratio, .tilting = true, .gumbel = gumbel};
+    solver s = {.bearing = &bearing, .coarser = COARSER};
+    const pad_film film = film_of(&s, pad);
+    double tilt = 0.0;
+    bool held;
+    if (pad_workspace_new(film.around, film.along, &s.work).code != WHIRL_OK) return 0.0;
+    if (balance_pad(&s, pad, middle, &tilt, &held).code != WHIRL_OK || !held) tilt = 0.0;
+    pad_workspace_free(s.work);
+    return tilt;
 }
 
 // ---------------------------------------------------------------- derivatives

@@ -1,6 +1,7 @@
 #include "pads_build.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "doubts.h"
@@ -60,8 +61,8 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, dou
     number[PAD_ALONG_Y] = cos(lead);
     number[PAD_HALF_COSINE] = cos(0.5 * pad->arc);
     number[PAD_HALF_SINE] = sin(0.5 * pad->arc);
-    return pad_table_find(pad->arc, bearing->ratio, bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS,
-                          &number[PAD_TABLE]);
+    const pad_table_key key = {pad->arc, bearing->ratio, bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS};
+    return pad_table_number(&key, &number[PAD_TABLE]);
 }
 
 /// mu omega R L (R/c)^2 in N.
@@ -93,6 +94,8 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     out->number[PADS_SIGN] = sign;
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
+        // Usual shapes are told of shafts that turn from x to y: of others they are the mirror image.
+        if (sign < 0.0 && values[PADS_SHAPE].given) pad.pivot = 3.14159265358979323846 - pad.pivot;
         pad.pivot = sign * (pad.pivot + values[PADS_TURNED].number);
         status = put_pad(&bearing, &pad, out->number + PADS_FIRST + i * PAD_NUMBERS);
     }
@@ -103,6 +106,16 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
                 ? 0.0
                 : values[PADS_COUNT].number * strength / assembly_force_scale(to, out->port[port]);
     return status;
+}
+
+void pads_note(const element *own, double length, double clock, char *text, size_t size) {
+    (void)length, (void)clock;
+    // Measured over places of pads of 40 to 160 degrees, L/D 0.25 to 2 (tests/validation/test_pad_elements.c).
+    snprintf(
+        text, size,
+        "films of %d pads by tables: the force errs by less than 0.1 %% of a pad's largest at 95 %% of places, by up "
+        "to 1.1 %% where a film begins",
+        own->law);
 }
 
 /// Where no pad tilts, the largest displacement in any direction is at least that by which pads lie apart.

@@ -65,6 +65,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
 /// In length scales: the circle in which the journal moves; 0 where the housing moves.
 double pads_clearance(const element *own);
 
+/// By what the tables of its films err.
+void pads_note(const element *own, double length, double clock, char *text, size_t size);
+
 void pads_doubt(const key_value *values, double speed, const doubt_teller *to);
 
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 /// Nodes, and volumes of the films at them.
-enum { T_NODES = 28, W_NODES = 27, ALPHA_NODES = 48, AROUND_A_TURN = 256, ALONG_HALF = 12 };
+enum { T_NODES = 28, W_NODES = 27, ALPHA_NODES = 48, AROUND_A_TURN = 128 };
 
 static const double least_t = 0.14, most_t = 1.6, most_w = 0.92, two_pi = 6.28318530717958647693;
 
@@ -143,9 +143,15 @@ static whirl_status fill(pad_table *table, const pad_film *film) {
     return status;
 }
 
+/// The grid of a table: half as long as it is wide, or longer, a pad needs more volumes along it.
+static pad_film film_of(double arc, double ratio, cavitation law) {
+    const int around = 16 * (int)ceil(arc / two_pi * AROUND_A_TURN / 16.0), least = 64;
+    const double along = 4.0 * ceil(4.0 * ratio / arc);
+    return (pad_film){arc, ratio, law, around > least ? around : least, (int)fmin(fmax(along, 8.0), 24.0)};
+}
+
 whirl_status pad_table_new(double arc, double ratio, cavitation law, pad_table **out) {
-    const int volumes = 16 * (int)ceil(arc / two_pi * AROUND_A_TURN / 16.0), least = 64;
-    const pad_film film = {arc, ratio, law, volumes > least ? volumes : least, ALONG_HALF};
+    const pad_film film = film_of(arc, ratio, law);
     pad_table *table = pad_table_empty(arc);
     const whirl_status status =
         table ? fill(table, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");

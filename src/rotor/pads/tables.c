@@ -1,6 +1,7 @@
 #include "tables.h"
 
-#include <errno.h>
+#include <math.h>
+#include <stdatomic.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,20 +14,10 @@
 /// Of the file: another number where nodes or the solution change.
 enum { FORMAT = 1, PATH_LENGTH = 1024 };
 
-/// What a table is of.
-typedef struct table_key {
-    double arc, ratio;
-    int law;
-} table_key;
-
 static lock guard = LOCK_OPEN;
-static const pad_table *tables[MAX_PAD_TABLES];
-static table_key keys[MAX_PAD_TABLES];
+static _Atomic(const pad_table *) tables[MAX_PAD_TABLES];
+static pad_table_key keys[MAX_PAD_TABLES];
 static size_t table_count;
-
-const pad_table *pad_table_of(double number) {
-    return tables[(size_t)number];
-}
 
 // ---------------------------------------------------------------- files
 
@@ -62,21 +53,21 @@ static bool cache_folder(char folder[PATH_LENGTH]) {
 }
 
 /// The file of a table; false without a folder.
-static bool file_of(const table_key *key, char path[PATH_LENGTH]) {
+static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
     char folder[PATH_LENGTH];
     if (!cache_folder(folder)) return false;
     uint64_t of[2];
     memcpy(&of[0], &key->arc, sizeof of[0]);
     memcpy(&of[1], &key->ratio, sizeof of[1]);
-    const int length = snprintf(path, PATH_LENGTH, "%s/pad-%d-%d-%016llx-%016llx", folder, FORMAT, key->law,
+    const int length = snprintf(path, PATH_LENGTH, "%s/pad-%d-%d-%016llx-%016llx", folder, FORMAT, (int)key->law,
                                 (unsigned long long)of[0], (unsigned long long)of[1]);
     return length > 0 && length < PATH_LENGTH;
 }
 
-static file_head head_of(const table_key *key, const pad_table *table) {
+static file_head head_of(const pad_table_key *key, const pad_table *table) {
     const size_t count = pad_table_size(table);
     file_head head = {.format = FORMAT,
-                      .law = key->law,
+                      .law = (int32_t)key->law,
                       .arc = key->arc,
                       .ratio = key->ratio,
                       .count = count,
@@ -86,7 +77,7 @@ static file_head head_of(const table_key *key, const pad_table *table) {
 }
 
 /// A table from its file; NULL where there is none, or it is damaged or another one.
-static pad_table *read_table(const table_key *key) {
+static pad_table *read_table(const pad_table_key *key) {
     char path[PATH_LENGTH];
     file_head head, own;
     if (!file_of(key, path)) return NULL;
@@ -114,7 +105,7 @@ static void make_folders(char *folder) {
 }
 
 /// Leaves a table for other runs, in one step; where that fails they make it again.
-static void write_table(const table_key *key, const pad_table *table) {
+static void write_table(const pad_table_key *key, const pad_table *table) {
     char path[PATH_LENGTH], folder[PATH_LENGTH], part[PATH_LENGTH + 32];
     if (!file_of(key, path) || !cache_folder(folder)) return;
     make_folders(folder);
@@ -130,29 +121,53 @@ static void write_table(const table_key *key, const pad_table *table) {
 
 // ---------------------------------------------------------------- all tables
 
-static whirl_status add_table(const table_key *key) {
-    if (table_count == MAX_PAD_TABLES)
-        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d different pads, by arc and length over diameter",
-                          MAX_PAD_TABLES);
-    pad_table *table = read_table(key);
-    if (!table) {
-        const whirl_status status = pad_table_new(key->arc, key->ratio, (cavitation)key->law, &table);
-        if (status.code != WHIRL_OK) return status;
-        write_table(key, table);
-    }
-    keys[table_count] = *key;
-    tables[table_count++] = table;
-    return whirl_ok();
-}
-
-whirl_status pad_table_find(double arc, double ratio, cavitation law, double *number) {
-    const table_key key = {arc, ratio, (int)law};
-    whirl_status status = whirl_ok();
+whirl_status pad_table_number(const pad_table_key *key, double *number) {
     size_t i = 0;
     lock_take(&guard);
-    while (i < table_count && (keys[i].arc != arc || keys[i].ratio != ratio || keys[i].law != key.law)) i++;
-    if (i == table_count) status = add_table(&key);
+    while (i < table_count && (keys[i].arc != key->arc || keys[i].ratio != key->ratio || keys[i].law != key->law)) i++;
+    if (i == table_count && i < MAX_PAD_TABLES) keys[table_count++] = *key;
     lock_leave(&guard);
     *number = (double)i;
-    return status;
+    return i < MAX_PAD_TABLES
+               ? whirl_ok()
+               : whirl_fail(WHIRL_BAD_INPUT, "there are more than %d different pads, by arc and length over diameter",
+                            MAX_PAD_TABLES);
+}
+
+pad_table_key pad_table_key_of(double number) {
+    lock_take(&guard);
+    const pad_table_key key = keys[(size_t)number];
+    lock_leave(&guard);
+    return key;
+}
+
+/// One of not-a-numbers, of two nodes along every axis.
+static const pad_table *no_table(void) {
+    static double none[2 * 4 * 4 * 5];
+    static const pad_axis axis = {0.0, 1.0, 2};
+    static const pad_table table = {.sine = 1.0, .t = axis, .w = axis, .alpha = axis, .coefficients = none};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) none[i] = (double)NAN;
+    return &table;
+}
+
+static const pad_table *make_table(const pad_table_key *key) {
+    pad_table *table = read_table(key);
+    if (table) return table;
+    if (pad_table_new(key->arc, key->ratio, key->law, &table).code != WHIRL_OK) return no_table();
+    write_table(key, table);
+    return table;
+}
+
+const pad_table *pad_table_of(double number) {
+    const size_t i = (size_t)number;
+    const pad_table *table = atomic_load_explicit(&tables[i], memory_order_acquire);
+    if (table) return table;
+    lock_take(&guard);
+    table = atomic_load_explicit(&tables[i], memory_order_relaxed);
+    if (!table) {
+        table = make_table(&keys[i]);
+        atomic_store_explicit(&tables[i], table, memory_order_release);
+    }
+    lock_leave(&guard);
+    return table;
 }

@@ -6,12 +6,22 @@
 
 enum { MAX_PAD_TABLES = 4096 };
 
-/// The number of the table of such a pad: from memory, from the user's cache folder ($XDG_CACHE_HOME/whirl, or
-/// ~/.cache/whirl) where it is whole, else it is made, which takes seconds, and left there. Errors as pad_table_new,
-/// and WHIRL_BAD_INPUT for more tables than MAX_PAD_TABLES.
-whirl_status pad_table_find(double arc, double ratio, cavitation law, double *number);
+/// What a table is of.
+typedef struct pad_table_key {
+    double arc, ratio;
+    cavitation law;
+} pad_table_key;
 
-/// The table of a number that pad_table_find has given.
+/// The number of the table of such a pad. WHIRL_BAD_INPUT for more tables than MAX_PAD_TABLES.
+whirl_status pad_table_number(const pad_table_key *key, double *number);
+
+/// What that is of.
+pad_table_key pad_table_key_of(double number);
+
+/// The table of a number. Where it is asked for first it is read from the user's cache folder ($XDG_CACHE_HOME/whirl,
+/// or
+/// ~/.cache/whirl) if it is whole there, else it is made, which takes seconds, and left there. Not-a-numbers where
+/// there is no memory for it: what moves by it diverges.
 const pad_table *pad_table_of(double number);
 
 #endif

@@ -1,0 +1,111 @@
+"""Bearings of pads as elements of a machine beside digits of growth.md B3 and B4: where the journal rests, how it moves."""
+
+import numpy as np
+import pytest
+
+import whirl
+
+SPEED, VISCOSITY, RADIUS, CLEARANCE, GRAVITY = 628.3185307179586, 0.02, 0.05, 1e-4, 9.80665
+
+CASE = """
+whirl: 1
+rotor:
+  speed: {speed} rad/s
+  length_scale: 0.1 mm
+  stations:
+    journal: {{mass: {mass} kg}}
+  elements:
+    - gravity: {{}}
+    - unbalance: {{at: journal, moment: {moment} kg.m}}
+    - {kind}: {{at: journal, clearance: 0.1 mm, viscosity: 20 mPa.s, radius: 50 mm, length: {length} m, {keys}}}
+study:
+{study}
+"""
+
+
+def strength(ratio):
+    """mu Omega R L (R/c)^2."""
+    return VISCOSITY * SPEED * RADIUS * 2 * RADIUS * ratio * (RADIUS / CLEARANCE) ** 2
+
+
+def run(kind, keys, ratio, load, study):
+    """A mass whose weight is the load, which is over the strength, with an unbalance of 1e-4 of the clearance."""
+    mass = load * strength(ratio) / GRAVITY
+    text = CASE.format(
+        speed=SPEED,
+        mass=mass,
+        moment=1e-4 * mass * CLEARANCE,
+        length=2 * RADIUS * ratio,
+        kind=kind,
+        keys=keys,
+        study=study,
+    )
+    return mass, whirl.run(whirl.Case(text=text), progress=False)
+
+
+def in_newtons(of_load, weight):
+    """K c/W and C c Omega/W in Lund's frame, x along the load, as K and C in the case's."""
+    k = np.array(of_load, float).reshape(2, 2) * weight / CLEARANCE
+    turn = np.array([[0, -1], [1, 0]], float)  # rows: Lund's axes, the load along -y
+    return turn.T @ k @ turn
+
+
+ROWS = {
+    ("elliptical", 0.5, 0.5, 0.4): (
+        (0.28524461, -0.03526400),
+        (7.1951, 4.0038, -3.1440, 1.1600),
+        (11.5128, -1.7321, -1.7321, 3.7053),
+    ),
+    ("two-groove", 0, 0.5, 0.379): (
+        (0.40645939, -0.39910856),
+        (3.3125, 3.6596, -0.4441, 1.7042),
+        (6.7893, 1.9032, 1.9032, 1.9383),
+    ),
+}
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row[0])
+def test_fixed_pads(row):
+    """Rest to 2e-3 of the clearance, eigenvalues to 1 % of those of the published K and C."""
+    shape, preload, ratio, sommerfeld = row
+    place, stiffness, damping = ROWS[row]
+    load = 1 / (np.pi * sommerfeld)
+    mass, result = run("pad_bearing", f"shape: {shape}, preload: {preload}", ratio, load, "  modes: {}")
+    modes = result["modes"]
+    assert np.squeeze(modes["modes/rest"]) == pytest.approx(place, abs=2e-3)
+    k, c = (in_newtons(one, mass * GRAVITY) for one in (stiffness, damping))
+    c /= SPEED
+    states = np.block([[np.zeros((2, 2)), np.eye(2)], [-k / mass, -c / mass]])
+    slowest = max(np.linalg.eigvals(states), key=lambda root: root.real)
+    growth = np.squeeze(modes["modes/stability"])
+    assert growth == pytest.approx(slowest.real, abs=0.01 * abs(slowest))
+
+
+def test_tilting_pads():
+    """Five pads of small inertia, load between pads: the unbalance response is that of the reduced coefficients at the
+    whirl ratio 1, to 1 %; so are motions."""
+    load, reduced = 1 / (np.pi * 0.5), ((6.47468, 7.60997), (7.40401, 8.13164))
+    study = """  unbalance: {}
+  response: {}
+  integrate: {method: rodas5p, transient: 30, record: 4}
+  analyze: [poincare, regime, spectrum]
+"""
+    mass, result = run("tilting_pad", "shape: tilting-5, preload: 0.5, inertia: 1e-5 kg m2", 0.5, load, study)
+    weight = mass * GRAVITY
+    k, c = (np.array(one) * weight / CLEARANCE for one in reduced)
+    force = 1e-4 * mass * CLEARANCE * SPEED**2
+    expected = np.abs(force / (k + 1j * c - mass * SPEED**2)) / 1e-4
+    for name, table in (("unbalance/amplitude", "unbalance"), ("spectrum/synchronous", "response")):
+        found = np.squeeze(result[table][name])[:2]
+        assert found == pytest.approx(expected, rel=0.01), name
+
+
+def test_what_is_wrong():
+    for keys, wrong in (
+        ("shape: elliptical, pivots: [90 deg]", "has both shape and pivots"),
+        ("preload: 0.5", "has neither shape nor pivots"),
+        ("pivots: [90 deg, 270 deg]", "has pivots without arc"),
+        ("shape: elliptical, arc: 100 deg", "has arc beside shape"),
+    ):
+        with pytest.raises(whirl.Error, match=wrong):
+            run("pad_bearing", keys, 0.5, 0.5, "  modes: {}")
