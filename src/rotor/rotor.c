@@ -289,15 +289,19 @@ static whirl_rotor *finish(building *b) {
     return rotor;
 }
 
+/// What the arrays of a rotor have room for.
+static whirl_status check_states(const building *b) {
+    if (b->state_count <= MAX_OWN_STATES) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "the rotor's elements have %zu states of their own, expected at most %d",
+                      b->state_count, MAX_OWN_STATES);
+}
+
 static whirl_status check(const whirl_rotor *rotor) {
     // Contacts are at most as many as elements.
     _Static_assert((int)WHIRL_MAX_ELEMENTS <= (int)WHIRL_MAX_CONTACTS, "a contact for every element");
     if (rotor->lanes.switch_count > WHIRL_MAX_SWITCHES)
         return whirl_fail(WHIRL_BAD_INPUT, "the rotor has %zu switches, expected at most %d", rotor->lanes.switch_count,
                           WHIRL_MAX_SWITCHES);
-    if (rotor->lanes.states > MAX_OWN_STATES)
-        return whirl_fail(WHIRL_BAD_INPUT, "the rotor's elements have %zu states of their own, expected at most %d",
-                          rotor->lanes.states, MAX_OWN_STATES);
     for (size_t i = 0; i < rotor->lanes.number_count; i++)
         if (!isfinite(rotor->numbers[i]))
             return whirl_fail(WHIRL_BAD_INPUT,
@@ -330,6 +334,7 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
         status = building_assemble(&b, design, order);
     }
     if (status.code == WHIRL_OK) status = building_finish(&b);
+    if (status.code == WHIRL_OK) status = check_states(&b);
     whirl_rotor *rotor = status.code == WHIRL_OK ? finish(&b) : NULL;
     if (status.code == WHIRL_OK && !rotor)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu stations", design->station_count);

@@ -140,7 +140,9 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[FILM_TWICE] = 2.0 / (to->turn * speed);
     out->number[FILM_QUARTER] = copysign(1.57079632679489661923, to->turn * speed);
     // The structure of pair_kernel.h has films of this kernel, whose journals alone turn, with the rotor.
-    if (out->law || values[FROM].given || speed != 1.0) build_finite(values, to, out);
+    // Ratios that are given may go through 1 in a sweep, whose machines have one structure.
+    const bool ratios = values[JOURNAL_RATIO].given || values[HOUSING_RATIO].given || speed != 1.0;
+    if (out->law || values[FROM].given || ratios) build_finite(values, to, out);
     return whirl_ok();
 }
 

@@ -42,12 +42,13 @@ static inline void KERNEL(pads_film)(const kernel_view *view, const vec *pad, nu
     const vec cosine = pad[PAD_HALF_COSINE * view->stride], sine = pad[PAD_HALF_SINE * view->stride];
     const num one = n_set(1.0), thickness = n_sub(one, x), t = n_sqrt(thickness);
     const num straight = n_div(n_sub(one, n_scale(cosine, x)), n_of(sine)), round = n_sqrt(n_sub(one, n_mul(x, x)));
-    const num v = n_div(y, n_select(n_less(x, n_of(cosine)), straight, round)), square = n_sub(one, n_mul(v, v));
-    const num w = n_div(v, n_add(one, n_sqrt(square)));
-    // The 2^-600 keeps a journal that neither turns nor moves before the pad from dividing by zero.
+    const num v = n_div(y, n_select(n_less(x, n_of(cosine)), straight, round)), root = n_sqrt(n_sub(one, n_mul(v, v)));
+    const num w = n_div(v, n_add(one, root));
+    // Beyond the wall the root is not a number, and the motion counts as diverged. The 2^-600 keeps a journal that
+    // neither turns nor moves before the pad from dividing by zero.
     const num V = n_sqrt(n_fma(a, a, n_fma(b, b, n_set(0x1p-600))));
     const num half = KERNEL(pads_half_angle)(a, b, n_div(one, V));
-    const num scale = n_div(V, n_mul(square, n_mul(thickness, thickness)));
+    const num scale = n_div(V, n_mul(n_mul(root, root), n_mul(thickness, thickness)));
     num sum[2];
     KERNEL(pads_look_up)(view, pad, t, w, half, sum);
     for (int n = 0; n < 2; n++) f[n] = n_mul(scale, sum[n]);

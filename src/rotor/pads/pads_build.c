@@ -19,6 +19,20 @@ static const char *shape_name(bool tilting, int choice) {
     return tilting ? free[choice] : fixed[choice];
 }
 
+/// Pads do not lie on one another.
+static whirl_status check_overlap(const whirl_pads *bearing) {
+    const double turn = 6.28318530717958647692, degree = turn / 360.0, rounding = 1e-9;
+    for (size_t i = 0; i < bearing->count; i++)
+        for (size_t k = 0; k < i; k++) {
+            const double apart = fabs(remainder(bearing->pads[i].pivot - bearing->pads[k].pivot, turn));
+            if (apart < bearing->pads[i].arc - rounding)
+                return whirl_fail(WHIRL_BAD_INPUT,
+                                  "has pivots %.4g degrees from each other, expected at least the arc, %.4g",
+                                  apart / degree, bearing->pads[i].arc / degree);
+        }
+    return whirl_ok();
+}
+
 /// The pads that the keys tell.
 static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads *out) {
     const key_value *pivots = &values[PADS_PIVOTS];
@@ -34,6 +48,8 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
             return whirl_fail(WHIRL_BAD_INPUT, "has %s beside shape, expected pivots with it",
                               values[PADS_ARC].given ? "arc" : "offset");
         whirl_pads_named(shape_name(tilting, values[PADS_SHAPE].choice), preload, out);
+        if (values[PADS_PRELOAD].given && preload != 0.0 && out->pads[0].preload == 0.0)
+            return whirl_fail(WHIRL_BAD_INPUT, "has a preload, which a two-groove bearing has not");
         return whirl_ok();
     }
     if (!values[PADS_ARC].given)
@@ -46,7 +62,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                                    .arc = values[PADS_ARC].number,
                                    .offset = values[PADS_OFFSET].number,
                                    .preload = preload};
-    return whirl_ok();
+    return check_overlap(out);
 }
 
 /// The numbers of one pad, whose angles are those of a shaft that turns from x to y.
@@ -83,6 +99,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     whirl_pads bearing;
     double viscosity;
     whirl_status status = read_pads(values, tilting, &bearing);
+    if (status.code == WHIRL_OK && !(bearing.ratio >= 0.02 && bearing.ratio <= 20.0))
+        status =
+            whirl_fail(WHIRL_BAD_INPUT, "is %.3g times as long as its diameter, expected 0.02 to 20", bearing.ratio);
     if (status.code == WHIRL_OK) status = oil_viscosity(&own, &viscosity);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;

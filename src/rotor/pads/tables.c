@@ -144,9 +144,9 @@ pad_table_key pad_table_key_of(double number) {
 /// One of not-a-numbers, of two nodes along every axis.
 static const pad_table *no_table(void) {
     static double none[2 * 4 * 4 * 5];
-    static const pad_axis axis = {0.0, 1.0, 2};
-    static const pad_table table = {.sine = 1.0, .t = axis, .w = axis, .alpha = axis, .coefficients = none};
-    for (size_t i = 0; i < sizeof none / sizeof *none; i++) none[i] = (double)NAN;
+    static const pad_table table = {
+        .sine = 1.0, .t = {0.0, 1.0, 2}, .w = {0.0, 1.0, 2}, .alpha = {0.0, 1.0, 2}, .coefficients = none};
+    for (size_t i = 0; i < sizeof none / sizeof *none && !isnan(none[i]); i++) none[i] = (double)NAN;
     return &table;
 }
 
@@ -154,6 +154,8 @@ static const pad_table *make_table(const pad_table_key *key) {
     pad_table *table = read_table(key);
     if (table) return table;
     if (pad_table_new(key->arc, key->ratio, key->law, &table).code != WHIRL_OK) return no_table();
+    for (size_t i = 0; i < pad_table_size(table); i++)
+        if (!isfinite(table->coefficients[i])) return table; // told as diverged, and not kept
     write_table(key, table);
     return table;
 }
