@@ -97,7 +97,7 @@ static void print_grid(FILE *out, const whirl_table *table) {
 }
 
 size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VERDICTS]) {
-    size_t found = 0, *weights;
+    size_t found = 0, *weights = NULL;
     const bool weighed = whirl_layout_has_verdict(&table->layout) && weights_of(table, &weights);
     for (size_t point = 0; weighed && point < table->count; point++) {
         char name[VERDICT_SIZE];
@@ -113,7 +113,7 @@ size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VER
         }
         counts[i].points += weight_of(weights, point);
     }
-    if (weighed) free(weights);
+    free(weights);
     return found;
 }
 

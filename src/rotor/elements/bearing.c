@@ -141,7 +141,7 @@ static whirl_status check_shape(const key_value *values, int key) {
 /// The coefficient at the rotor's speed and the frequency of whirl: out of its list, or the same at all.
 static whirl_status look_up(const key_value *values, int key, const assembly *to, double *out) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
-    double at_speeds[WHIRL_MAX_LIST];
+    double at_speeds[WHIRL_MAX_LIST] = {0.0};
     *out = value->number;
     if (value->count == 0) return whirl_ok();
     const whirl_status status = check_shape(values, key);

@@ -189,7 +189,7 @@ static whirl_status filter(const key_value *values, transfer *out) {
 /// Writes a transfer function with time in 1/clock, a_m = 1, its output times `unit`.
 static void put(const transfer *from, double clock, double unit, int part, element *out) {
     const int m = from->order;
-    double *b = out->number + MAGNETIC_BLOCKS + part * BLOCK_NUMBERS, *a = b + BLOCK_ORDER + 1;
+    double *b = out->number + MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS, *a = b + BLOCK_ORDER + 1;
     for (int k = 0; k <= m; k++) {
         b[k] = unit * from->b[k] / from->a[m] * pow(clock, k - m);
         if (k < m) a[k] = from->a[k] / from->a[m] * pow(clock, k - m);

@@ -65,9 +65,9 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     // The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that are not to be fused.
     const num u[2] = {n_fma(n_of(c), d[0], n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
     num pull[2], left = n_set(1.0);
-    const int loop = loop_order(own);
+    const size_t loop = (size_t)loop_order(own);
     (void)w;
-    for (int line = 0; line < 2; line++) {
+    for (size_t line = 0; line < 2; line++) {
         const num current = KERNEL(current)(own, view, u[line], s + line * loop, slope + line * loop);
         pull[line] = KERNEL(pull)(own, view, u[line], current);
     }

@@ -62,8 +62,8 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const num X = n_scale(over, d[0]), Y = n_scale(v_mul(sign, over), d[1]);
     const num VX = n_scale(over, w[0]), VY = n_scale(v_mul(sign, over), w[1]);
     num FX = n_set(0.0), FY = n_set(0.0);
-    for (int p = 0; p < own->law; p++) {
-        const vec *pad = view->number + (PADS_FIRST + (size_t)p * PAD_NUMBERS) * stride;
+    for (size_t p = 0; p < (size_t)own->law; p++) {
+        const vec *pad = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
         const vec c = pad[PAD_COSINE * stride], sn = pad[PAD_SINE * stride];
         num x = n_add(n_add(n_scale(c, X), n_scale(sn, Y)), n_of(pad[PAD_SHIFT_X * stride]));
         num y = n_add(n_sub(n_scale(c, Y), n_scale(sn, X)), n_of(pad[PAD_SHIFT_Y * stride]));

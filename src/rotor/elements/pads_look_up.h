@@ -27,6 +27,9 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
+/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate.
+enum { PADS_STATES = 2 * MAX_PADS };
+
 /// Four B-splines at u from 0 to 1 between two nodes; their derivatives by u.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
     const vec m = v_sub(v_set(1.0), u), sixth = v_set(1.0 / 6.0), uu = v_mul(u, u), mm = v_mul(m, m);

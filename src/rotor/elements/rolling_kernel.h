@@ -30,7 +30,7 @@ static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y)
 static inline num KERNEL(race_dents)(const kernel_view *view, const num *at, num x, num y) {
     num taken = n_set(0.0);
     for (int race = DENT_INNER; race <= DENT_OUTER; race++) {
-        const num c = at[2 * race], s = at[2 * race + 1];
+        const num c = at[2 * (size_t)race], s = at[2 * (size_t)race + 1];
         taken = n_add(taken, KERNEL(dent)(view, race, n_fma(x, c, n_mul(y, s)), n_sub(n_mul(y, c), n_mul(x, s))));
     }
     return taken;

@@ -1,7 +1,7 @@
 // A journal bearing of pads that tilt, with their tilts as states.
 #define KERNEL_FILE "elements/pads_kernel.h"
 #define KERNEL_AXES 2
-#define KERNEL_STATES (2 * MAX_PADS)
+#define KERNEL_STATES PADS_STATES
 #define KERNEL_FEWER_STATES
 #define KERNEL_NUMBERS PADS_NUMBERS
 #define KERNEL_SWITCHES 0
@@ -41,7 +41,7 @@ static void begin(const element *own, double *states) {
     const whirl_pad alone = {
         .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
     const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
-    for (int p = 0; p < own->law; p++) states[2 * p] = tilt;
+    for (size_t p = 0; p < own->states / 2; p++) states[2 * p] = tilt;
 }
 
 KERNELS_OF_EVERY_ISA(tilting_pad_kernels);
