@@ -93,6 +93,7 @@ VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool
     }
     const vec u = v_mul(p, p);
     film_ratio r;
+    r.real_p = r.imaginary_p = r.real_b = r.imaginary_b = v_set(0.0);
     vec by_u, odd_u, odd = film_sum(row, 1, u, slopes ? &odd_u : NULL);
     r.real = film_sum(row, 0, u, slopes ? &by_u : NULL);
     r.imaginary = v_mul(p, odd);
