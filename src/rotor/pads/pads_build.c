@@ -129,7 +129,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
 
 void pads_note(const element *own, double length, double clock, char *text, size_t size) {
     (void)length, (void)clock;
-    // Measured over places of pads of 40 to 160 degrees, L/D 0.25 to 2 (tests/validation/test_pad_elements.c).
+    // Measured over places of pads of 40 to 160 degrees, L/D 0.25 to 2.
     snprintf(
         text, size,
         "films of %d pads by tables: the force errs by less than 0.1 %% of a pad's largest at 95 %% of places, by up "
