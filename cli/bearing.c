@@ -4,10 +4,10 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "case_arguments.h"
 #include "cores.h"
+#include "files.h"
 #include "guard.h"
 #include "interrupt.h"
 #include "output.h"
@@ -88,18 +88,11 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 /// Before anything is computed: whether files may be made where they are wanted.
 static bool may_write(const bearing_arguments *arguments) {
     const char *const paths[] = {arguments->csv, arguments->table, arguments->output};
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
-        struct stat there, input;
-        if (!paths[i] || stat(paths[i], &there) != 0) continue;
-        if (stat(arguments->path, &input) == 0 && there.st_dev == input.st_dev && there.st_ino == input.st_ino) {
-            complain("'%s' is the file that is read, expected another one", paths[i]);
-            return false;
-        }
-        if (arguments->force) continue;
-        complain("'%s' is there already and is kept: add --force to replace it", paths[i]);
-        return false;
-    }
-    return true;
+    bool may = true;
+    for (size_t i = 0; i < sizeof paths / sizeof *paths && may; i++)
+        may = !paths[i] || may_write_file(paths[i], arguments->path, "the file that is read, expected another one",
+                                          arguments->force);
+    return may;
 }
 
 /// Writes one file; `station`: of an element, or NULL for CSV.

@@ -52,17 +52,13 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Whether a file may be made there; complains if not.
+/// Whether a file may be made there; complains if not. What is no ordinary file is written to.
 static bool may_write(const char *path, const export_arguments *arguments) {
-    struct stat there, result;
-    if (!path || stat(path, &there) != 0) return true;
-    if (stat(arguments->result, &result) == 0 && there.st_dev == result.st_dev && there.st_ino == result.st_ino) {
-        complain("'%s' is the result itself, expected another file", path);
-        return false;
-    }
-    if (!arguments->force && S_ISREG(there.st_mode))
-        complain("'%s' is there already and is kept: add --force to replace it", path);
-    return arguments->force || !S_ISREG(there.st_mode);
+    struct stat there;
+    if (!path) return true;
+    const bool ordinary = stat(path, &there) != 0 || S_ISREG(there.st_mode);
+    return may_write_file(path, arguments->result, "the result itself, expected another file",
+                          arguments->force || !ordinary);
 }
 
 static int export_csv(const export_arguments *arguments) {

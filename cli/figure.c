@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "files.h"
 #include "guard.h"
@@ -93,18 +92,6 @@ static int print_names(const whirl_result *result, const figure_arguments *argum
     return complain_of(&status);
 }
 
-/// A file that is there is kept unless --force is given, and the result always.
-static bool may_write(const char *path, const figure_arguments *arguments) {
-    struct stat there, result;
-    if (stat(path, &there) != 0) return true;
-    if (stat(arguments->result, &result) == 0 && there.st_dev == result.st_dev && there.st_ino == result.st_ino) {
-        complain("'%s' is the result itself, expected another file", path);
-        return false;
-    }
-    if (!arguments->force) complain("'%s' is there already and is kept: add --force to replace it", path);
-    return arguments->force;
-}
-
 /// Where the figure goes: as asked for, with the format's ending where it has none.
 static void name_output(const figure_arguments *arguments, const whirl_figure *figure, char *path, size_t size) {
     const char *output = arguments->output ? arguments->output : figure->name;
@@ -127,7 +114,7 @@ static int write(const whirl_result *result, const figure_arguments *arguments) 
     if (arguments->output && strcmp(arguments->output, "-") == 0) {
         status = whirl_figure_write_json(figure, stdout);
         outcome = complain_of(&status);
-    } else if (!may_write(path, arguments)) {
+    } else if (!may_write_file(path, arguments->result, "the result itself, expected another file", arguments->force)) {
         outcome = EXIT_FAILED;
     } else {
         guard_output(path);

@@ -98,6 +98,17 @@ static int give_name(const char *temporary, const char *path, bool force) {
     return rename(temporary, path) == 0 ? 0 : errno;
 }
 
+bool may_write_file(const char *path, const char *input, const char *what, bool force) {
+    struct stat there, source;
+    if (stat(path, &there) != 0) return true;
+    if (stat(input, &source) == 0 && there.st_dev == source.st_dev && there.st_ino == source.st_ino) {
+        complain("'%s' is %s", path, what);
+        return false;
+    }
+    if (!force) complain("'%s' is there already and is kept: add --force to replace it", path);
+    return force;
+}
+
 int write_case(const char *path, bool force, const char *text) {
     char temporary[4096];
     struct stat found;

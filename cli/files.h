@@ -16,6 +16,10 @@ int load_result(const char *path, whirl_result **result);
 /// The same without the numbers of points.
 int load_outline(const char *path, whirl_result **outline);
 
+/// Whether a file may be made where `path` is: one that is there is kept unless `force`, and `input`, which is `what`
+/// ("the result itself"), always. Complains if not.
+bool may_write_file(const char *path, const char *input, const char *what, bool force);
+
 /// Writes a case, whole or not at all; one that is there is kept unless `force`. Gives the exit status, after a
 /// complaint.
 int write_case(const char *path, bool force, const char *text);

@@ -10,28 +10,8 @@ function found = whirl_balance(file)
 %   Errors: whirl:badInput for a file that is wrong, with its line and key; whirl:noCommand.
 %
 %   See also WHIRL_RUN.
-if nargin < 1 || (~isstruct(file) && ~is_text(text_of(file)))
-    error('whirl:badInput', 'whirl_balance takes the name of a file on balancing, or a struct of what it would say');
+if nargin < 1
+    file = [];
 end
-if ~isstruct(file)
-    found = jsondecode(answer(['balance ' quoted(file_of(text_of(file))) ' --json']));
-    return
-end
-if ~isfield(file, 'balance')
-    file.balance = 1;
-end
-kept = [tempname(pwd()) '.yaml'];   % here, where its model is looked for
-stream = fopen(kept, 'w');
-if stream < 0
-    error('whirl:failed', 'cannot write %s, expected a folder that may be written to', kept);
-end
-fwrite(stream, jsonencode(file));   % JSON is YAML
-fclose(stream);
-try
-    found = jsondecode(answer(['balance ' quoted(kept) ' --json']));
-catch problem
-    delete(kept);
-    rethrow(problem);
-end
-delete(kept);
+found = document_of('balance', file, 'a file on balancing', pwd(), '');   % here, where its model is looked for
 end

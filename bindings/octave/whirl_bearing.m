@@ -10,28 +10,8 @@ function found = whirl_bearing(file)
 %   Errors: whirl:badInput for a file that is wrong, with its line and key; whirl:noCommand.
 %
 %   See also WHIRL_RUN.
-if nargin < 1 || (~isstruct(file) && ~is_text(text_of(file)))
-    error('whirl:badInput', 'whirl_bearing takes the name of a file on a bearing, or a struct of what it would say');
+if nargin < 1
+    file = [];
 end
-if ~isstruct(file)
-    found = jsondecode(answer(['bearing ' quoted(file_of(text_of(file))) ' --json --quiet']));
-    return
-end
-if ~isfield(file, 'bearing')
-    file.bearing = 1;
-end
-kept = [tempname() '.yaml'];
-stream = fopen(kept, 'w');
-if stream < 0
-    error('whirl:failed', 'cannot write %s, expected a folder that may be written to', kept);
-end
-fwrite(stream, jsonencode(file));   % JSON is YAML
-fclose(stream);
-try
-    found = jsondecode(answer(['bearing ' quoted(kept) ' --json --quiet']));
-catch problem
-    delete(kept);
-    rethrow(problem);
-end
-delete(kept);
+found = document_of('bearing', file, 'a file on a bearing', tempdir(), ' --quiet');
 end

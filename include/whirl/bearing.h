@@ -66,6 +66,9 @@ typedef struct whirl_pads_state {
 /// degrees each, the load between two pads).
 bool whirl_pads_named(const char *name, double preload, whirl_pads *out);
 
+/// Whether pads lie over one another, where no film is their own; pads `one` and `other`, from 0, are the first two.
+bool whirl_pads_overlap(const whirl_pads *bearing, size_t *one, size_t *other);
+
 /// Where the journal rests under a load (Newton's method, from the middle of the bearing on), with all that
 /// whirl_pads_state has. WHIRL_BAD_INPUT where pads are impossible; WHIRL_NUMERICAL_FAILURE where no such place is
 /// found; WHIRL_NO_MEMORY.

@@ -129,19 +129,11 @@ static void read_pads(case_reader *reader, const file_node *list, whirl_bearing 
     }
 }
 
-/// Pads that lie over one another have no film of their own.
 static void check_overlap(case_reader *reader, const file_node *list, const whirl_pads *pads) {
-    const double turn = 6.283185307179586476925;
-    for (size_t i = 0; i < pads->count; i++)
-        for (size_t k = 0; k < pads->count; k++) {
-            const whirl_pad *one = &pads->pads[i], *other = &pads->pads[k];
-            const double start = one->pivot - one->offset * one->arc, next = other->pivot - other->offset * other->arc;
-            const double apart = fmod(fmod(next - start, turn) + turn, turn);
-            if (i == k || !(apart < one->arc - 1e-9) || (apart == 0.0 && k < i)) continue;
-            problem_at(reader->problems, list, "has pad %zu over pad %zu, expected pads beside each other", k + 1,
-                       i + 1);
-            return;
-        }
+    size_t one, other;
+    if (whirl_pads_overlap(pads, &one, &other))
+        problem_at(reader->problems, list, "has pad %zu over pad %zu, expected pads beside each other", other + 1,
+                   one + 1);
 }
 
 static bool is_preloaded(const whirl_pads *pads) {

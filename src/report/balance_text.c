@@ -1,24 +1,27 @@
 // Balancing as a text, for programs in other languages.
-#include <stdlib.h>
-
 #include "whirl/balance.h"
 #include "whirl/case.h"
 #include "whirl/handles.h"
+#include "written.h"
+
+/// What was found, with what it was found from.
+typedef struct answer {
+    const whirl_balance *balance;
+    const whirl_balance_model *model;
+    const whirl_correction *found;
+} answer;
+
+static whirl_status write_answer(const void *of, FILE *stream) {
+    const answer *own = of;
+    return whirl_balance_write_json(own->balance, own->model, own->found, stream);
+}
 
 static whirl_status write_all(const whirl_balance *balance, const whirl_balance_model *model, char **json) {
     whirl_correction *found;
-    size_t size;
     whirl_status status = whirl_balance_solve(balance, model, &found);
     if (status.code != WHIRL_OK) return status;
-    FILE *stream = open_memstream(json, &size);
-    status = stream ? whirl_balance_write_json(balance, model, found, stream)
-                    : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
-    if (stream && fclose(stream) != 0 && status.code == WHIRL_OK)
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
+    status = text_written(write_answer, &(answer){balance, model, found}, "to balance a rotor", json);
     whirl_correction_free(found);
-    if (status.code == WHIRL_OK) return status;
-    free(*json);
-    *json = NULL;
     return status;
 }
 

@@ -5,9 +5,10 @@
 #include "whirl/case.h"
 #include "whirl/figure.h"
 #include "whirl/handles.h"
+#include "written.h"
 
 /// All figures of the table, as a list.
-static whirl_status write_figures(const whirl_bearing_table *table, FILE *stream) {
+static whirl_status write_figures(const void *table, FILE *stream) {
     static const char *const names[] = {"curves", "sommerfeld", "locus"};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof names / sizeof *names && status.code == WHIRL_OK; i++) {
@@ -21,18 +22,8 @@ static whirl_status write_figures(const whirl_bearing_table *table, FILE *stream
     return status;
 }
 
-/// What is written of a table, as a text; NULL after a failure.
-static whirl_status text_of(const whirl_bearing_table *table,
-                            whirl_status (*write)(const whirl_bearing_table *table, FILE *stream), char **text) {
-    size_t size;
-    FILE *stream = open_memstream(text, &size);
-    whirl_status status = stream ? write(table, stream) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
-    if (stream && fclose(stream) != 0 && status.code == WHIRL_OK)
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
-    if (status.code == WHIRL_OK) return status;
-    free(*text);
-    *text = NULL;
-    return status;
+static whirl_status write_answer(const void *table, FILE *stream) {
+    return whirl_bearing_write_json(table, stream);
 }
 
 static whirl_status compute(const whirl_bearing *bearing, int threads, char **json, char **figures) {
@@ -40,8 +31,8 @@ static whirl_status compute(const whirl_bearing *bearing, int threads, char **js
     whirl_bearing_table *table;
     whirl_status status = whirl_bearing_solve(bearing, &options, &table);
     if (status.code != WHIRL_OK) return status;
-    status = text_of(table, whirl_bearing_write_json, json);
-    if (status.code == WHIRL_OK && figures) status = text_of(table, write_figures, figures);
+    status = text_written(write_answer, table, "for a bearing", json);
+    if (status.code == WHIRL_OK && figures) status = text_written(write_figures, table, "for a bearing", figures);
     whirl_bearing_table_free(table);
     if (status.code == WHIRL_OK) return status;
     free(*json);

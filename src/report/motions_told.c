@@ -176,19 +176,17 @@ static void add_beside(const paragraph *p) {
         100.0 * whirl_missed_share(table->source->starts));
 }
 
-void motions_told(const whirl_case *machine, const whirl_result *view, const whirl_table *table,
+void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
                   char text[MOTIONS_TOLD_SIZE]) {
-    const paragraph p = {machine, view, table, whirl_result_unit(view, table->parameter), text};
-    whirl_shown_units units;
+    whirl_case *machine = machine_of(view);
+    const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
-    paragraph own = p;
-    if (whirl_result_shown_units(view, NULL, &units).code == WHIRL_OK)
-        own.unit = whirl_shown_parameter(&units, table->parameter);
-    add_regimes(&own);
-    add(&own, ", ");
-    add_unbalances(&own);
-    add_clearance(&own);
+    add_regimes(&p);
+    add(&p, ", ");
+    add_unbalances(&p);
+    add_clearance(&p);
     for (size_t c = 0; c < view->contact_count; c++)
-        if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&own, c);
-    add_beside(&own);
+        if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&p, c);
+    add_beside(&p);
+    whirl_case_free(machine);
 }

@@ -41,6 +41,28 @@ static bool carry_in_lanes(const char *set, const whirl_integrate_options *optio
     return true;
 }
 
+void carry_both(const char *method, int steps, whirl_rotor *const *rotors, size_t count, const double *start,
+                int revolutions, double *in_lanes, double *alone) {
+    const size_t n = whirl_rotor_system(rotors[0])->dimension;
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_ensemble *lanes;
+    snprintf(options.method, sizeof options.method, "%s", method);
+    options.steps_per_revolution = steps;
+    options.rtol = 1e-15; // as the integrator's
+    options.atol = 1e-16;
+    require_ok(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, count, &lanes));
+    for (size_t l = 0; l < count; l++) require_ok(whirl_ensemble_load(lanes, l, whirl_rotor_system(rotors[l]), start));
+    for (int i = 0; i < revolutions; i++) whirl_ensemble_revolve(lanes, count, NULL);
+    for (size_t l = 0; l < count; l++) {
+        whirl_integrator *integrator = make_integrator(whirl_rotor_system(rotors[l]), method, steps);
+        memcpy(alone + l * n, start, n * sizeof *alone);
+        revolve(integrator, alone + l * n, revolutions);
+        whirl_ensemble_state(lanes, l, in_lanes + l * n);
+        whirl_integrator_free(integrator);
+    }
+    whirl_ensemble_free(lanes);
+}
+
 double compare_lanes_with_alone(const char *method, const char *const *sets, whirl_rotor *const *rotors, size_t count,
                                 int revolutions) {
     const size_t n = whirl_rotor_system(rotors[0])->dimension, size = count * n;

@@ -6,6 +6,11 @@
 
 #include "whirl/rotor.h"
 
+/// Carries `count` rotors of one structure over revolutions from a state [dimension], in lanes and one by one by the
+/// integrator, with `steps` a revolution or to rounding: where they end [count][dimension].
+void carry_both(const char *method, int steps, whirl_rotor *const *rotors, size_t count, const double *start,
+                int revolutions, double *in_lanes, double *alone);
+
 /// Carries `count` rotors [count] of one structure from rest over revolutions, by `method`: each alone, and all in the
 /// lanes of every instruction set `sets` (ended by NULL) that this processor has, which must give the same bits. The
 /// largest difference of a coordinate between the two.

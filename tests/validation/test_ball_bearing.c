@@ -13,6 +13,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_lanes.h"
 #include "whirl/whirl.h"
 
 /// Nb 8, C_b 1.334e10 N/m^1.5, m 20 kg, c 200 N s/m, W 196 N along x, g_0 3 um; lengths in um, `cage` over `speed`.
@@ -261,32 +262,16 @@ static void cages_in_lanes(void **unused) {
     static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
     enum { LANES = 5 };
     for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
-        whirl_integrate_options options = whirl_integrate_default();
         whirl_rotor *rotors[LANES];
-        whirl_ensemble *lanes;
-        double worst = 0.0;
-        strcpy(options.method, methods[m]);
-        options.steps_per_revolution = 2048;
-        options.rtol = 1e-15; // as the integrator's
-        options.atol = 1e-16;
+        double x[LANES][5], y[LANES][5], worst = 0.0;
         for (int l = 0; l < LANES; l++) rotors[l] = make_bearing(600.0, 0.38 + 0.01 * l, 0.2);
-        require_ok(whirl_ensemble_new(whirl_rotor_system(rotors[0]), &options, LANES, &lanes));
-        for (size_t l = 0; l < LANES; l++)
-            require_ok(whirl_ensemble_load(lanes, l, whirl_rotor_system(rotors[l]), (double[5]){7.0, 0.5}));
-        for (int i = 0; i < 3; i++) whirl_ensemble_revolve(lanes, LANES, NULL);
+        carry_both(methods[m], 2048, rotors, LANES, (double[5]){7.0, 0.5}, 3, y[0], x[0]);
         for (size_t l = 0; l < LANES; l++) {
-            const whirl_system *system = whirl_rotor_system(rotors[l]);
-            whirl_integrator *integrator = make_integrator(system, methods[m], options.steps_per_revolution);
-            double x[5] = {7.0, 0.5}, y[5];
-            revolve(integrator, x, 3);
-            whirl_ensemble_state(lanes, l, y);
-            assert_true(y[4] >= 0.0 && y[4] < system->turns[4]);
-            for (int k = 0; k < 5; k++) worst = fmax(worst, fabs(x[k] - y[k]));
-            whirl_integrator_free(integrator);
+            assert_true(y[l][4] >= 0.0 && y[l][4] < whirl_rotor_system(rotors[l])->turns[4]);
+            for (int k = 0; k < 5; k++) worst = fmax(worst, fabs(x[l][k] - y[l][k]));
         }
         check_within("Ball bearing", words("cages in lanes by %s and by the integrator, um", methods[m]), 0.0, worst,
                      1e-9);
-        whirl_ensemble_free(lanes);
         for (int l = 0; l < LANES; l++) whirl_rotor_free(rotors[l]);
     }
 }

@@ -13,13 +13,12 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy as np
 
-from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
-from .case import _block
+from ._library import ffi, lib, path_bytes, text
+from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
 from .fields import FIELD
 
@@ -29,7 +28,6 @@ if TYPE_CHECKING:
 
 __all__ = ["Vector", "Weight", "Row", "Set", "Proposal", "Balance", "balance", "readings"]
 
-_PROBLEMS = 1 << 16
 _WANTED = "expected the analysis spectrum or the study unbalance"
 
 
@@ -198,23 +196,12 @@ def balance(source: str | os.PathLike | Mapping, *, name: str | None = None) -> 
     BadInput
         With the place, what was found and what is expected; ``problems`` lists all that is wrong.
     """
-    if isinstance(source, Mapping):
-        said = {key: value for key, value in source.items() if value is not None}
-        if isinstance(said.get("model"), os.PathLike):
-            said["model"] = os.fspath(said["model"])
-        data, name = (_block({"balance": 1, **said}) + "\n").encode(), name or "balance.yaml"
-    else:
-        name = name or str(source)
-        try:
-            data = Path(source).read_bytes()
-        except (OSError, ValueError) as failure:
-            raise BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
+    if isinstance(source, Mapping) and isinstance(source.get("model"), os.PathLike):
+        source = {**source, "model": os.fspath(source["model"])}
+    data, name = _document(source, "balance", name)
     problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("char **")
     status = lib.whirl_balance_json(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
-    if status.code == BAD_INPUT:
-        found = text(problems).splitlines()
-        raise BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
-    check(status)
+    _accept(status, problems)
     try:
         return _made(json.loads(text(out[0])))
     finally:

@@ -13,21 +13,18 @@ import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text
-from .case import _block
+from ._library import ffi, lib, path_bytes, text
+from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["Bearing", "bearing"]
-
-_PROBLEMS = 1 << 16
 
 
 @dataclass(frozen=True)
@@ -127,20 +124,11 @@ def bearing(source: str | os.PathLike | Mapping, *, name: str | None = None, thr
         With the place, what was found and what is expected; ``problems`` lists all that is wrong.
     """
     if isinstance(source, Mapping):
-        said = {key: _plain(value) for key, value in source.items() if value is not None}
-        data, name = (_block({"bearing": 1, **said}) + "\n").encode(), name or "bearing.yaml"
-    else:
-        name = name or str(source)
-        try:
-            data = Path(source).read_bytes()
-        except (OSError, ValueError) as failure:
-            raise BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
+        source = {key: _plain(value) for key, value in source.items()}
+    data, name = _document(source, "bearing", name)
     problems, out, drawn = ffi.new("char[]", _PROBLEMS), ffi.new("char **"), ffi.new("char **")
     status = lib.whirl_bearing_json(data, len(data), path_bytes(name), int(threads), problems, _PROBLEMS, out, drawn)
-    if status.code == BAD_INPUT:
-        found = text(problems).splitlines()
-        raise BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
-    check(status)
+    _accept(status, problems)
     try:
         return _made(json.loads(text(out[0])), json.loads(text(drawn[0])))
     finally:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -76,6 +77,30 @@ def _encoded(text):
         raise errors.BadInput(f"the text of a case cannot be written as UTF-8: {failure.reason}") from None
 
 
+def _document(source, key, name):
+    """The bytes of a file that is no case, or of a dict that says what it would, with its version under ``key``; and its
+    name in messages."""
+    if not isinstance(source, Mapping):
+        name = name or str(source)
+        try:
+            return Path(source).read_bytes(), name
+        except (OSError, ValueError) as failure:
+            raise errors.BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
+    said = {own: value for own, value in source.items() if value is not None}
+    try:
+        return _encoded(_block({key: 1, **said}) + "\n"), name or key + ".yaml"
+    except RecursionError:
+        raise errors.BadInput(f"the dict of a {key} holds itself") from None
+
+
+def _accept(status, problems):
+    """Raises what a reader of the library complains of, with all its problems."""
+    if status.code == BAD_INPUT:
+        found = text(problems).splitlines()
+        raise errors.BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
+    check(status)
+
+
 class Case:
     """A rotor, its parameters and a study, as a case file describes them.
 
@@ -132,10 +157,7 @@ class Case:
     def _check(data, name):
         problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("whirl_case **")
         status = lib.whirl_case_check(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
-        if status.code == BAD_INPUT:
-            found = text(problems).splitlines()
-            raise errors.BadInput(text(status.message) if len(found) < 2 else "\n".join(found), found)
-        check(status)
+        _accept(status, problems)
         return ffi.gc(out[0], lib.whirl_case_free)
 
     @property

@@ -17,10 +17,8 @@
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const told = context;
     char text[MOTIONS_TOLD_SIZE];
-    whirl_case *machine = machine_of(to->results[result]);
-    motions_told(machine, to->results[result], table, text);
+    motions_told(&to->units[result], to->results[result], table, text);
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
-    whirl_case_free(machine);
 }
 
 static found_part everything(const page *to) {

@@ -3,23 +3,21 @@
 
 #include "whirl/figure.h"
 #include "whirl/handles.h"
+#include "written.h"
+
+static whirl_status write_figure(const void *of, FILE *stream) {
+    return whirl_figure_write_json(of, stream);
+}
 
 whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
                                  const char *log, char **json) {
     const whirl_figure_options options = {.units = units, .panels = panels, .log = log};
     whirl_figure *figure;
-    size_t size;
     *json = NULL;
     whirl_status status = whirl_figure_new(result, name, &options, &figure);
     if (status.code != WHIRL_OK) return status;
-    FILE *stream = open_memstream(json, &size);
-    status = stream ? whirl_figure_write_json(figure, stream) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a figure");
-    if (stream && fclose(stream) != 0 && status.code == WHIRL_OK)
-        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a figure");
+    status = text_written(write_figure, figure, "for a figure", json);
     whirl_figure_free(figure);
-    if (status.code == WHIRL_OK) return status;
-    free(*json);
-    *json = NULL;
     return status;
 }
 

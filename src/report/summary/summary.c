@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine_at.h"
 #include "motions_told.h"
 #include "shown_kinds.h"
 #include "whirl/report.h"
@@ -51,12 +50,10 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
 }
 
 /// What motions beside a lateral analysis do to clearances.
-static void print_told(FILE *out, const whirl_result *result, const whirl_table *table) {
+static void print_told(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    whirl_case *machine = machine_of(result);
-    motions_told(machine, result, table, text);
+    motions_told(units, units->result, table, text);
     fprintf(out, "  %s\n", text);
-    whirl_case_free(machine);
 }
 
 static whirl_status print_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
@@ -72,7 +69,7 @@ static whirl_status print_table(FILE *out, const whirl_shown_units *units, const
     print_given(out, units, table);
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
-    if (!kind && motions_beside(table)) print_told(out, units->result, table);
+    if (!kind && motions_beside(table)) print_told(out, units, table);
     if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
     kind->summarize(out, units, table);
     return whirl_ok();

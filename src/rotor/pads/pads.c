@@ -14,7 +14,7 @@ static const double difference = 0.02;
 enum { FINENESS = 960, ALONG = 24, COARSER = 4, MOST_STEPS = 60 };
 
 /// R delta/c, beyond which no pad is looked for.
-static const double WIDEST_TILT = 20.0;
+static const double widest_tilt = 20.0;
 
 /// What is solved with.
 typedef struct solver {
@@ -81,7 +81,7 @@ static bool free_tilts(const whirl_pad *pad, const double place[2], double ends[
     const double c = cos(pad->pivot), sn = sin(pad->pivot);
     const double n = c * place[0] + sn * place[1] + pad->preload, along = c * place[1] - sn * place[0];
     for (int side = 0; side < 2; side++) {
-        double good = along, bad = along + (side ? WIDEST_TILT : -WIDEST_TILT), tilt = along;
+        double good = along, bad = along + (side ? widest_tilt : -widest_tilt), tilt = along;
         for (int k = 0; k < 100; k++, tilt = 0.5 * (good + bad)) {
             const double y = along - tilt, angle = atan2(y, n);
             double least = fmin(1.0 - n * cos(before) - y * sin(before), 1.0 - n * cos(after) - y * sin(after));
@@ -315,6 +315,21 @@ static whirl_status check(const whirl_pads *bearing) {
                               pad->preload);
     }
     return whirl_ok();
+}
+
+bool whirl_pads_overlap(const whirl_pads *bearing, size_t *one, size_t *other) {
+    const double turn = 6.283185307179586476925;
+    for (size_t i = 0; i < bearing->count; i++)
+        for (size_t k = 0; k < bearing->count; k++) {
+            const whirl_pad *pad = &bearing->pads[i], *over = &bearing->pads[k];
+            const double start = pad->pivot - pad->offset * pad->arc, next = over->pivot - over->offset * over->arc;
+            const double apart = fmod(fmod(next - start, turn) + turn, turn);
+            if (i == k || !(apart < pad->arc - 1e-9) || (apart == 0.0 && k < i)) continue;
+            *one = i;
+            *other = k;
+            return true;
+        }
+    return false;
 }
 
 static void add_up(const whirl_pads *bearing, whirl_pads_state *state) {

@@ -19,20 +19,6 @@ static const char *shape_name(bool tilting, int choice) {
     return tilting ? free[choice] : fixed[choice];
 }
 
-/// Pads do not lie on one another.
-static whirl_status check_overlap(const whirl_pads *bearing) {
-    const double turn = 6.28318530717958647692, degree = turn / 360.0, rounding = 1e-9;
-    for (size_t i = 0; i < bearing->count; i++)
-        for (size_t k = 0; k < i; k++) {
-            const double apart = fabs(remainder(bearing->pads[i].pivot - bearing->pads[k].pivot, turn));
-            if (apart < bearing->pads[i].arc - rounding)
-                return whirl_fail(WHIRL_BAD_INPUT,
-                                  "has pivots %.4g degrees from each other, expected at least the arc, %.4g",
-                                  apart / degree, bearing->pads[i].arc / degree);
-        }
-    return whirl_ok();
-}
-
 /// The pads that the keys tell.
 static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads *out) {
     const key_value *pivots = &values[PADS_PIVOTS];
@@ -62,7 +48,9 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                                    .arc = values[PADS_ARC].number,
                                    .offset = values[PADS_OFFSET].number,
                                    .preload = preload};
-    return check_overlap(out);
+    size_t one, other;
+    if (!whirl_pads_overlap(out, &one, &other)) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "has pad %zu over pad %zu, expected pads beside each other", other + 1, one + 1);
 }
 
 /// The numbers of one pad, whose angles are those of a shaft that turns from x to y.

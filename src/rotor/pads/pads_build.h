@@ -33,12 +33,14 @@ enum {
 // clang-format off
 #define PADS_KEYS(shapes)                                                                                              \
     [PADS_AT] = STATION_KEY("at", REQUIRED, "station of the journal"),                                                 \
-    [PADS_FROM] = STATION_KEY("from", OPTIONAL, "station of its housing, which does not turn; the ground where absent"),   \
+    [PADS_FROM] = STATION_KEY("from", OPTIONAL,                                                                        \
+                              "station of its housing, which does not turn; the ground where absent"),                 \
     [PADS_COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings at this station"),     \
     [PADS_SHAPE] = CHOICE_KEY("shape", OPTIONAL, shapes,                                                               \
                               "a usual bearing with its pads, for a load along -y; or say pivots and arc"),            \
-    [PADS_PIVOTS] = CITED_NUMBERS_KEY("pivots", "", "rad", OPTIONAL, WHIRL_ANY,                                        \
-                                      "angles of the pads' pivots, or of their lines of preload, from x towards y", ""), \
+    [PADS_PIVOTS] =                                                                                                    \
+        CITED_NUMBERS_KEY("pivots", "", "rad", OPTIONAL, WHIRL_ANY,                                                    \
+                          "angles of the pads' pivots, or of their lines of preload, from x towards y", ""),           \
     [PADS_ARC] = NUMBER_KEY("arc", "", "rad", OPTIONAL, WHIRL_ABOVE_TO(0, 3.05), "length of every pad"),               \
     [PADS_OFFSET] = NUMBER_KEY("offset", "", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0, 1),                                 \
                                "share of a pad that lies before its pivot, in the way of the rotation"),               \

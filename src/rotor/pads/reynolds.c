@@ -12,7 +12,7 @@ struct pad_workspace {
     double *band;        ///< [(around - 1) along][along + 1] lower half of the matrix, row by row of the diagonal
     double *pressure;    ///< [(around - 1) along]
     double *source;      ///< the same
-    double *old;         ///< cubes of the film at faces and nodes [4 around + 4]
+    double *cubes;       ///< [2][around + 2] of the film's thickness, at nodes and between them
     unsigned char *rest; ///< [(around - 1) along] 1 in the cavity
     unsigned char *coarse;
 };
@@ -35,7 +35,7 @@ void pad_workspace_free(pad_workspace *work) {
     free(work->band);
     free(work->pressure);
     free(work->source);
-    free(work->old);
+    free(work->cubes);
     free(work->rest);
     free(work->coarse);
     free(work);
@@ -51,10 +51,11 @@ whirl_status pad_workspace_new(int around, int along, pad_workspace **out) {
                                 .band = malloc(count * (size_t)(along + 1) * sizeof(double)),
                                 .pressure = malloc(count * sizeof(double)),
                                 .source = malloc(count * sizeof(double)),
-                                .old = malloc(4 * (size_t)(around + 2) * sizeof(double)),
+                                .cubes = malloc(2 * (size_t)(around + 2) * sizeof(double)),
                                 .rest = malloc(count),
                                 .coarse = malloc(count)};
-        if (work->band && work->pressure && work->source && work->old && work->rest && work->coarse) return whirl_ok();
+        if (work->band && work->pressure && work->source && work->cubes && work->rest && work->coarse)
+            return whirl_ok();
     }
     pad_workspace_free(work);
     *out = NULL;
@@ -236,7 +237,7 @@ static double extrapolate(double fine, double coarse) {
 // ---------------------------------------------------------------- from grid to grid
 
 static grid grid_of(pad_workspace *work, const pad_film *film, const pad_place *at, int around, int along) {
-    double *middle = work->old, *between = work->old + around + 2;
+    double *middle = work->cubes, *between = work->cubes + around + 2;
     const grid g = {around, along, film->arc / around, 1.0 / along, -0.5 * film->arc, middle, between};
     for (int i = 0; i <= around; i++) {
         middle[i] = pow(thickness(at, g.first + i * g.step), 3.0);
