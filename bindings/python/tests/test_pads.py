@@ -1,4 +1,5 @@
-"""Bearings of pads as elements of a machine beside digits of growth.md B3 and B4: where the journal rests, how it moves."""
+"""Bearings of pads as elements of a machine beside two methods of growth.md B3 and B4: where the journal rests, how it
+moves."""
 
 import numpy as np
 import pytest

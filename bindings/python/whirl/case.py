@@ -78,8 +78,8 @@ def _encoded(text):
 
 
 def _document(source, key, name):
-    """The bytes of a file that is no case, or of a dict that says what it would, with its version under ``key``; and its
-    name in messages."""
+    """The bytes of a file that is no case, or of a dict that says what it would, with its version under ``key``; and
+    its name in messages."""
     if not isinstance(source, Mapping):
         name = name or str(source)
         try:
