@@ -48,6 +48,7 @@ function(whirl_test name)
   endif()
   if(WHIRL_SANITIZE)
     set(budget 0)
+    list(APPEND TEST_ENVIRONMENT WHIRL_SANITIZED=1)
   endif()
   add_test(NAME ${name} COMMAND budget ${budget} ${PROJECT_BINARY_DIR}/tests.log ${name} ${TEST_COMMAND})
   # Threads that wait do not spin, which would be counted.

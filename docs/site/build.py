@@ -110,7 +110,7 @@ def lay_out_reference(build, work, source):
     """The C reference, also of the header that CMake makes, and the Python reference."""
     headers.run_doxygen([ROOT / "include", build / "include"], work / "doxygen")
     (source / "api").mkdir(exist_ok=True)
-    told = headers.write_pages(work / "doxygen/xml", source / "api")
+    told = headers.write_pages(work / "doxygen/xml", source / "api", work / "doxygen/headers")
     page = headers.index_page(headers.INDEX, ["what it has", "interface"], told)
     write(source / "api/index.md", page + "\n```{toctree}\n:hidden:\n\nelement/index\n```\n")
     lay_out_element_headers(source / "api/element")
@@ -210,7 +210,7 @@ def main():
     lay_out_tutorials(source, runs)
     lay_out_front(source)
     lay_out_static(source)
-    os.environ.update(WHIRL_VERSION=version(), WHIRL_DOXYGEN_XML=str(work / "doxygen/xml"))
+    os.environ.update(WHIRL_VERSION=version(), WHIRL_DOXYGEN=str(work / "doxygen/headers"))
     site = build / "docs" if runs else work / "site"
     shutil.rmtree(site, ignore_errors=True)
     options = ["-W", "--keep-going", "-q", "-d", str(work / "doctrees")]

@@ -1,6 +1,7 @@
 """How Sphinx makes the site of what build.py has laid out."""
 
 import os
+from pathlib import Path
 
 project = "whirl"
 author = "The whirl developers"
@@ -20,8 +21,7 @@ myst_update_mathjax = False
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
 mathjax2_config = {"messageStyle": "none", "showMathMenu": False, "CommonHTML": {"linebreaks": {"automatic": True}}}
 
-breathe_projects = {"whirl": os.environ.get("WHIRL_DOXYGEN_XML", "doxygen/xml")}
-breathe_default_project = "whirl"
+breathe_projects = {folder.name: str(folder) for folder in Path(os.environ["WHIRL_DOXYGEN"]).iterdir()}
 breathe_domain_by_extension = {"h": "c"}
 
 autodoc_member_order = "bysource"

@@ -1,6 +1,7 @@
 """The C reference: one page a public header, its symbols in the order in which they stand there."""
 
 import re
+import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -70,12 +71,26 @@ def constants(enumeration):
         yield f".. c:macro:: {value.findtext('name')}\n\n" + indented("\n\n".join(word for word in words if word))
 
 
+def project_of(xml, header, folder):
+    """Writes an index of one header, of which folder is made: Breathe goes through all of its index for each symbol."""
+    folder.mkdir(parents=True)
+    compounds = {header.get("id")} | {inner.get("refid") for inner in header.findall("innerclass")}
+    index = ElementTree.parse(xml / "index.xml")
+    for compound in index.getroot().findall("compound"):
+        if compound.get("refid") not in compounds:
+            index.getroot().remove(compound)
+    index.write(folder / "index.xml")
+    for compound in compounds:
+        (folder / f"{compound}.xml").symlink_to(xml / f"{compound}.xml")
+
+
 def symbols(xml, header, told):
     """Line and reStructuredText of every symbol of a header that is not in `told`, names, to which these are added."""
+    project = header.findtext("compoundname")
     for inner in header.findall("innerclass"):
         compound = ElementTree.parse(xml / f"{inner.get('refid')}.xml").getroot()[0]
         line = int(compound.find("location").get("line"))
-        yield line, f".. doxygenstruct:: {inner.text}\n   :members:\n   :undoc-members:"
+        yield line, f".. doxygenstruct:: {inner.text}\n   :project: {project}\n   :members:\n   :undoc-members:"
     types = {inner.text for inner in header.findall("innerclass")}
     types |= {member.findtext("name") for member in header.iter("memberdef") if member.get("kind") == "enum"}
     for member in header.iter("memberdef"):
@@ -88,7 +103,7 @@ def symbols(xml, header, told):
             for constant in constants(member):
                 yield line, constant
         elif not (kind == "typedef" and name in types) and not name.endswith("_H"):
-            yield line, f".. {DIRECTIVES[kind]}:: {name}"
+            yield line, f".. {DIRECTIVES[kind]}:: {name}\n   :project: {project}"
 
 
 INDEX = """# C API
@@ -114,12 +129,15 @@ def index_page(words, titles, entries):
     return f"{words}\n{heading}{rows}\n```{{toctree}}\n:hidden:\n:maxdepth: 1\n\n{names}\n```\n"
 
 
-def write_pages(xml, folder):
-    """Gives the pages, without their suffix, each with its first sentence and "stable" where its interface is that."""
+def write_pages(xml, folder, projects):
+    """Gives the pages, without their suffix, each with its first sentence and "stable" where its interface is that; projects
+    becomes a folder of what Breathe reads, a folder a header."""
     pages, told = [], set()
+    shutil.rmtree(projects, ignore_errors=True)
     for path in sorted(xml.glob("*_8h.xml")):
         header = ElementTree.parse(path).getroot()[0]
         name = header.findtext("compoundname")
+        project_of(xml, header, projects / name)
         title = f"whirl/{name}"
         body = [text for _, text in sorted(symbols(xml, header, told), key=lambda symbol: symbol[0])]
         words = description(header)

@@ -2,6 +2,7 @@
 # Runs a command and compares what it prints:  run.sh WHIRL CASES FILE.test
 #
 # A test is a file of lines "key: value":
+#   sanitized:  a sed expression for the lines below it, where the program is sanitized and many times slower: fewer points
 #   edit:    a sed expression; what it makes of good.yaml is case.yaml (several are applied in turn)
 #   run:     a command line (several are one script); it runs in a fresh folder with good.yaml and case.yaml; $CASES are the
 #            project's cases, $TESTS the folder of this script, $PYTHON a Python with h5py
@@ -27,9 +28,13 @@ if [ -e "$whirl-mpi" ]; then ln -s "$whirl-mpi" "$folder/bin/whirl-mpi"; fi
 PATH=$folder/bin:$PATH
 cd "$folder/work" || exit 1
 
+if [ -n "${WHIRL_SANITIZED:-}" ]; then
+    sed -E "$(sed -n 's/^sanitized: //p' "$test")" "$test" >"$folder/test"
+    test=$folder/test
+fi
 values() { sed -n "s/^$1: \{0,1\}//p" "$test"; }
 
-unknown=$(grep -vE '^(#|$|(edit|run|status|(stdout|stderr)(-not|-lines)?):)' "$test")
+unknown=$(grep -vE '^(#|$|(sanitized|edit|run|status|(stdout|stderr)(-not|-lines)?):)' "$test")
 if [ -n "$unknown" ]; then
     echo "$test: not understood: $unknown"
     exit 1
