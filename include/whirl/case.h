@@ -62,7 +62,8 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
 /// Its speed of rotation in rad/s with parameter `name` at `value` (name NULL: as the case says).
 whirl_status whirl_case_speed(const whirl_case *object, const char *name, double value, double *speed);
 
-/// The rotor with parameter `name` at `value` (name NULL: as the case says). Freed by whirl_rotor_free. Thread-safe.
+/// The rotor with parameter `name` at `value` (name NULL: as the case says), built to move where a part of the study
+/// does (whirl_design_in_time). Freed by whirl_rotor_free. Thread-safe.
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
 
 /// One element of the case alone: the stations of the case, each a free mass of 1 kg, on which that element acts, so

@@ -120,6 +120,11 @@ void whirl_design_drag(whirl_design *design, whirl_drag what, size_t station, do
 /// motions of that frequency: only linear analyses are for it (whirl_system.frequencies).
 void whirl_design_frequency(whirl_design *design, double frequency);
 
+/// The rotor is to move in time: for coefficients that depend on the frequency of whirl stand rational functions with
+/// states of their own, which whirl_rotor_note tells of. WHIRL_BAD_INPUT of whirl_rotor_new where one differs from its
+/// table by more than the bearing's fit_error.
+void whirl_design_in_time(whirl_design *design);
+
 /// Puts unbalances [count], at stations of the design, in the place of all that turn with the rotor: of stations, discs
 /// and elements `unbalance`, and skew. Borrowed until the rotor is built. 0: the rotor has its own.
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed);

@@ -30,7 +30,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     whirl_given given[PLAN_MAX_GIVEN];
     const size_t count = plan_given_at(batch, point, given);
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, 0.0, &rotor);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, plan_moves(batch), &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
     if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
     whirl_rotor_free(rotor);
@@ -128,21 +128,28 @@ static bool is_weighed(const study_plan *plan, size_t index) {
     return false;
 }
 
-/// What the analyses refuse (too many fields, a record that lacks what they need).
+/// What the analyses refuse (too many fields, a record that lacks what they need), and what the machine does that is to
+/// move.
 static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
-    whirl_rotor *rotor;
-    whirl_layout layout;
-    whirl_status status = machine_build(&content->machine, v, 0.0, &rotor);
-    if (status.code != WHIRL_OK) return; // said already
+    whirl_rotor *rotor = NULL;
+    bool built_to_move = false;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
+        whirl_layout layout;
         const whirl_batch *batch = &content->plan.batches[b];
+        whirl_status status = whirl_ok();
+        if (!rotor || plan_moves(batch) != built_to_move) {
+            whirl_rotor_free(rotor);
+            built_to_move = plan_moves(batch);
+            status = machine_build(&content->machine, v, built_to_move, &rotor);
+        }
+        if (status.code != WHIRL_OK) {
+            problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
+            continue;
+        }
         status =
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
         if (status.code == WHIRL_OK)
             status = whirl_record_check(whirl_rotor_system(rotor), &batch->integrate, &batch->record);
-        const whirl_kind *kind = whirl_analysis_kind(batch->analyses);
-        if (status.code == WHIRL_OK && (kind->moves || kind->found))
-            status = whirl_integrate_check(whirl_rotor_system(rotor));
         if (status.code != WHIRL_OK) problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
         if (!batch->values) plan_check_start(reader, &content->plan, b, v, &content->machine, rotor);
         if (tells_weight(batch) && !is_weighed(&content->plan, b)) check_statics(reader, content, b, v);
@@ -481,13 +488,20 @@ whirl_status whirl_case_element(const whirl_case *object, const char *element, w
     return status;
 }
 
+static bool any_moves(const study_plan *plan) {
+    for (size_t b = 0; b < plan->batch_count; b++)
+        if (plan_moves(&plan->batches[b])) return true;
+    return false;
+}
+
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
     const whirl_given given = {name, value};
     valuation v;
     *rotor = NULL;
     const int before = exhausted_watch();
     whirl_status status = valuation_open(&v, &object->content.parameters, &given, name && *name ? 1 : 0);
-    if (status.code == WHIRL_OK) status = machine_build(&object->content.machine, &v, 0.0, rotor);
+    if (status.code == WHIRL_OK)
+        status = machine_build(&object->content.machine, &v, any_moves(&object->content.plan), rotor);
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor");
     valuation_close(&v);
     return status;

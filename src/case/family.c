@@ -35,6 +35,7 @@ static machine_choice choose(const whirl_batch *batch) {
     machine_choice choice = {.placed_count = batch->placed_count,
                              .placed = batch->placed,
                              .stages = 1.0,
+                             .in_time = plan_moves(batch),
                              .asynchronous = batch->asynchronous,
                              .frequency = batch->frequency};
     if (batch->variant == WHIRL_WITH_STAGES) choice.drag = WHIRL_DRAG_STAGES, choice.stages = batch->variant_value;

@@ -308,14 +308,15 @@ whirl_status machine_build_with(const machine_parts *machine, valuation *v, doub
     const whirl_status status = make_design(machine, v, speed, &design);
     if (status.code == WHIRL_OK) {
         whirl_design_unbalances(design, choice->placed_count, choice->placed);
+        if (choice->in_time) whirl_design_in_time(design);
         if (choice->asynchronous) whirl_design_frequency(design, choice->frequency);
         whirl_design_drag(design, choice->drag, choice->drag_at, choice->stages);
     }
     return build_and_free(status, design, rotor);
 }
 
-whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor) {
-    return machine_build_with(machine, v, speed, &(machine_choice){.stages = 1.0}, rotor);
+whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor) {
+    return machine_build_with(machine, v, 0.0, &(machine_choice){.stages = 1.0, .in_time = in_time}, rotor);
 }
 
 whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v, double speed, whirl_bearings what,

@@ -29,8 +29,9 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// formula_settle of all its settings.
 void machine_settle(valuation *v, machine_parts *machine);
 
-/// Builds a rotor with the values of `valuation`, which turns at `speed` (rad/s) or, with 0, at that of the case.
-whirl_status machine_build(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
+/// Builds a rotor with the values of `valuation`, which turns at the speed of the case; in_time: as whirl_design_in_time
+/// does.
+whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor);
 
 /// What a machine has in the place of its own.
 typedef struct machine_choice {
@@ -39,6 +40,7 @@ typedef struct machine_choice {
     whirl_drag drag;            ///< which seals and impellers, ...
     size_t drag_at;             ///< ... of those at one station: where
     double stages;              ///< times which stages count
+    bool in_time;               ///< it is to move: coefficients over the frequency of whirl have states
     bool asynchronous;          ///< coefficients over the frequency of whirl are those at
     double frequency;           ///< rad/s, in place of that of the shaft
 } machine_choice;

@@ -678,6 +678,11 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
     return status;
 }
 
+bool plan_moves(const whirl_batch *batch) {
+    const whirl_kind *kind = whirl_analysis_kind(batch->analyses);
+    return kind->moves || kind->found;
+}
+
 whirl_status plan_check_speed(const whirl_batch *batch, double speed) {
     if (speed > 0.0 || whirl_analysis_kind(batch->analyses)->still) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "speed is %g rad/s, expected a number above 0", speed);

@@ -121,6 +121,9 @@ size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[P
 /// The index of the batch of that name, `batch_count` where there is none.
 size_t plan_batch(const study_plan *plan, const char *name);
 
+/// Whether its machines move, or are found where they do: not those of studies at rest.
+bool plan_moves(const whirl_batch *batch);
+
 /// Refuses a speed of 0 where motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
 whirl_status plan_check_speed(const whirl_batch *batch, double speed);
 

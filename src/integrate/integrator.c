@@ -54,7 +54,7 @@ whirl_status whirl_integrate_check(const whirl_system *system) {
     if (system->frequency_count == 0) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
                       "a bearing has coefficients over frequencies of whirl, which no motion in time has "
-                      "one of, expected linear studies alone: modes, unbalance, stability, ...");
+                      "one of, expected a machine that was built to move (whirl_design_in_time)");
 }
 
 whirl_status check_options(const whirl_system *system, const whirl_integrate_options *options) {

@@ -90,6 +90,7 @@ typedef struct assembly {
     size_t mass_count, mass_room;
     mass_term *masses;
     body body;           ///< what shafts of finite elements are
+    bool in_time;        ///< coefficients over the frequency of whirl are functions with states of their own
     double frequency;    ///< rad/s of whirl, at which coefficients are looked up
     double *frequencies; ///< [frequency_count] rad/s, of all tables over it, rising
     size_t frequency_count;

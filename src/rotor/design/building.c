@@ -207,6 +207,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     b->assembly.balanced = design->placed_count > 0;
     b->assembly.stages = design->stages;
+    b->assembly.in_time = design->in_time;
     b->assembly.frequency = design->asynchronous ? design->frequency : fabs(design->speed);
     for (size_t s = 0; s < design->station_count && status.code == WHIRL_OK; s++)
         station_build(design->stations[s].values, &b->assembly, s);

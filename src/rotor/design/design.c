@@ -40,6 +40,10 @@ void whirl_design_frequency(whirl_design *design, double frequency) {
     design->frequency = frequency;
 }
 
+void whirl_design_in_time(whirl_design *design) {
+    design->in_time = true;
+}
+
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed) {
     design->placed_count = count;
     design->placed = placed;

@@ -25,6 +25,7 @@ struct whirl_design {
     whirl_drag drag;         ///< seals and impellers that are there
     size_t drag_at;          ///< station of the only ones
     double stages;           ///< times which stages count
+    bool in_time;            ///< coefficients over the frequency of whirl are functions with states of their own
     bool asynchronous;       ///< coefficients over the frequency of whirl are those at
     double frequency;        ///< rad/s, in place of that of the shaft
     size_t placed_count;

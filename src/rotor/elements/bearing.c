@@ -1,10 +1,40 @@
 // A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
-// what moves in it; constant, or of the speed and the frequency of whirl by a table.
+// what moves in it; constant, or of the speed and the frequency of whirl by a table, for which in time a rational
+// function stands.
+#define KERNEL_FILE "elements/bearing_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES (2 * KERNEL_AXES * MOST_PAIRS)
+#define KERNEL_FEWER_STATES
+#define KERNEL_NUMBERS BEARING_NUMBERS
+#define KERNEL_SWITCHES 0
+
+/// Of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
+enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
+
+/// The law is the number of pairs. Elevation in length scales; what is told of the fit: its error at the table's
+/// frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
+enum {
+    MOST_PAIRS = 4,
+    BEARING_ELEVATION = 0,
+    BEARING_PAIRS,
+    BEARING_ERROR_AT = BEARING_PAIRS + MOST_PAIRS * PAIR_NUMBERS,
+    BEARING_ERROR,
+    BEARING_WORST,
+    BEARING_REST,
+    BEARING_NUMBERS = BEARING_REST + 4
+};
+
+#include "generic.h"
+#include "rational_fit.h"
 #include "registry.h"
 #include "table.h"
 
+const element_kernels ISA(bearing_kernels) = GENERIC_KERNELS;
+
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 enum {
     AT,
@@ -24,6 +54,8 @@ enum {
     MYY,
     ELEVATION,
     ROLE,
+    POLES,
+    FIT_ERROR,
     KEY_COUNT
 };
 
@@ -62,6 +94,12 @@ static const whirl_key keys[KEY_COUNT] = {
         "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
         "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
         "and impellers out, and keep others"),
+    [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MOST_PAIRS), NULL,
+               "of the rational function that in time stands for tables over frequencies, an even number",
+               "Gustavsen, Semlyen 1999"},
+    [FIT_ERROR] = NUMBER_KEY("fit_error", "", "1", DEFAULT("0.02"), WHIRL_POSITIVE,
+                             "part by which that function may differ from the table, up to half way between its "
+                             "frequencies; else motions in time are refused"),
 };
 
 /// The block of one kind, by `add`, between two places.
@@ -138,8 +176,8 @@ static whirl_status check_shape(const key_value *values, int key) {
     return whirl_ok();
 }
 
-/// The coefficient at the rotor's speed and the frequency of whirl: out of its list, or the same at all.
-static whirl_status look_up(const key_value *values, int key, const assembly *to, double *out) {
+/// The coefficient at the rotor's speed and a frequency of whirl: out of its list, or the same at all.
+static whirl_status look_up(const key_value *values, int key, double speed, double frequency, double *out) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
     double at_speeds[WHIRL_MAX_LIST] = {0.0};
     *out = value->number;
@@ -148,13 +186,40 @@ static whirl_status look_up(const key_value *values, int key, const assembly *to
     if (status.code != WHIRL_OK) return status;
     const double *row = value->list;
     for (size_t i = 0; i < value->rows && frequencies->given; i++, row += frequencies->count)
-        at_speeds[i] = table_value(frequencies->count, frequencies->list, row, within(frequencies, to->frequency));
+        at_speeds[i] = table_value(frequencies->count, frequencies->list, row, within(frequencies, frequency));
     if (!speeds->given)
         *out = at_speeds[0];
     else
         *out = table_value(speeds->count, speeds->list, frequencies->given ? at_speeds : value->list,
-                           within(speeds, to->speed));
+                           within(speeds, speed));
     return whirl_ok();
+}
+
+/// Row by row; of the inertia xx, xy, yy.
+typedef struct coefficients {
+    double stiffness[2][2], damping[2][2], inertia[3];
+} coefficients;
+
+static whirl_status look_up_all(const key_value *values, double speed, double frequency, coefficients *out) {
+    double at[KEY_COUNT];
+    for (int key = KXX; key <= MYY; key++) {
+        const whirl_status status = look_up(values, key, speed, frequency, &at[key]);
+        if (status.code != WHIRL_OK) return status;
+    }
+    *out = (coefficients){.stiffness = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}},
+                          .damping = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}},
+                          .inertia = {at[MXX], at[MXY], at[values[MYY].given ? MYY : MXX]}};
+    return whirl_ok();
+}
+
+/// Whether a coefficient varies along the frequencies.
+static bool whirls(const key_value *values) {
+    const size_t columns = values[FREQUENCIES].count;
+    bool varies = false;
+    for (int key = KXX; key <= MYY && values[FREQUENCIES].given; key++)
+        for (size_t i = 0; i < values[key].count; i++)
+            varies = varies || values[key].list[i] != values[key].list[i - i % columns];
+    return varies;
 }
 
 /// The axes of the tables, and that the rotor is within them.
@@ -164,8 +229,10 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
     whirl_status status = check_axis(&values[SPEEDS], "speeds");
     if (status.code == WHIRL_OK) status = check_axis(frequencies, "frequencies");
     if (status.code == WHIRL_OK) status = check_speed(&values[SPEEDS], to->speed);
+    if (values[POLES].number != 2.0 * floor(0.5 * values[POLES].number))
+        status = whirl_fail(WHIRL_BAD_INPUT, "has %g poles, expected an even number", values[POLES].number);
     for (int key = KXX; key <= MYY; key++) varies = varies || values[key].count > 0;
-    if (status.code != WHIRL_OK || !frequencies->given || !varies) return status;
+    if (status.code != WHIRL_OK || !frequencies->given || !varies || to->in_time) return status;
     return assembly_frequencies(to, frequencies->count, frequencies->list);
 }
 
@@ -191,27 +258,194 @@ static void add_elevation(assembly *to, const size_t port[4], const double matri
         }
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
-    double at[KEY_COUNT];
-    whirl_status status = check_tables(values, to);
-    for (int key = KXX; key <= MYY && status.code == WHIRL_OK; key++) status = look_up(values, key, to, &at[key]);
+static void add_coefficients(const key_value *values, const coefficients *at, assembly *to, const element *out) {
+    add_block(to, assembly_stiffness, out->port, at->stiffness);
+    add_elevation(to, out->port, at->stiffness, values[ELEVATION].number);
+    add_block(to, assembly_damping, out->port, at->damping);
+    add_inertia(to, out->port, at->inertia[0], at->inertia[1], at->inertia[2]);
+}
+
+// ---------------------------------------------------------------- in time
+
+/// The table as K - w^2 (M - mean M) + i w C.
+static whirl_status sample(const key_value *values, double speed, double frequency, const double inertia[3],
+                           rational_sample *out) {
+    coefficients at;
+    const whirl_status status = look_up_all(values, speed, frequency, &at);
+    for (size_t e = 0; e < RATIONAL_ENTRIES && status.code == WHIRL_OK; e++) {
+        const size_t m = e / 2 + e % 2;
+        out->entry[e][0] = at.stiffness[e / 2][e % 2] - frequency * frequency * (at.inertia[m] - inertia[m]);
+        out->entry[e][1] = frequency * at.damping[e / 2][e % 2];
+    }
+    return status;
+}
+
+/// Over the frequencies.
+static whirl_status mean_inertia(const key_value *values, double speed, double mean[3]) {
+    const key_value *frequencies = &values[FREQUENCIES];
+    whirl_status status = whirl_ok();
+    mean[0] = mean[1] = mean[2] = 0.0;
+    for (size_t i = 0; i < frequencies->count && status.code == WHIRL_OK; i++) {
+        coefficients at;
+        status = look_up_all(values, speed, frequencies->list[i], &at);
+        for (size_t m = 0; m < 3 && status.code == WHIRL_OK; m++) mean[m] += at.inertia[m] / (double)frequencies->count;
+    }
+    return status;
+}
+
+/// The part by which the function differs from the table, at its frequencies and half way between them.
+static whirl_status compare(const key_value *values, double speed, const rational_fit *fit, const double inertia[3],
+                            double *number) {
+    const key_value *frequencies = &values[FREQUENCIES];
+    whirl_status status = whirl_ok();
+    number[BEARING_ERROR_AT] = number[BEARING_ERROR] = 0.0;
+    number[BEARING_WORST] = frequencies->list[0];
+    for (size_t i = 0; i + 1 < 2 * frequencies->count && status.code == WHIRL_OK; i++) {
+        const double w = 0.5 * (frequencies->list[i / 2] + frequencies->list[(i + 1) / 2]);
+        rational_sample table, apart = rational_fit_value(fit, w);
+        status = sample(values, speed, w, inertia, &table);
+        if (status.code != WHIRL_OK) break;
+        for (int e = 0; e < RATIONAL_ENTRIES; e++)
+            for (int part = 0; part < 2; part++) apart.entry[e][part] -= table.entry[e][part];
+        const double size = rational_size(&table), own = size > 0.0 ? rational_size(&apart) / size : 0.0;
+        if (own > number[BEARING_ERROR]) number[BEARING_WORST] = w;
+        number[BEARING_ERROR] = fmax(number[BEARING_ERROR], own);
+        if (i % 2 == 0) number[BEARING_ERROR_AT] = fmax(number[BEARING_ERROR_AT], own);
+    }
+    return status;
+}
+
+/// As many pairs of poles as the table tells apart.
+static size_t pair_count(const key_value *values) {
+    const size_t wanted = (size_t)values[POLES].number / 2, most = values[FREQUENCIES].count / 2 - 1;
+    return wanted < most ? wanted : most;
+}
+
+/// What the rotor's own motions ask of the table.
+static whirl_status check_top(const key_value *values, const assembly *to) {
+    const key_value *frequencies = &values[FREQUENCIES];
+    const double top = frequencies->list[frequencies->count - 1];
+    if (to->speed <= top * (1.0 + 1e-9)) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "is known at frequencies of whirl from %g to %g rad/s, and the rotor turns at %g rad/s, which is "
+                      "the frequency of synchronous motions",
+                      frequencies->list[0], top, to->speed);
+}
+
+static whirl_status check_error(const key_value *values, size_t pairs, double error, double worst) {
+    if (error <= values[FIT_ERROR].number) return whirl_ok();
+    return whirl_fail(
+        WHIRL_BAD_INPUT,
+        "differs from its table by %.3g %% at %.4g rad/s as a rational function of %zu poles, as which "
+        "it acts in time, expected at most fit_error, %.3g %%: more poles, closer frequencies or a larger "
+        "fit_error",
+        100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
+}
+
+static whirl_status make_fit(const key_value *values, const assembly *to, coefficients *rest, rational_fit *fit,
+                             element *out) {
+    rational_sample samples[WHIRL_MAX_LIST];
+    const key_value *frequencies = &values[FREQUENCIES];
+    const size_t pairs = pair_count(values);
+    double *number = out->number;
+    whirl_status status = check_top(values, to);
+    if (status.code == WHIRL_OK) status = mean_inertia(values, to->speed, rest->inertia);
+    for (size_t i = 0; i < frequencies->count && status.code == WHIRL_OK; i++)
+        status = sample(values, to->speed, frequencies->list[i], rest->inertia, &samples[i]);
     if (status.code != WHIRL_OK) return status;
-    const double stiffness[2][2] = {{at[KXX], at[KXY]}, {at[KYX], at[values[KYY].given ? KYY : KXX]}};
-    const double damping[2][2] = {{at[CXX], at[CXY]}, {at[CYX], at[values[CYY].given ? CYY : CXX]}};
-    status = check_ends(values, to);
-    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
+    if (!rational_fit_make(frequencies->count, frequencies->list, samples, pairs, fit))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a table that no rational function of %zu poles comes near", 2 * pairs);
+    status = compare(values, to->speed, fit, rest->inertia, number);
+    for (size_t e = 0; e < RATIONAL_ENTRIES; e++) {
+        rest->stiffness[e / 2][e % 2] = number[BEARING_REST + e] = fit->constant[e];
+        rest->damping[e / 2][e % 2] = fit->slope[e];
+        for (size_t j = 0; j < fit->pair_count; j++) number[BEARING_REST + e] += fit->pairs[j].place[e];
+    }
+    return status.code == WHIRL_OK ? check_error(values, pairs, number[BEARING_ERROR], number[BEARING_WORST]) : status;
+}
+
+/// Constant and slope are coefficients as any; pairs of poles have states of their own.
+static whirl_status build_in_time(const key_value *values, assembly *to, element *out) {
+    rational_fit fit;
+    coefficients rest;
+    _Static_assert((int)MOST_PAIRS == (int)RATIONAL_MOST_PAIRS && (int)WHIRL_MAX_LIST <= (int)RATIONAL_MOST_SAMPLES,
+                   "a fit has room for a table");
+    const whirl_status status = make_fit(values, to, &rest, &fit, out);
     if (status.code != WHIRL_OK) return status;
-    add_block(to, assembly_stiffness, out->port, stiffness);
-    add_elevation(to, out->port, stiffness, values[ELEVATION].number);
-    add_block(to, assembly_damping, out->port, damping);
-    add_inertia(to, out->port, at[MXX], at[MXY], at[values[MYY].given ? MYY : MXX]);
+    add_coefficients(values, &rest, to, out);
+    out->lumped = false;
+    out->law = (int)fit.pair_count;
+    out->states = 2 * KERNEL_AXES * fit.pair_count;
+    out->number[BEARING_ELEVATION] = values[ELEVATION].number / to->length;
+    for (size_t j = 0; j < fit.pair_count; j++) {
+        double *own = out->number + BEARING_PAIRS + j * PAIR_NUMBERS;
+        own[PAIR_W] = fit.pairs[j].w / to->clock;
+        own[PAIR_G] = fit.pairs[j].g / to->clock;
+        for (size_t e = 0; e < RATIONAL_ENTRIES; e++) {
+            own[PAIR_PLACE + e] = fit.pairs[j].place[e] * to->length;
+            own[PAIR_RATE + e] = fit.pairs[j].rate[e] * to->length;
+        }
+    }
+    generic_scale(out, to, 1.0);
     return whirl_ok();
 }
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    coefficients at = {.inertia = {0.0}};
+    const bool varies = whirls(values);
+    const double frequency = varies || !values[FREQUENCIES].given ? to->frequency : values[FREQUENCIES].list[0];
+    out->lumped = true;
+    out->states = 0;
+    whirl_status status = check_tables(values, to);
+    if (status.code == WHIRL_OK) status = look_up_all(values, to->speed, frequency, &at);
+    if (status.code == WHIRL_OK) status = check_ends(values, to);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
+    if (status.code != WHIRL_OK) return status;
+    if (to->in_time && varies) return build_in_time(values, to, out);
+    add_coefficients(values, &at, to, out);
+    return whirl_ok();
+}
+
+/// Poles of a pair: "-120 +- 400i" or "-30, -900".
+static void tell_poles(const double *pair, double clock, char *text, size_t size) {
+    const double w = clock * pair[PAIR_W], half = 0.5 * clock * pair[PAIR_G], square = half * half - w * w;
+    const double root = sqrt(fabs(square));
+    if (square < 0.0)
+        snprintf(text, size, "%.4g +- %.4gi", -half, root);
+    else
+        snprintf(text, size, "%.4g, %.4g", -w * w / (half + root), -half - root);
+}
+
+static void note(const element *own, double length, double clock, char *text, size_t size) {
+    const double *number = own->number;
+    (void)length;
+    snprintf(
+        text, size,
+        "in time a rational function of %d poles, within %.2g %% of its table at its frequencies, %.2g %% half way "
+        "between (at %.4g rad/s)",
+        2 * own->law, 100.0 * number[BEARING_ERROR_AT], 100.0 * number[BEARING_ERROR], number[BEARING_WORST]);
+    for (int j = 0; j < own->law; j++) {
+        char poles[64];
+        tell_poles(number + BEARING_PAIRS + j * PAIR_NUMBERS, clock, poles, sizeof poles);
+        const size_t used = strlen(text);
+        snprintf(text + used, size - used, "%s%s", j == 0 ? ": " : ", ", poles);
+    }
+    const size_t used = strlen(text);
+    snprintf(text + used, size - used, "%s; at rest kxx %.4g, kxy %.4g, kyx %.4g, kyy %.4g N/m",
+             own->law > 0 ? " rad/s" : "", number[BEARING_REST], number[BEARING_REST + 1], number[BEARING_REST + 2],
+             number[BEARING_REST + 3]);
+}
+
+KERNELS_OF_EVERY_ISA(bearing_kernels);
 
 const element_type bearing_element = {
     .group = {"bearing", "a linear bearing or seal by its eight coefficients and inertia", "Lund 1964; ISO 7902", keys,
               KEY_COUNT, NULL, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = KERNEL_STATES,
+    .kernels = kernels,
     .build = build,
     .carries = true,
+    .note = note,
 };
 #endif

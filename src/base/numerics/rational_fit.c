@@ -1,0 +1,331 @@
+#include "rational_fit.h"
+
+#include <complex.h>
+#include <math.h>
+#include <string.h>
+
+#include "matrix.h"
+
+/// A set of so many samples has two rows, real and imaginary, for each; columns of a fit of all poles and, beside it,
+/// of what moves them.
+enum { MOST_POLES = 2 * RATIONAL_MOST_PAIRS, MOST_ROWS = 2 * RATIONAL_MOST_SAMPLES, MOST_COLUMNS = 2 * MOST_POLES + 4 };
+
+/// Poles in units of the highest frequency; of a complex pair both stand together, that above the axis first.
+typedef struct pole_set {
+    size_t count;
+    double real[MOST_POLES], imaginary[MOST_POLES];
+} pole_set;
+
+/// What is fitted, with frequencies in units of the highest one.
+typedef struct fitting {
+    size_t count;
+    double top, least; ///< rad/s; modulus of the slowest pole
+    double w[RATIONAL_MOST_SAMPLES], weight[RATIONAL_MOST_SAMPLES];
+    rational_sample samples[RATIONAL_MOST_SAMPLES];
+    bool sloped; ///< there is a slope to find
+} fitting;
+
+double rational_size(const rational_sample *of) {
+    double sum = 0.0;
+    for (int e = 0; e < RATIONAL_ENTRIES; e++)
+        sum += of->entry[e][0] * of->entry[e][0] + of->entry[e][1] * of->entry[e][1];
+    return sqrt(sum);
+}
+
+static double complex entry_of(const fitting *f, size_t k, int e) {
+    return f->samples[k].entry[e][0] + f->samples[k].entry[e][1] * I;
+}
+
+/// 1/z in one way, which compilers' own division is not.
+static double complex inverse(double complex z) {
+    const double size = creal(z) * creal(z) + cimag(z) * cimag(z);
+    return creal(z) / size - cimag(z) / size * I;
+}
+
+// ---------------------------------------------------------------- least squares
+
+/// Householder's reflections of a [rows][stride], which leave a triangle of its first `columns` (Golub, Van Loan 2013,
+/// 5.2).
+static void triangularize(size_t rows, size_t columns, size_t stride, double *a) {
+    for (size_t c = 0; c < columns && c < rows; c++) {
+        double size = 0.0;
+        for (size_t r = c; r < rows; r++) size += a[r * stride + c] * a[r * stride + c];
+        size = a[c * stride + c] > 0.0 ? -sqrt(size) : sqrt(size);
+        const double first = a[c * stride + c] - size, scale = size * first; // -|v|^2/2
+        if (scale == 0.0) continue;
+        for (size_t k = c + 1; k < columns; k++) {
+            double sum = first * a[c * stride + k];
+            for (size_t r = c + 1; r < rows; r++) sum += a[r * stride + c] * a[r * stride + k];
+            sum /= scale;
+            a[c * stride + k] += first * sum;
+            for (size_t r = c + 1; r < rows; r++) a[r * stride + k] += a[r * stride + c] * sum;
+        }
+        a[c * stride + c] = size;
+        for (size_t r = c + 1; r < rows; r++) a[r * stride + c] = 0.0;
+    }
+}
+
+/// The shortest x [n] whose a x comes nearest to the last column of a [rows][n + 1].
+static bool solve_nearest(size_t rows, size_t n, double *a, double *x) {
+    double square[(MOST_POLES + 2) * (MOST_POLES + 2)];
+    triangularize(rows, n + 1, n + 1, a);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t k = 0; k < n; k++) square[i * n + k] = a[i * (n + 1) + k];
+        x[i] = a[i * (n + 1) + n];
+    }
+    return matrix_solve_shortest(n, square, 1e-14, x, NULL);
+}
+
+static void put_row(double *a, size_t stride, size_t k, size_t column, double complex value) {
+    a[2 * k * stride + column] = creal(value);
+    a[(2 * k + 1) * stride + column] = cimag(value);
+}
+
+// ---------------------------------------------------------------- functions of given poles
+
+/// The first and the second function of a pair.
+static double complex of_pair(const rational_pair *pair, double w, int which) {
+    const double complex below = inverse(pair->w * pair->w - w * w + I * (pair->g * w));
+    return which == 0 ? pair->w * pair->w * below : I * (pair->w * w) * below;
+}
+
+rational_sample rational_fit_value(const rational_fit *of, double w) {
+    rational_sample out;
+    for (int e = 0; e < RATIONAL_ENTRIES; e++) {
+        double complex sum = of->constant[e] + I * w * of->slope[e];
+        for (size_t j = 0; j < of->pair_count; j++)
+            sum += of->pairs[j].place[e] * of_pair(&of->pairs[j], w, 0) +
+                   of->pairs[j].rate[e] * of_pair(&of->pairs[j], w, 1);
+        out.entry[e][0] = creal(sum);
+        out.entry[e][1] = cimag(sum);
+    }
+    return out;
+}
+
+/// Real poles go in pairs by size.
+static void pair_up(const pole_set *poles, rational_fit *out) {
+    double real[MOST_POLES];
+    size_t count = 0;
+    out->pair_count = 0;
+    for (size_t k = 0; k < poles->count; k++) {
+        const double a = poles->real[k], b = poles->imaginary[k];
+        if (b > 0.0) out->pairs[out->pair_count++] = (rational_pair){.w = sqrt(a * a + b * b), .g = -2.0 * a};
+        if (b != 0.0) continue;
+        size_t place = count++;
+        for (; place > 0 && real[place - 1] > -a; place--) real[place] = real[place - 1];
+        real[place] = -a;
+    }
+    for (size_t k = 0; k + 1 < count; k += 2)
+        out->pairs[out->pair_count++] = (rational_pair){.w = sqrt(real[k] * real[k + 1]), .g = real[k] + real[k + 1]};
+}
+
+/// The best function with these poles, in units of the highest frequency; *error is the root of the sum of its squares.
+static bool fit_with(const fitting *f, const pole_set *poles, rational_fit *out, double *error) {
+    double a[MOST_ROWS * MOST_COLUMNS], x[MOST_POLES + 2];
+    *out = (rational_fit){.pair_count = 0};
+    *error = 0.0;
+    pair_up(poles, out);
+    const size_t n = 2 * out->pair_count + (f->sloped ? 2 : 1), stride = n + 1;
+    for (int e = 0; e < RATIONAL_ENTRIES; e++) {
+        for (size_t k = 0; k < f->count; k++) {
+            size_t column = 0;
+            for (size_t j = 0; j < out->pair_count; j++)
+                for (int which = 0; which < 2; which++)
+                    put_row(a, stride, k, column++, f->weight[k] * of_pair(&out->pairs[j], f->w[k], which));
+            put_row(a, stride, k, column++, f->weight[k]);
+            if (f->sloped) put_row(a, stride, k, column++, I * f->w[k] * f->weight[k]);
+            put_row(a, stride, k, column, f->weight[k] * entry_of(f, k, e));
+        }
+        if (!solve_nearest(2 * f->count, n, a, x)) return false;
+        for (size_t j = 0; j < out->pair_count; j++) {
+            out->pairs[j].place[e] = x[2 * j];
+            out->pairs[j].rate[e] = x[2 * j + 1];
+        }
+        out->constant[e] = x[2 * out->pair_count];
+        out->slope[e] = f->sloped ? x[n - 1] : 0.0;
+    }
+    for (size_t k = 0; k < f->count; k++) {
+        rational_sample apart = rational_fit_value(out, f->w[k]);
+        for (int e = 0; e < RATIONAL_ENTRIES; e++)
+            for (int part = 0; part < 2; part++) apart.entry[e][part] -= f->samples[k].entry[e][part];
+        const double own = f->weight[k] * rational_size(&apart);
+        *error += own * own;
+    }
+    *error = sqrt(*error);
+    return isfinite(*error);
+}
+
+// ---------------------------------------------------------------- poles
+
+/// 1/(s - p), or of a pair the sum of both, and i times their difference.
+static double complex partial(const pole_set *poles, size_t k, double w) {
+    const double b = poles->imaginary[k];
+    const double a = poles->real[k];
+    const double complex one = inverse(-a + I * (w - fabs(b))), other = inverse(-a + I * (w + fabs(b)));
+    return b == 0.0 ? one : b > 0.0 ? one + other : I * (one - other);
+}
+
+/// Stable, and neither far beyond the frequencies nor far below them, where samples do not tell them from constants.
+static void tidy(const fitting *f, pole_set *poles) {
+    const double fastest = 20.0, least_damping = 1e-6;
+    for (size_t k = 0; k < poles->count; k++) {
+        double *a = &poles->real[k], *b = &poles->imaginary[k];
+        double size = sqrt(*a * *a + *b * *b);
+        const double kept = fmin(fmax(size, f->least), fastest);
+        *a = size > 0.0 ? -fabs(*a) * (kept / size) : -kept;
+        *b = size > 0.0 ? *b * (kept / size) : 0.0;
+        *a = fmin(*a, -least_damping * kept);
+    }
+}
+
+/// What the scaling function that all entries share tells of the poles: rows [poles + 1] of one entry.
+static void rows_of_entry(const fitting *f, const pole_set *poles, int e, double *out) {
+    double a[MOST_ROWS * MOST_COLUMNS];
+    const size_t n = poles->count, own = n + (f->sloped ? 2 : 1), stride = own + n + 1;
+    for (size_t k = 0; k < f->count; k++) {
+        const double complex z = entry_of(f, k, e);
+        for (size_t j = 0; j < n; j++) {
+            const double complex value = f->weight[k] * partial(poles, j, f->w[k]);
+            put_row(a, stride, k, j, value);
+            put_row(a, stride, k, own + j, -z * value);
+        }
+        put_row(a, stride, k, n, f->weight[k]);
+        if (f->sloped) put_row(a, stride, k, n + 1, I * f->w[k] * f->weight[k]);
+        put_row(a, stride, k, own + n, -z * f->weight[k]);
+    }
+    triangularize(2 * f->count, stride, stride, a);
+    for (size_t i = 0; i <= n; i++) {
+        for (size_t j = 0; j <= n; j++) out[i * (n + 2) + j] = a[(own + i) * stride + own + j];
+        out[i * (n + 2) + n + 1] = 0.0;
+    }
+}
+
+/// The zeros of the scaling function are the next poles.
+static bool relocate(const fitting *f, pole_set *poles) {
+    double a[(RATIONAL_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)], x[MOST_POLES + 2];
+    double matrix[MOST_POLES * MOST_POLES] = {0.0};
+    const size_t n = poles->count, rows = RATIONAL_ENTRIES * (n + 1) + 1;
+    for (int e = 0; e < RATIONAL_ENTRIES; e++) rows_of_entry(f, poles, e, a + (size_t)e * (n + 1) * (n + 2));
+    double *last = a + (rows - 1) * (n + 2); // its mean is 1
+    for (size_t j = 0; j < n; j++) {
+        last[j] = 0.0;
+        for (size_t k = 0; k < f->count; k++) last[j] += creal(partial(poles, j, f->w[k])) / (double)f->count;
+    }
+    last[n] = last[n + 1] = 1.0;
+    if (!solve_nearest(rows, n + 1, a, x)) return false;
+    const double smallest = 1e-8, constant = fabs(x[n]) > smallest ? x[n] : copysign(smallest, x[n]);
+    for (size_t i = 0; i < n; i++) {
+        const double b = poles->imaginary[i], drive = b > 0.0 ? 2.0 : b < 0.0 ? 0.0 : 1.0;
+        matrix[i * n + i] = poles->real[i];
+        if (b > 0.0) matrix[i * n + i + 1] = b;
+        if (b < 0.0) matrix[i * n + i - 1] = b;
+        for (size_t j = 0; j < n; j++) matrix[i * n + j] -= drive * x[j] / constant;
+    }
+    if (!matrix_eigen(n, matrix, poles->real, poles->imaginary, NULL)) return false;
+    tidy(f, poles);
+    return true;
+}
+
+/// Pairs spread over the frequencies, well damped.
+static pole_set first_poles(const fitting *f, size_t pair_count) {
+    pole_set out = {.count = 2 * pair_count};
+    for (size_t j = 0; j < pair_count; j++) {
+        const double w = ((double)j + 0.5) / (double)pair_count;
+        out.real[2 * j] = out.real[2 * j + 1] = -0.2 * w;
+        out.imaginary[2 * j] = w;
+        out.imaginary[2 * j + 1] = -w;
+    }
+    tidy(f, &out);
+    return out;
+}
+
+/// The best of all that the poles come by.
+static bool fit(const fitting *f, size_t pair_count, rational_fit *best) {
+    enum { MOST_STEPS = 40 };
+    pole_set poles = first_poles(f, pair_count);
+    double least;
+    if (!fit_with(f, &poles, best, &least)) return false;
+    for (int step = 0; step < MOST_STEPS && pair_count > 0 && least > 1e-14; step++) {
+        rational_fit next;
+        double error;
+        if (!relocate(f, &poles)) return false;
+        if (!fit_with(f, &poles, &next, &error)) return false;
+        if (error < least) *best = next;
+        if (fabs(error - least) <= 1e-9 * least) break;
+        least = fmin(least, error);
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- the slope
+
+/// Of the symmetric part of a matrix: its mean, half the difference of its eigenvalues, and twice the direction.
+typedef struct symmetric {
+    double mean, half, c, s;
+} symmetric;
+
+static symmetric symmetric_of(const double m[RATIONAL_ENTRIES]) {
+    const double a = 0.5 * (m[0] - m[3]), b = 0.5 * (m[1] + m[2]), half = sqrt(a * a + b * b);
+    return (symmetric){0.5 * (m[0] + m[3]), half, half > 0.0 ? a / half : 1.0, half > 0.0 ? b / half : 0.0};
+}
+
+/// The least damping of the samples, where that is below 0.
+static double least_damping(const fitting *f) {
+    double least = 0.0;
+    for (size_t k = 0; k < f->count; k++) {
+        double damping[RATIONAL_ENTRIES];
+        if (f->w[k] == 0.0) continue;
+        for (int e = 0; e < RATIONAL_ENTRIES; e++) damping[e] = f->samples[k].entry[e][1] / f->w[k];
+        const symmetric own = symmetric_of(damping);
+        least = fmin(least, own.mean - own.half);
+    }
+    return least;
+}
+
+/// Raises the eigenvalues of the slope's symmetric part to the least that is allowed; false where none is below.
+static bool raise_slope(double slope[RATIONAL_ENTRIES], double least) {
+    const symmetric own = symmetric_of(slope);
+    const double low = own.mean - own.half, high = own.mean + own.half, skew = 0.5 * (slope[1] - slope[2]);
+    const double a = fmax(low, least), b = fmax(high, least), mean = 0.5 * (a + b), half = 0.5 * (b - a);
+    if (!(low < least - 1e-9 * (own.half + fabs(own.mean)))) return false;
+    slope[0] = mean + half * own.c;
+    slope[3] = mean - half * own.c;
+    slope[1] = half * own.s + skew;
+    slope[2] = half * own.s - skew;
+    return true;
+}
+
+static fitting begin(size_t count, const double *w, const rational_sample *samples) {
+    fitting f = {.count = count, .top = w[count - 1], .sloped = true};
+    double largest = 0.0;
+    memcpy(f.samples, samples, count * sizeof *samples);
+    for (size_t k = 0; k < count; k++) largest = fmax(largest, rational_size(&samples[k]));
+    for (size_t k = 0; k < count; k++) {
+        const double size = fmax(rational_size(&samples[k]), 1e-9 * largest);
+        f.w[k] = w[k] / f.top;
+        f.weight[k] = size > 0.0 ? 1.0 / size : 1.0;
+        if (f.least == 0.0) f.least = 1e-2 * f.w[k];
+    }
+    return f;
+}
+
+bool rational_fit_make(size_t count, const double *w, const rational_sample *samples, size_t pair_count,
+                       rational_fit *out) {
+    fitting f = begin(count, w, samples);
+    if (!fit(&f, pair_count, out)) return false;
+    double slope[RATIONAL_ENTRIES];
+    memcpy(slope, out->slope, sizeof slope);
+    if (raise_slope(slope, least_damping(&f))) {
+        f.sloped = false;
+        for (size_t k = 0; k < count; k++)
+            for (int e = 0; e < RATIONAL_ENTRIES; e++) f.samples[k].entry[e][1] -= f.w[k] * slope[e];
+        if (!fit(&f, pair_count, out)) return false;
+        memcpy(out->slope, slope, sizeof slope);
+    }
+    for (int e = 0; e < RATIONAL_ENTRIES; e++) out->slope[e] /= f.top;
+    for (size_t j = 0; j < out->pair_count; j++) {
+        out->pairs[j].w *= f.top;
+        out->pairs[j].g *= f.top;
+    }
+    return true;
+}
