@@ -291,6 +291,10 @@ const char *whirl_result_fact(const whirl_result *result, const char *name);
 /// ranges without extent. "" past the last. Borrowed.
 const char *whirl_result_warning(const whirl_result *result, size_t index);
 
+/// What stands in time for a bearing's table over the frequency of whirl, with its error, by index from 0. "" past the
+/// last. Borrowed.
+const char *whirl_result_fit(const whirl_result *result, size_t index);
+
 /// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor,
 /// instruction set.
 whirl_status whirl_result_add_provenance(whirl_result *result);

@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "fits.h"
 #include "whirl/result.h"
 
 /// A place of a study that stands for others, and whom its warnings are told to.
@@ -72,7 +73,13 @@ static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
 /// A point of a batch, by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     whirl_given given[PLAN_MAX_GIVEN];
-    warn_of_machine(w, given, plan_given_at(batch, point, given));
+    char path[2 * WHIRL_NAME_SIZE], doubt[WHIRL_MESSAGE_SIZE];
+    const size_t count = plan_given_at(batch, point, given);
+    warn_of_machine(w, given, count);
+    if (w->status.code != WHIRL_OK || !plan_moves(batch)) return;
+    w->status = case_tell_fits(w->content, given, count, w->result, doubt);
+    snprintf(path, sizeof path, "study.%s", batch->name);
+    if (*doubt) warn(w, path, doubt);
 }
 
 // ---------------------------------------------------------------- ranges

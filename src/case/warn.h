@@ -5,7 +5,7 @@
 #include "content.h"
 
 /// Adds a fact to the result for every warning (whirl_result_warning): values that the law of an element is not for, at
-/// the ends of what the study varies, and ranges without extent.
+/// the ends of what the study varies, ranges without extent, and what stands in time for tables (fits.h).
 whirl_status case_warn(const case_content *content, whirl_result *result);
 
 #endif

@@ -640,6 +640,16 @@ static bool dump_warnings(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "warnings", warnings, stream) && well;
 }
 
+/// What stands in time for tables, where anything does.
+static bool dump_fits(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    if (!*whirl_result_fit(result, 0)) return true;
+    json_t *fits = json_array();
+    for (size_t i = 0; *whirl_result_fit(result, i); ++i)
+        document_append(&well, fits, document_text(whirl_result_fit(result, i)));
+    return dump_member(",\n", "fits", fits, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -651,16 +661,17 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
+           dump_fits(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
-                                        "force_scale", "partial",    "table",     "points",         "parameters",
-                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
-                                        "refined",     "warnings",   "margins"};
+    static const char *const taken[] = {
+        "whirl",      "title",   "case",       "speed",   "length_scale", "force_scale", "partial",
+        "table",      "points",  "parameters", "jumps",   "integrated",   "keyphasor",   "keyphasor_rate",
+        "attractors", "refined", "warnings",   "margins", "fits"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

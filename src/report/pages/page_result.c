@@ -215,6 +215,8 @@ void page_computed(const page *to, size_t index) {
         if (station->gap > 0.0) append_gap(units, station, text, sizeof text);
     }
     write_row(to->stream, "Stations", text);
+    for (size_t i = 0; *whirl_result_fit(result, i); i++)
+        write_row(to->stream, "Table over frequencies of whirl", whirl_result_fit(result, i));
     if (result->contact_count > 0) {
         text[0] = '\0';
         for (size_t c = 0; c < result->contact_count; c++) {

@@ -417,23 +417,21 @@ static void tell_poles(const double *pair, double clock, char *text, size_t size
 }
 
 static void note(const element *own, double length, double clock, char *text, size_t size) {
-    const double *number = own->number;
-    (void)length;
-    snprintf(
+    const double *number = own->number, *rest = number + BEARING_REST;
+    size_t used = (size_t)snprintf(
         text, size,
-        "in time a rational function of %d poles, within %.2g %% of its table at its frequencies, %.2g %% half way "
-        "between (at %.4g rad/s)",
+        "in time %d poles, off its table by %.2g %% at its frequencies, %.2g %% half way between (at %.4g rad/s)",
         2 * own->law, 100.0 * number[BEARING_ERROR_AT], 100.0 * number[BEARING_ERROR], number[BEARING_WORST]);
-    for (int j = 0; j < own->law; j++) {
+    (void)length;
+    for (int j = 0; j < own->law && used < size; j++) {
         char poles[64];
         tell_poles(number + BEARING_PAIRS + j * PAIR_NUMBERS, clock, poles, sizeof poles);
-        const size_t used = strlen(text);
-        snprintf(text + used, size - used, "%s%s", j == 0 ? ": " : ", ", poles);
+        used += (size_t)snprintf(text + used, size - used, "%s%s%s", j == 0 ? ": " : ", ", poles,
+                                 j + 1 == own->law ? " rad/s" : "");
     }
-    const size_t used = strlen(text);
-    snprintf(text + used, size - used, "%s; at rest kxx %.4g, kxy %.4g, kyx %.4g, kyy %.4g N/m",
-             own->law > 0 ? " rad/s" : "", number[BEARING_REST], number[BEARING_REST + 1], number[BEARING_REST + 2],
-             number[BEARING_REST + 3]);
+    if (used < size)
+        snprintf(text + used, size - used, "; at rest kxx %.4g, kxy %.4g, kyx %.4g, kyy %.4g N/m", rest[0], rest[1],
+                 rest[2], rest[3]);
 }
 
 KERNELS_OF_EVERY_ISA(bearing_kernels);

@@ -1,0 +1,137 @@
+#include "fits.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "whirl/linear.h"
+
+/// An eigenvalue in SI.
+typedef struct eigenvalue {
+    double real, imaginary;
+} eigenvalue;
+
+/// The modes of a rotor; NULL where it does not rest, or its coefficients turn.
+static whirl_modes *modes_of(const whirl_rotor *rotor) {
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double *start = calloc(system->dimension, sizeof *start);
+    whirl_modes *modes = NULL;
+    if (start) {
+        whirl_rotor_complete(rotor, start);
+        if (whirl_modes_new(system, start, &modes).code != WHIRL_OK) modes = NULL;
+    }
+    free(start);
+    if (!modes || modes->period == 0.0) return modes;
+    whirl_modes_free(modes);
+    return NULL;
+}
+
+/// Eigenvalue number `index` of modes and, after these, of what has no frequency.
+static eigenvalue value_of(const whirl_modes *modes, size_t index, double clock) {
+    if (index >= modes->count) return (eigenvalue){clock * modes->reals[index - modes->count], 0.0};
+    return (eigenvalue){clock * modes->modes[index].real, clock * modes->modes[index].imaginary};
+}
+
+/// That of the machine by its tables at a frequency of whirl which is nearest to one; false where there is none.
+static bool by_tables(const case_content *content, valuation *v, eigenvalue near, eigenvalue *out) {
+    const machine_choice choice = {.stages = 1.0, .asynchronous = true, .frequency = near.imaginary};
+    whirl_rotor *rotor;
+    double least = INFINITY;
+    if (machine_build_with(&content->machine, v, 0.0, &choice, &rotor).code != WHIRL_OK) return false;
+    whirl_modes *modes = modes_of(rotor);
+    for (size_t i = 0; modes && i < modes->count + modes->real_count; i++) {
+        const eigenvalue own = value_of(modes, i, whirl_rotor_clock(rotor));
+        const double apart = hypot(own.real - near.real, own.imaginary - near.imaginary);
+        if (apart < least) least = apart, *out = own;
+    }
+    whirl_modes_free(modes);
+    whirl_rotor_free(rotor);
+    return isfinite(least);
+}
+
+/// What rounding leaves of no damping at all counts as stable.
+static bool grows(eigenvalue own, double clock) {
+    return own.real > 1e-9 * (fabs(own.imaginary) + clock);
+}
+
+/// The index of the eigenvalue with the largest real part below that of `last`; SIZE_MAX: none.
+static size_t next_stable(const whirl_modes *modes, double clock, double last) {
+    size_t best = SIZE_MAX;
+    for (size_t i = 0; i < modes->count + modes->real_count; i++) {
+        const double real = value_of(modes, i, clock).real;
+        if (real < last && (best == SIZE_MAX || real > value_of(modes, best, clock).real)) best = i;
+    }
+    return best;
+}
+
+/// The least stable of the functions' eigenvalues beside those of the tables, until a doubt is found.
+static void compare(const case_content *content, valuation *v, const whirl_rotor *moving, const whirl_system *tables,
+                    char doubt[WHIRL_MESSAGE_SIZE]) {
+    enum { LOOKS = 4 };
+    whirl_modes *modes = modes_of(moving);
+    const double clock = whirl_rotor_clock(moving);
+    const double low = tables->frequencies[0], high = tables->frequencies[tables->frequency_count - 1];
+    double last = INFINITY;
+    for (int look = 0; look < LOOKS && modes && !*doubt; look++) {
+        const size_t index = next_stable(modes, clock, last);
+        if (index == SIZE_MAX) break;
+        const eigenvalue own = value_of(modes, index, clock);
+        const bool known = own.imaginary >= low && own.imaginary <= high;
+        eigenvalue other = {0.0, 0.0};
+        last = own.real;
+        if (!known && grows(own, clock))
+            snprintf(doubt, WHIRL_MESSAGE_SIZE,
+                     "with the rational functions that stand in time for its bearings' tables the machine is unstable, "
+                     "by %.4g 1/s at %.4g rad/s, where the tables (%.4g to %.4g rad/s) say nothing",
+                     own.real, own.imaginary, low, high);
+        else if (known && by_tables(content, v, own, &other) && grows(own, clock) != grows(other, clock))
+            snprintf(doubt, WHIRL_MESSAGE_SIZE,
+                     "with the rational functions that stand in time for its bearings' tables a mode at %.4g rad/s has "
+                     "the exponent %.4g 1/s, and %.4g 1/s with the tables themselves: one is stable, the other is not",
+                     own.imaginary, own.real, other.real);
+    }
+    whirl_modes_free(modes);
+}
+
+/// Adds a note unless it is there; its last clause is left out where there is no room for it.
+static whirl_status add_fit(whirl_result *result, const char *at, char *note) {
+    char name[WHIRL_NAME_SIZE], text[2 * WHIRL_MESSAGE_SIZE];
+    size_t index = 0;
+    const size_t room = sizeof result->facts->value - strlen(at) - 3;
+    if (strlen(note) > room && strrchr(note, ';')) *strrchr(note, ';') = '\0';
+    for (; *whirl_result_fit(result, index); index++)
+        if (strstr(whirl_result_fit(result, index), note)) return whirl_ok();
+    snprintf(name, sizeof name, "fit %zu", index + 1);
+    snprintf(text, sizeof text, "%s%s%s", note, *at ? ", at " : "", at);
+    return whirl_result_add_fact(result, name, text);
+}
+
+static whirl_status tell(const case_content *content, valuation *v, const whirl_rotor *tables, const char *at,
+                         whirl_result *result, char doubt[WHIRL_MESSAGE_SIZE]) {
+    char note[WHIRL_MESSAGE_SIZE];
+    whirl_rotor *moving;
+    if (machine_build(&content->machine, v, true, &moving).code != WHIRL_OK) return whirl_ok();
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; status.code == WHIRL_OK && whirl_rotor_note(moving, i, note); i++)
+        status = add_fit(result, at, note);
+    if (status.code == WHIRL_OK) compare(content, v, moving, whirl_rotor_system(tables), doubt);
+    whirl_rotor_free(moving);
+    return status;
+}
+
+whirl_status case_tell_fits(const case_content *content, const whirl_given *given, size_t count, whirl_result *result,
+                            char doubt[WHIRL_MESSAGE_SIZE]) {
+    char at[PLAN_GIVEN_TEXT] = "";
+    whirl_rotor *tables = NULL;
+    valuation v;
+    *doubt = '\0';
+    whirl_status status = valuation_open(&v, &content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, false, &tables);
+    if (count > 0) given_text(given, count, at, sizeof at);
+    if (status.code == WHIRL_OK && whirl_rotor_system(tables)->frequency_count > 0)
+        status = tell(content, &v, tables, at, result, doubt);
+    whirl_rotor_free(tables);
+    valuation_close(&v);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
