@@ -42,7 +42,10 @@ static const char *const elements[] = {
     "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
     "radius: 25 mm, length: 25 mm, inertia: 1e-4 kg m2}",
     "blade_rub: {at: rotor, from: stator, blades: 5, radius: 0.3 m, gap: 60 um, stiffness: 2e7, friction: 0.1, "
-    "extension: [20 um, 0 m, 0 m, 5 um, 0 m]}"};
+    "extension: [20 um, 0 m, 0 m, 5 um, 0 m]}",
+    "bearing: {at: rotor, from: stator, elevation: 20 um, frequencies: [0, 200, 400, 600, 800, 1000, 1200, 1400], "
+    "kxx: [4e6, 4.2e6, 4.7e6, 5.3e6, 5.8e6, 6.2e6, 6.5e6, 6.7e6], kxy: [1e6, 9e5, 7e5, 5e5, 4e5, 3e5, 2e5, 1e5], "
+    "cxx: [4e3, 3.6e3, 3e3, 2.2e3, 1.6e3, 1.2e3, 9e2, 7e2], cyx: -300, poles: 6, fit_error: 20 %}"};
 enum { ELEMENTS = sizeof elements / sizeof *elements, LANES = 5, REVOLUTIONS = 3, MOST = 64 };
 
 static void must(whirl_status status) {

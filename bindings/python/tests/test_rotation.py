@@ -35,7 +35,7 @@ ALIKE = "beam coupling film floating_ring looseness mount rub seal shaft spring 
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]
 CASES += sorted((ROOT / "tests/references/motions").glob("*.yaml"))
-CASES.append(ROOT / "bindings/python/tests/pads.yaml")
+CASES += [ROOT / "bindings/python/tests" / name for name in ("pads.yaml", "whirl-table.yaml")]
 
 
 def from_other_side(angle):

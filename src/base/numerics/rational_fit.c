@@ -165,16 +165,24 @@ static double complex partial(const pole_set *poles, size_t k, double w) {
     return b == 0.0 ? one : b > 0.0 ? one + other : I * (one - other);
 }
 
-/// Stable, and neither far beyond the frequencies nor far below them, where samples do not tell them from constants.
+/// The distance of the samples about a frequency.
+static double spacing(const fitting *f, double w) {
+    size_t k = 1;
+    while (k + 1 < f->count && f->w[k] < w) k++;
+    return f->w[k] - f->w[k - 1];
+}
+
+/// Stable, neither far beyond the frequencies nor far below them, where samples do not tell them from constants, and no
+/// resonances that are narrower than half the distance of samples, which would fit their errors.
 static void tidy(const fitting *f, pole_set *poles) {
-    const double fastest = 20.0, least_damping = 1e-6;
+    const double fastest = 20.0;
     for (size_t k = 0; k < poles->count; k++) {
         double *a = &poles->real[k], *b = &poles->imaginary[k];
         double size = sqrt(*a * *a + *b * *b);
         const double kept = fmin(fmax(size, f->least), fastest);
         *a = size > 0.0 ? -fabs(*a) * (kept / size) : -kept;
         *b = size > 0.0 ? *b * (kept / size) : 0.0;
-        *a = fmin(*a, -least_damping * kept);
+        if (*b != 0.0) *a = fmin(*a, -0.25 * spacing(f, fabs(*b)));
     }
 }
 

@@ -3,7 +3,8 @@
 ///
 ///     Z(s) = constant + s slope + sum_j (place_j w_j^2 + rate_j w_j s)/(s^2 + g_j s + w_j^2),  g_j, w_j > 0
 ///
-/// Every pair of poles is so in one form, whether it is complex or of two real ones, and stable.
+/// Every pair of poles is so in one form, whether it is complex or of two real ones, and stable; complex ones are no
+/// sharper than g_j = half the distance of the samples about them.
 #ifndef BASE_RATIONAL_FIT_H
 #define BASE_RATIONAL_FIT_H
 
