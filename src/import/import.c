@@ -8,6 +8,7 @@
 
 #include "ross.h"
 #include "whirl/case.h"
+#include "whirl/rotor.h"
 
 enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
 
@@ -41,6 +42,45 @@ static whirl_status check_case(const char *file, const whirl_imported *made) {
     return status;
 }
 
+static bool has_frequencies(const ross_rotor *rotor) {
+    for (size_t i = 0; i < rotor->bearing_count; i++)
+        if (rotor->bearings[i].frequency_count > 0) return true;
+    return false;
+}
+
+/// What stands in time for tables over the frequency of whirl, as the machine of a case that moves tells it.
+static void note_machine(note_list *notes, const char *text, size_t length, const char *file) {
+    char told[WHIRL_MESSAGE_SIZE];
+    whirl_problems problems = {0};
+    whirl_case *object = NULL;
+    whirl_rotor *rotor = NULL;
+    whirl_status status = whirl_case_parse(text, length, file, &problems, &object);
+    if (status.code == WHIRL_OK) status = whirl_case_rotor(object, NULL, 0.0, &rotor);
+    notes->no_memory = notes->no_memory || status.code == WHIRL_NO_MEMORY;
+    for (size_t i = 0; rotor && whirl_rotor_note(rotor, i, told); i++)
+        note_add(notes, "Motions at the speed of the case have, of a table over frequencies of whirl, %s.", told);
+    if (problems.count > 0)
+        note_add(notes, "Motions at the speed of the case are refused: %s.", problems.items[0].message);
+    whirl_problems_free(&problems);
+    whirl_rotor_free(rotor);
+    whirl_case_free(object);
+}
+
+/// The same with a motion for the study of the case.
+static void note_in_time(note_list *notes, const whirl_imported *made, const char *file) {
+    static const char study[] = "\nstudy:\n", response[] = "  response: {}\n";
+    const char *const place = strstr(made->text, study);
+    if (!place) return;
+    const size_t kept = (size_t)(place - made->text) + strlen(study);
+    char *const moving = malloc(kept + sizeof response);
+    notes->no_memory = notes->no_memory || !moving;
+    if (!moving) return;
+    memcpy(moving, made->text, kept);
+    memcpy(moving + kept, response, sizeof response);
+    note_machine(notes, moving, kept + strlen(response), file);
+    free(moving);
+}
+
 static whirl_status convert(import_reader *reader, value *root, whirl_imported *out) {
     ross_rotor rotor;
     ross_read(reader, root, &rotor);
@@ -54,6 +94,7 @@ static whirl_status convert(import_reader *reader, value *root, whirl_imported *
                           out->length, MOST_CASE_BYTES);
     const whirl_status good = check_case(reader->file, out);
     if (good.code != WHIRL_OK) return good;
+    if (has_frequencies(&rotor)) note_in_time(&reader->notes, out, reader->file);
     return take_notes(&reader->notes, out);
 }
 

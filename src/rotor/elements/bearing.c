@@ -392,18 +392,19 @@ static whirl_status build_in_time(const key_value *values, assembly *to, element
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     coefficients at = {.inertia = {0.0}};
-    const bool varies = whirls(values);
-    const double frequency = varies || !values[FREQUENCIES].given ? to->frequency : values[FREQUENCIES].list[0];
     out->lumped = true;
     out->states = 0;
     whirl_status status = check_tables(values, to);
-    if (status.code == WHIRL_OK) status = look_up_all(values, to->speed, frequency, &at);
+    if (status.code == WHIRL_OK) status = look_up_all(values, to->speed, to->frequency, &at);
     if (status.code == WHIRL_OK) status = check_ends(values, to);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    if (to->in_time && varies) return build_in_time(values, to, out);
+    if (to->in_time && whirls(values)) return build_in_time(values, to, out);
+    // At a place of the table nothing is rounded.
+    if (to->in_time && values[FREQUENCIES].given)
+        status = look_up_all(values, to->speed, values[FREQUENCIES].list[0], &at);
     add_coefficients(values, &at, to, out);
-    return whirl_ok();
+    return status;
 }
 
 /// Poles of a pair: "-120 +- 400i" or "-30, -900".
