@@ -11,6 +11,8 @@
 ///     KERNEL_SWITCHES  switching functions, affine in what it sees unless KERNEL_CURVED is defined and the type has a
 ///                      switch_curvature of its own; 0 where it is smooth
 ///     KERNEL_PHASED    1 where it looks at values of time, n_phase(view, COS_TAU), ...; may be left out where not
+///     KERNEL_TILTS     where its axes may be tilts, whose units differ from station to station: behind the numbers of
+///                      the ports follow their units over that of the element, generic_tilts
 ///
 /// and the kernel's header, included twice, defines
 ///
@@ -68,20 +70,33 @@ typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
 
-VECTOR_INLINE vec between(const element *own, const vec *row, size_t stride, size_t a) {
+/// `value` of the coordinate of a port in vector k, in the unit of the element.
+VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t port, vec value) {
+#ifdef KERNEL_TILTS
+    return v_mul(numbers_of(b, own)[(KERNEL_NUMBERS + KERNEL_PORTS + port) * b->stride + k], value);
+#else
+    (void)own, (void)b, (void)k, (void)port;
+    return value;
+#endif
+}
+
+/// Along axis a, of vector k of a row.
+VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, size_t k, size_t a) {
     const size_t one = own->port[a], other = own->port[KERNEL_AXES + a];
-    const vec here = one == NO_COORDINATE ? v_set(0.0) : row[one * stride];
-    return other == NO_COORDINATE ? here : v_sub(here, row[other * stride]);
+    const vec here = one == NO_COORDINATE ? v_set(0.0) : in_unit(own, b, k, a, row[one * b->stride + k]);
+    if (other == NO_COORDINATE) return here;
+    return v_sub(here, in_unit(own, b, k, KERNEL_AXES + a, row[other * b->stride + k]));
 }
 
 /// Of vector k of state or perturbation n.
 VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t n, size_t k) {
-    const vec *q = b->q + n * b->next + k, *v = b->v + n * b->next_v + k;
+    const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v;
     kernel_inputs in;
     for (size_t a = 0; a < KERNEL_AXES; a++) {
-        in.d[a] = between(own, q, b->stride, a);
-        in.w[a] = between(own, v, b->stride, a);
+        in.d[a] = between(own, b, q, k, a);
+        in.w[a] = between(own, b, v, k, a);
     }
+    v += k;
     for (int s = 0; s < STATES_OF(own); s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
     in.phase = phase_of(b, n, k);
     return in;
@@ -139,7 +154,7 @@ VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const d
         const size_t first = b->coupled ? 0 : port, last = b->coupled ? KERNEL_PORTS - 1 : port;
         for (size_t by = first; by <= last; by++) {
             if (own->port[port] == NO_COORDINATE || own->port[by] == NO_COORDINATE) continue;
-            const vec derivative = force[port % KERNEL_AXES].by[KERNEL_AXES + by % KERNEL_AXES];
+            const vec derivative = in_unit(own, b, k, by, force[port % KERNEL_AXES].by[KERNEL_AXES + by % KERNEL_AXES]);
             const vec part = of_trace(b, own->port[port], own->port[by], scale);
             const bool same_place = port / KERNEL_AXES == by / KERNEL_AXES;
             trace = same_place ? v_fma(part, derivative, trace) : v_fnma(part, derivative, trace);
@@ -202,7 +217,7 @@ static void generic_switches(const element *own, const block *b, void *values, v
             vec rate = v_set(0.0);
             for (size_t a = 0; rates && a < KERNEL_AXES; a++) {
                 rate = v_fma(value[i].by[a], in.w[a], rate);
-                rate = v_fma(value[i].by[KERNEL_AXES + a], between(own, b->a + k, b->stride, a), rate);
+                rate = v_fma(value[i].by[KERNEL_AXES + a], between(own, b, b->a, k, a), rate);
             }
             ((vec *)values)[i * b->stride + k] = value[i].value;
             if (rates) ((vec *)rates)[i * b->stride + k] = rate;
@@ -216,21 +231,32 @@ static size_t generic_switch_count(const element *own) {
     return KERNEL_SWITCHES;
 }
 
+static double unit_of(const element *own, int port) {
+#ifdef KERNEL_TILTS
+    return own->number[KERNEL_NUMBERS + KERNEL_PORTS + port];
+#else
+    (void)own, (void)port;
+    return 1.0;
+#endif
+}
+
 /// The derivatives of a switching function by the ports.
 static void generic_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
                              double *by_v) {
     const kernel_view view = {.stride = 1, .number = own->number};
     dual d[KERNEL_AXES], w[KERNEL_AXES], value[KERNEL_SWITCHES];
     for (int a = 0; a < KERNEL_AXES; a++) {
-        d[a] = dual_input(q[a] - q[KERNEL_AXES + a], a);
-        w[a] = dual_input(v[a] - v[KERNEL_AXES + a], KERNEL_AXES + a);
+        const double here = unit_of(own, a), there = unit_of(own, KERNEL_AXES + a);
+        d[a] = dual_input(here * q[a] - there * q[KERNEL_AXES + a], a);
+        w[a] = dual_input(here * v[a] - there * v[KERNEL_AXES + a], KERNEL_AXES + a);
     }
     switches_dual(own, &view, d, w, value);
     for (int a = 0; a < KERNEL_AXES; a++) {
-        by_q[a] = value[index].by[a];
-        by_v[a] = value[index].by[KERNEL_AXES + a];
-        by_q[KERNEL_AXES + a] = -by_q[a];
-        by_v[KERNEL_AXES + a] = -by_v[a];
+        const double here = unit_of(own, a), there = unit_of(own, KERNEL_AXES + a);
+        by_q[a] = here * value[index].by[a];
+        by_v[a] = here * value[index].by[KERNEL_AXES + a];
+        by_q[KERNEL_AXES + a] = -there * value[index].by[a];
+        by_v[KERNEL_AXES + a] = -there * value[index].by[KERNEL_AXES + a];
     }
 }
 
@@ -264,6 +290,21 @@ static inline void generic_scale(element *own, const assembly *to, double unit) 
         own->number[KERNEL_NUMBERS + port] =
             own->port[port] == NO_COORDINATE ? 0.0 : unit / assembly_force_scale(to, own->port[port]);
 }
+
+#ifdef KERNEL_TILTS
+/// generic_scale of forces in N, or moments in N m; and the units of the ports over that of the element, which is
+/// returned: m or rad.
+static double generic_tilts(element *own, const assembly *to) {
+    double unit = 0.0;
+    for (size_t port = KERNEL_PORTS; port-- > 0;)
+        if (own->port[port] != NO_COORDINATE) unit = to->unit[own->port[port]];
+    for (size_t port = 0; port < KERNEL_PORTS; port++)
+        own->number[KERNEL_NUMBERS + KERNEL_PORTS + port] =
+            own->port[port] == NO_COORDINATE ? 0.0 : to->unit[own->port[port]] / unit;
+    generic_scale(own, to, 1.0);
+    return unit;
+}
+#endif
 #endif
 
 #endif

@@ -30,7 +30,11 @@
     X(contact)                                                                                                         \
     X(magnetic)                                                                                                        \
     X(blade_rub)                                                                                                       \
-    X(floating_ring)
+    X(floating_ring)                                                                                                   \
+    X(joint)                                                                                                           \
+    X(misaligned_coupling)                                                                                             \
+    X(cubic_spring)                                                                                                    \
+    X(friction)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

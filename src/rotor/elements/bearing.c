@@ -11,11 +11,12 @@
 /// Of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
-/// The law is the number of pairs. Elevation in length scales; what is told of the fit: its error at the table's
+/// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the table's
 /// frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
 enum {
     MOST_PAIRS = 4,
-    BEARING_ELEVATION = 0,
+    BEARING_SIDEWAYS = 0,
+    BEARING_ELEVATION,
     BEARING_PAIRS,
     BEARING_ERROR_AT = BEARING_PAIRS + MOST_PAIRS * PAIR_NUMBERS,
     BEARING_ERROR,
@@ -53,6 +54,7 @@ enum {
     MXY,
     MYY,
     ELEVATION,
+    SIDEWAYS,
     ROLE,
     POLES,
     FIT_ERROR,
@@ -90,6 +92,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
     [ELEVATION] = NUMBER_KEY("elevation", "", "m", DEFAULT("0"), WHIRL_ANY,
                              "of its centre along y, above where it would lie in line: what alignment changes"),
+    [SIDEWAYS] = NUMBER_KEY("sideways", "", "m", DEFAULT("0"), WHIRL_ANY, "the same along x, from where it is in line"),
     [ROLE] = CHOICE_KEY(
         "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
         "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
@@ -249,18 +252,19 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
-/// K e, e = (0, elevation), on the station, and against it on the housing.
-static void add_elevation(assembly *to, const size_t port[4], const double matrix[2][2], double elevation) {
-    for (size_t i = 0; i < 4 && elevation != 0.0; i++)
-        if (port[i] != NO_COORDINATE) {
-            const double force = (i < 2 ? elevation : -elevation) * matrix[i % 2][1];
-            assembly_term(to, (linear_term){port[i], SOURCE_ONE, 0, force / assembly_force_scale(to, port[i])});
-        }
+/// K e, e = (sideways, elevation), on the station, and against it on the housing.
+static void add_offset(assembly *to, const size_t port[4], const double matrix[2][2], const double offset[2]) {
+    for (size_t i = 0; i < 4; i++) {
+        const double *row = matrix[i % 2], force = row[0] * offset[0] + row[1] * offset[1];
+        if (port[i] == NO_COORDINATE || force == 0.0) continue;
+        const double term = (i < 2 ? force : -force) / assembly_force_scale(to, port[i]);
+        assembly_term(to, (linear_term){port[i], SOURCE_ONE, 0, term});
+    }
 }
 
 static void add_coefficients(const key_value *values, const coefficients *at, assembly *to, const element *out) {
     add_block(to, assembly_stiffness, out->port, at->stiffness);
-    add_elevation(to, out->port, at->stiffness, values[ELEVATION].number);
+    add_offset(to, out->port, at->stiffness, (const double[2]){values[SIDEWAYS].number, values[ELEVATION].number});
     add_block(to, assembly_damping, out->port, at->damping);
     add_inertia(to, out->port, at->inertia[0], at->inertia[1], at->inertia[2]);
 }
@@ -376,6 +380,7 @@ static whirl_status build_in_time(const key_value *values, assembly *to, element
     out->lumped = false;
     out->law = (int)fit.pair_count;
     out->states = 2 * KERNEL_AXES * fit.pair_count;
+    out->number[BEARING_SIDEWAYS] = values[SIDEWAYS].number / to->length;
     out->number[BEARING_ELEVATION] = values[ELEVATION].number / to->length;
     for (size_t j = 0; j < fit.pair_count; j++) {
         double *own = out->number + BEARING_PAIRS + j * PAIR_NUMBERS;

@@ -8,7 +8,8 @@
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const size_t stride = view->stride;
-    const num u[2] = {d[0], n_sub(d[1], n_of(view->number[BEARING_ELEVATION * stride]))};
+    const num u[2] = {n_sub(d[0], n_of(view->number[BEARING_SIDEWAYS * stride])),
+                      n_sub(d[1], n_of(view->number[BEARING_ELEVATION * stride]))};
     num sum[2] = {n_set(0.0), n_set(0.0)};
     (void)w;
     for (size_t j = 0; j < (size_t)own->law; j++) {

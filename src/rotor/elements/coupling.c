@@ -2,8 +2,11 @@
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
 
-enum { BETWEEN, RADIAL, TILT, RADIAL_DAMPING, TILT_DAMPING, KEY_COUNT };
+static const double pi = 3.14159265358979323846;
+
+enum { BETWEEN, RADIAL, TILT, RADIAL_DAMPING, TILT_DAMPING, RUNS_OFF, RUNS_OFF_ANGLE, KINK, KINK_ANGLE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins, at the ends of two shafts"),
@@ -14,24 +17,69 @@ static const whirl_key keys[KEY_COUNT] = {
         NUMBER_KEY("radial_damping", "c_r", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "damping of a parallel offset"),
     [TILT_DAMPING] = NUMBER_KEY("tilt_damping", "c_t", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "damping of an angle between both shafts"),
+    [RUNS_OFF] = NUMBER_KEY("bore_offset", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                            "bores off centre: how far the axis of the first shaft runs beside that of the second, "
+                            "turning with them, where nothing bends the coupling"),
+    [RUNS_OFF_ANGLE] = NUMBER_KEY("bore_angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
+                                  "where that axis lies at t = 0, from the x axis towards y"),
+    [KINK] = NUMBER_KEY("face_kink", "kappa", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                        "faces out of square: the slope of the first shaft against the second, turning with them"),
+    [KINK_ANGLE] = NUMBER_KEY("face_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
+                              "where the first shaft leans to at t = 0, from the x axis towards y"),
 };
+
+/// What turns with the shafts: k e + c e', e' = i omega e, on the first place, and against it on the second. port[0],
+/// [1]: of the first place, [next] and on: of the second.
+static void add_turning(assembly *to, const size_t *port, size_t next, double stiffness, double damping, double size,
+                        double angle) {
+    const double steady = stiffness * size, ahead = damping * size * to->speed, quarter = copysign(0.5 * pi, to->turn);
+    for (size_t place = 0; place < 2; place++) {
+        const size_t x = port[place * next], y = port[place * next + 1];
+        const double sign = place == 0 ? 1.0 : -1.0;
+        if (size > 0.0) assembly_turning(to, x, y, sign * steady, angle);
+        if (size > 0.0 && damping > 0.0) assembly_turning(to, x, y, sign * ahead, angle + quarter);
+    }
+}
+
+/// That both shafts turn as the rotor does, where anything turns with them.
+static whirl_status check_turning(const key_value *values, const assembly *to) {
+    if (values[KINK].number > 0.0 && !(values[TILT].number > 0.0) && !(values[TILT_DAMPING].number > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a face_kink and no stiffness against tilts, expected tilt as well");
+    for (int i = 0; i < 2; i++) {
+        const size_t station = values[BETWEEN].station[i];
+        const bool aside = station != GROUND && to->stations[station].ratio != 1.0;
+        if (aside && (values[RUNS_OFF].number > 0.0 || values[KINK].number > 0.0))
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "has a bore_offset or face_kink that turns with the rotor, and '%s' is on a shaft of "
+                              "another speed, expected none",
+                              to->stations[station].name);
+    }
+    return whirl_ok();
+}
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     enum { PLANE = 2 };
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
     const bool tilts = values[TILT].number > 0.0 || values[TILT_DAMPING].number > 0.0;
     const size_t count = tilts ? 2 * PLANE : PLANE;
-    const whirl_status status = element_between(&values[BETWEEN], to, axes, count, out);
+    whirl_status status = check_turning(values, to);
+    if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, count, out);
     for (size_t a = 0; a < count && status.code == WHIRL_OK; a++) {
         const size_t one = out->port[a], other = out->port[count + a];
         assembly_spring(to, one, other, values[a < PLANE ? RADIAL : TILT].number);
         assembly_damper(to, one, other, values[a < PLANE ? RADIAL_DAMPING : TILT_DAMPING].number);
     }
+    if (status.code != WHIRL_OK || to->balanced) return status;
+    add_turning(to, out->port, count, values[RADIAL].number, values[RADIAL_DAMPING].number, values[RUNS_OFF].number,
+                values[RUNS_OFF_ANGLE].number);
+    if (tilts)
+        add_turning(to, out->port + PLANE, count, values[TILT].number, values[TILT_DAMPING].number, values[KINK].number,
+                    values[KINK_ANGLE].number);
     return status;
 }
 
 const element_type coupling_element = {
-    .group = {"coupling", "a flexible coupling between the ends of two shafts, by its stiffnesses and dampings",
+    .group = {"coupling", "a flexible coupling between the ends of two shafts; its bores and faces may run out",
               "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL, NULL},
     .build = build,
 };

@@ -1,0 +1,31 @@
+/// The axes along which elements between two stations act, as their key `along` says.
+#ifndef ROTOR_ALONG_H
+#define ROTOR_ALONG_H
+
+#include "element.h"
+
+enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS, ALONG_TILT_X, ALONG_TILT_Y, ALONGS };
+
+/// Those [2] of each choice; AXES: none.
+static const axis axes_along[ALONGS][2] = {
+    [ALONG_XY] = {AXIS_X, AXIS_Y},        [ALONG_X] = {AXIS_X, AXES},
+    [ALONG_Y] = {AXES, AXIS_Y},           [ALONG_TILTS] = {AXIS_TILT_X, AXIS_TILT_Y},
+    [ALONG_TILT_X] = {AXIS_TILT_X, AXES}, [ALONG_TILT_Y] = {AXES, AXIS_TILT_Y}};
+
+#define ALONG_KEY                                                                                                      \
+    CHOICE_KEY("along", DEFAULT("xy"), "xy|x|y|tilts|tilt_x|tilt_y",                                                   \
+               "the axes along which it acts; tilts: both slopes of the stations, dx/dz and dy/dz, or one of them")
+
+static inline bool along_tilts(int choice) {
+    return choice >= ALONG_TILTS;
+}
+
+/// Whether a key goes with the axes: WHIRL_BAD_INPUT where it is given for tilts and they are none, or the other way.
+static inline whirl_status check_along(const whirl_key *key, const key_value *value, bool for_tilts, int choice) {
+    if (!value->given || for_tilts == along_tilts(choice)) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "has %s, in %s, and acts along %s, expected along: %s", key->name, key->unit,
+                      along_tilts(choice) ? "tilts" : "displacements",
+                      for_tilts ? "tilts, tilt_x or tilt_y" : "xy, x or y");
+}
+
+#endif

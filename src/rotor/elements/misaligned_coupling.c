@@ -1,0 +1,137 @@
+// What a flexible coupling does to the ends of two shafts that stand beside each other: reactions after Gibbons.
+#define KERNEL_FILE "elements/misaligned_coupling_kernel.h"
+#define KERNEL_AXES 4
+#define KERNEL_STATES 0
+#define KERNEL_NUMBERS REACTION_NUMBERS
+#define KERNEL_SWITCHES 0
+#define KERNEL_PHASED 1
+
+enum { MOST_ORDERS = 8 };
+
+/// The parts of the orders: steady, by cos tau, by sin tau, by cos 2 tau, ... Then, in SI, FX and FY on the driving
+/// shaft, MX and MY on both.
+enum { REACTION_PARTS, REACTION_FORCES = 2 * MOST_ORDERS + 1, REACTION_NUMBERS = REACTION_FORCES + 6 };
+
+#include "generic.h"
+#include "registry.h"
+
+const element_kernels ISA(misaligned_coupling_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+#include <stdio.h>
+
+enum { BETWEEN, DISTANCE, X1, Y1, X2, Y2, STIFFNESS, TORQUE, ORDERS, PHASE, KEY_COUNT };
+
+#define OFFSET(name, symbol, meaning)                                                                                  \
+    CITED_NUMBER_KEY(name, symbol, "m", DEFAULT("0"), WHIRL_ANY, meaning, "Gibbons 1976")
+
+static const whirl_key keys[KEY_COUNT] = {
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the ends of the driving and of the driven shaft; they tilt"),
+    [DISTANCE] = CITED_NUMBER_KEY("distance", "Z", "m", REQUIRED, WHIRL_POSITIVE,
+                                  "between the two planes in which it bends", "Gibbons 1976"),
+    [X1] = OFFSET("x1", "dX_1", "offset along x of the far plane from the axis of the driving shaft"),
+    [Y1] = OFFSET("y1", "dY_1", "the same along y"),
+    [X2] = OFFSET("x2", "dX_2", "offset along x of the far plane from the axis of the driven shaft"),
+    [Y2] = OFFSET("y2", "dY_2", "the same along y"),
+    [STIFFNESS] = CITED_NUMBER_KEY("bending_stiffness", "K_b", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                   "moment of one plane over its angle", "Gibbons 1976"),
+    [TORQUE] = NUMBER_KEY("torque", "T", "N m", DEFAULT("0"), WHIRL_ANY, "that it hands on, along the rotation"),
+    [ORDERS] = CITED_NUMBERS_KEY("orders", "", "1", DEFAULT("1"), WHIRL_ANY,
+                                 "parts of the reactions that stand still, come once, twice, ... a turn; 1 alone: they "
+                                 "stand still, as they are derived",
+                                 "Sekhar, Prabhu 1995"),
+    [PHASE] = NUMBER_KEY("phase", "", "rad", DEFAULT("0"), WHIRL_ANY,
+                         "that orders from the first on have of the turn at t = 0: they go as cos n (tau + phase)"),
+};
+
+static whirl_status check(const key_value *values) {
+    for (int key = X1; key <= Y2; key++)
+        if (!(fabs(values[key].number) < values[DISTANCE].number))
+            return whirl_fail(WHIRL_BAD_INPUT, "has %s of %g m at a distance of %g m, expected less", keys[key].name,
+                              values[key].number, values[DISTANCE].number);
+    if (values[BETWEEN].station[0] == GROUND || values[BETWEEN].station[1] == GROUND)
+        return whirl_fail(WHIRL_BAD_INPUT, "joins the ground, expected two stations");
+    if (values[ORDERS].count > MOST_ORDERS + 1)
+        return whirl_fail(WHIRL_BAD_INPUT, "has orders up to %zu, expected at most %d", values[ORDERS].count - 1,
+                          MOST_ORDERS);
+    return whirl_ok();
+}
+
+/// FX and FY on the driving shaft, MX and MY on it, MX and MY on the driven one, in the signs of Gibbons.
+static void gibbons(const key_value *values, double torque, double out[6]) {
+    const double z = values[DISTANCE].number, k = values[STIFFNESS].number;
+    const double theta[2] = {asin(values[X1].number / z), asin(values[X2].number / z)};
+    const double phi[2] = {asin(values[Y1].number / z), asin(values[Y2].number / z)};
+    for (int i = 0; i < 2; i++) {
+        const double bending = i == 0 ? k : -k;
+        out[2 + 2 * i] = torque * sin(theta[i]) + bending * phi[i];
+        out[3 + 2 * i] = torque * sin(phi[i]) - bending * theta[i];
+    }
+    out[0] = -(out[3] + out[5]) / z;
+    out[1] = (out[2] + out[4]) / z;
+}
+
+/// c_0, then c_n cos(n phase) and -c_n sin(n phase); clockwise tau runs backward.
+static int fill_orders(const key_value *values, double phase, double *number) {
+    const key_value *orders = &values[ORDERS];
+    const size_t count = orders->count > 0 ? orders->count : 1;
+    const double *part = orders->count > 0 ? orders->list : &orders->number;
+    number[0] = part[0];
+    for (size_t n = 1; n < count; n++) {
+        number[2 * n - 1] = part[n] * cos((double)n * phase);
+        number[2 * n] = -part[n] * sin((double)n * phase);
+    }
+    return (int)count - 1;
+}
+
+/// The moments bend the coupling and the shafts, and nothing else holds it: its forces are in balance with them, z from
+/// the driving to the driven shaft, where MX turns dy/dz and -MY turns dx/dz.
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
+    whirl_status status = check(values);
+    if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
+    if (status.code != WHIRL_OK) return status;
+    double *force = out->number + REACTION_FORCES;
+    const double way = copysign(1.0, to->turn);
+    gibbons(values, way * values[TORQUE].number, force);
+    out->law = fill_orders(values, way * values[PHASE].number, out->number + REACTION_PARTS);
+    // The kernel's part goes to the second places against its sign.
+    const double on[KERNEL_PORTS] = {force[0], force[1], -force[3], force[2], force[0], force[1], force[5], -force[4]};
+    generic_scale(out, to, 1.0);
+    for (size_t port = 0; port < KERNEL_PORTS; port++) out->number[KERNEL_NUMBERS + port] *= on[port];
+    return status;
+}
+
+static void note(const element *own, double length, double clock, char *text, size_t size) {
+    const double *of = own->number + REACTION_FORCES;
+    (void)length, (void)clock;
+    snprintf(
+        text, size,
+        "reactions FX1 %.12g, FY1 %.12g N and against them FX2, FY2; MX1 %.12g, MY1 %.12g, MX2 %.12g, MY2 %.12g N m",
+        of[0], of[1], of[2], of[3], of[4], of[5]);
+}
+
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    const double most = 0.0873; // sin 5 degrees
+    (void)speed;
+    for (int key = X1; key <= Y2; key++)
+        if (fabs(values[key].number) > most * values[DISTANCE].number)
+            doubt_value(to, keys[key].name, "is %.3g times the distance, and flexible couplings bend by a few degrees",
+                        fabs(values[key].number) / values[DISTANCE].number);
+}
+
+KERNELS_OF_EVERY_ISA(misaligned_coupling_kernels);
+
+const element_type misaligned_coupling_element = {
+    .group = {"misaligned_coupling", "reactions of a flexible coupling whose shafts stand beside each other",
+              "Gibbons 1976; Sekhar, Prabhu 1995", keys, KEY_COUNT, NULL, NULL},
+    .spun = true,
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .modulated = true,
+    .kernels = kernels,
+    .build = build,
+    .note = note,
+    .doubt = doubt,
+};
+#endif
