@@ -153,6 +153,8 @@
 #define WHIRL_FIELD_UNBALANCE_INCLINATION "unbalance/inclination"
 #define WHIRL_FIELD_UNBALANCE_PROBE "unbalance/probe"
 #define WHIRL_FIELD_UNBALANCE_PROBE_LAG "unbalance/probe_lag"
+#define WHIRL_FIELD_UNBALANCE_SEEN "unbalance/seen"
+#define WHIRL_FIELD_UNBALANCE_SEEN_LAG "unbalance/seen_lag"
 
 #define WHIRL_FIELD_TRACE_NUMBER "trace/number"
 #define WHIRL_FIELD_TRACE_PARENT "trace/parent"

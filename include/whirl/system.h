@@ -25,6 +25,13 @@ enum {
     WHIRL_MAX_REPEATS = 128    ///< longest period of forces, in revolutions, that rotors look for
 };
 
+/// A harmonic of what probes see of a shaft that runs out, over its motion: Re(v exp(i order tau)), tau the angle of
+/// the system's time, in the state's units of length.
+typedef struct whirl_runout {
+    int order;                  ///< how often it comes round in a revolution
+    double first[2], second[2]; ///< real and imaginary part of v, of the probes along x and along y
+} whirl_runout;
+
 /// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
 /// `x` and `y` index the state; `vx` and `vy` their derivatives. What moves along one axis has y = x and vy = vx: it
 /// moves along x, or with `along_y` along y, and not along the other.
@@ -36,10 +43,12 @@ typedef struct whirl_probe {
     double clearance;
     /// Radius at which the station touches a stator, in the state's units of length; 0 where there is none.
     double gap;
-    size_t shaft;    ///< number of the shaft of finite elements that the station lies on, from 1; 0: on none
-    double position; ///< along that shaft, m
-    bool along_y;    ///< where y = x: the one coordinate is that along y
-    bool clockwise;  ///< the rotor turns from y to x, so that a whirl that way is forward; false: from x to y
+    size_t shaft;        ///< number of the shaft of finite elements that the station lies on, from 1; 0: on none
+    double position;     ///< along that shaft, m
+    bool along_y;        ///< where y = x: the one coordinate is that along y
+    bool clockwise;      ///< the rotor turns from y to x, so that a whirl that way is forward; false: from x to y
+    size_t runout_count; ///< of the shaft here
+    const whirl_runout *runout; ///< [runout_count] borrowed from the system; results have none
 } whirl_probe;
 
 /// Whether it sees a displacement along x (which: 0) or y (1).
@@ -47,6 +56,9 @@ bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 
 /// x, y, vx or vy (nth: 0 to 3) out of numbers that lie as those of a state do; 0 along an axis that it does not see.
 double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth);
+
+/// What it sees more along x (which: 0) or y (1) than the displacement, by the runout after so many revolutions.
+double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolutions);
 
 /// Which way its rotor turns: 1, or -1 clockwise.
 double whirl_probe_way(const whirl_probe *probe);

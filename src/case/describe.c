@@ -45,6 +45,7 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
         result->station_count = system->probe_count;
         result->contact_count = system->contact_count;
         memcpy(result->stations, system->probes, system->probe_count * sizeof *result->stations);
+        for (size_t i = 0; i < result->station_count; i++) result->stations[i].runout_count = 0;
         for (size_t i = 0; i < system->contact_count; i++)
             snprintf(result->contacts[i], sizeof result->contacts[i], "%s", whirl_rotor_contact_names(rotor)[i]);
     }

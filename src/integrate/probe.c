@@ -13,6 +13,17 @@ double whirl_probe_value(const whirl_probe *probe, const double *state, size_t n
     return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
 }
 
+double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolutions) {
+    double sum = 0.0;
+    for (size_t i = 0; i < probe->runout_count; i++) {
+        const whirl_runout *own = &probe->runout[i];
+        const double *v = which == 0 ? own->first : own->second;
+        const double at = 6.283185307179586476925 * fmod((double)own->order * revolutions, 1.0);
+        sum += v[0] * cos(at) - v[1] * sin(at);
+    }
+    return whirl_probe_sees(probe, which) ? sum : 0.0;
+}
+
 double whirl_probe_way(const whirl_probe *probe) {
     return probe->clockwise ? -1.0 : 1.0;
 }

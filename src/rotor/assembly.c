@@ -28,6 +28,7 @@ void assembly_clear(assembly *to) {
     free(to->terms);
     free(to->masses);
     free(to->frequencies);
+    free(to->runouts);
     body_clear(&to->body);
 }
 
@@ -227,6 +228,13 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
     const double acceleration = moment / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
+}
+
+void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
+    station_runout *list = room_for_one(to, to->runouts, to->runout_count, &to->runout_room, sizeof *list);
+    if (!list) return;
+    to->runouts = list;
+    to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
 /// The weight of a shaft at a node, beside that of stations of the design.

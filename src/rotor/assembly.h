@@ -13,6 +13,7 @@
 
 #include "body.h"
 #include "whirl/status.h"
+#include "whirl/system.h"
 
 // Elements outside the library find these by names of the library.
 #define assembly_find whirl_assembly_find
@@ -31,6 +32,7 @@
 #define assembly_gyroscopic whirl_assembly_gyroscopic
 #define assembly_unbalance whirl_assembly_unbalance
 #define assembly_frequencies whirl_assembly_frequencies
+#define assembly_runout whirl_assembly_runout
 #define assembly_pull whirl_assembly_pull
 #define assembly_ground_damping whirl_assembly_ground_damping
 
@@ -62,6 +64,12 @@ typedef struct mass_term {
     double mass;
 } mass_term;
 
+/// A harmonic of the runout at a station, in m.
+typedef struct station_runout {
+    size_t station;
+    whirl_runout seen;
+} station_runout;
+
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
@@ -69,6 +77,7 @@ typedef struct assembly_station {
     bool moves_x, moves_y;
     size_t shaft;            ///< of finite elements, that it is a node of; NO_SHAFT
     double ratio;            ///< of the speed of that shaft over the rotor's; 1
+    double position;         ///< along it, m
     double pull_moment;      ///< kg m by which gravity tilts it: what the weight of a shaft does between its nodes
     bool hidden;             ///< a node that is no station of the design
     size_t place;            ///< among the stations that move in x and y
@@ -94,9 +103,11 @@ typedef struct assembly {
     double frequency;    ///< rad/s of whirl, at which coefficients are looked up
     double *frequencies; ///< [frequency_count] rad/s, of all tables over it, rising
     size_t frequency_count;
-    double stages;         ///< times which cross couplings of stages count
-    double cross_coupling; ///< N/m, their sum, each once
-    bool balanced;         ///< what is said of unbalance and skew does not count
+    size_t runout_count, runout_room;
+    station_runout *runouts; ///< of what probes see
+    double stages;           ///< times which cross couplings of stages count
+    double cross_coupling;   ///< N/m, their sum, each once
+    bool balanced;           ///< what is said of unbalance and skew does not count
     const char *aside; ///< station on a shaft of another speed that has an unbalance which would turn with the rotor
     bool no_memory;    ///< a term was lost
 } assembly;
@@ -164,6 +175,9 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
 /// Tells that coefficients are known at these frequencies of whirl [count], rising. Of several tables those count that
 /// all of them reach over: WHIRL_BAD_INPUT where there is no range that is common to all.
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies);
+
+/// Adds a harmonic (m) of the runout at a station to what probes see there.
+void assembly_runout(assembly *to, size_t station, whirl_runout seen);
 
 /// Adds a pull (m/s2) on the own masses of all stations.
 void assembly_pull(assembly *to, double x, double y);

@@ -34,12 +34,13 @@ struct whirl_rotor {
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them
     whirl_probe *probes;
-    size_t *groups;   ///< [lanes.group_count + 1]
-    double *turns;    ///< [dimension] as whirl_system has them
-    bool turning;     ///< some of them are not 0
-    size_t repeats;   ///< as whirl_system has them
-    bool kinked;      ///< as whirl_system has it
-    size_t *contacts; ///< [contact_count] indices of elements
+    whirl_runout *runouts; ///< of the probes, station after station
+    size_t *groups;        ///< [lanes.group_count + 1]
+    double *turns;         ///< [dimension] as whirl_system has them
+    bool turning;          ///< some of them are not 0
+    size_t repeats;        ///< as whirl_system has them
+    bool kinked;           ///< as whirl_system has it
+    size_t *contacts;      ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 16];
     const char **contact_names;
 };

@@ -34,7 +34,9 @@
     X(joint)                                                                                                           \
     X(misaligned_coupling)                                                                                             \
     X(cubic_spring)                                                                                                    \
-    X(friction)
+    X(friction)                                                                                                        \
+    X(residual_unbalance)                                                                                              \
+    X(runout)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

@@ -83,7 +83,8 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, shafts->column_count * sizeof *shafts->columns),
                            cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
                            cut(block, &used, b->between_count * sizeof *rotor->between),
-                           cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies)};
+                           cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies),
+                           cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -105,6 +106,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->body.numbers = parts[17];
     rotor->between = parts[18];
     rotor->frequencies = parts[19];
+    rotor->runouts = parts[20];
     return used;
 }
 
@@ -128,6 +130,24 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
         if (node->station >= b->design->station_count) continue;
         rotor->probes[node->station].shaft = node->shaft + 1;
         rotor->probes[node->station].position = node->z;
+    }
+}
+
+/// In length scales, those of a station one after the other.
+static void add_runouts(whirl_rotor *rotor, const assembly *from) {
+    whirl_runout *next = rotor->runouts;
+    for (size_t s = 0; s < rotor->station_count; s++) {
+        rotor->probes[s].runout = next;
+        for (size_t i = 0; i < from->runout_count; i++) {
+            if (from->runouts[i].station != s) continue;
+            *next = from->runouts[i].seen;
+            for (size_t part = 0; part < 2; part++) {
+                next->first[part] /= from->length;
+                next->second[part] /= from->length;
+            }
+            next++;
+        }
+        rotor->probes[s].runout_count = (size_t)(next - rotor->probes[s].runout);
     }
 }
 
@@ -271,6 +291,7 @@ static whirl_rotor *finish(building *b) {
     if (b->assembly.frequencies)
         memcpy(rotor->frequencies, b->assembly.frequencies, rotor->frequency_count * sizeof *rotor->frequencies);
     add_probes(rotor, b);
+    add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);
     add_numbers(rotor, b);
     if (!add_body(rotor, &b->assembly)) {

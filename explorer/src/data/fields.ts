@@ -137,6 +137,8 @@ export const FIELD = {
   UNBALANCE_INCLINATION: 'unbalance/inclination',
   UNBALANCE_PROBE: 'unbalance/probe',
   UNBALANCE_PROBE_LAG: 'unbalance/probe_lag',
+  UNBALANCE_SEEN: 'unbalance/seen',
+  UNBALANCE_SEEN_LAG: 'unbalance/seen_lag',
   TRACE_NUMBER: 'trace/number',
   TRACE_PARENT: 'trace/parent',
   TRACE_END: 'trace/end',

@@ -12,6 +12,7 @@ enum { MAX_ANALYSIS_FIELDS = 40 };
 /// What the sizes of the fields depend on.
 typedef struct block_shape {
     size_t dimension, station_count, contact_count, touch_count;
+    size_t runout_count; ///< of all probes
     size_t samples_per_revolution;
     const whirl_record_options *options;
 } block_shape;
@@ -39,6 +40,10 @@ size_t rows_of_longest_orbit(const block_shape *shape);
 /// The numbers [rows][columns] of a field for a station or contact (0 for fields of the point);
 /// NULL when the field was left out.
 double *view_numbers(const block_view *view, size_t field, size_t which);
+
+/// What the probes of a station see over the last samples of a record, x [count] and then y [count]: its waveform, and
+/// runout where there is any.
+void fill_seen(const whirl_record *record, size_t probe, size_t count, double *seen);
 
 /// Writes row `row` of a field of shapes (x_cos, x_sin, y_cos, y_sin of every station) of a motion Re(v exp(i w t)), v
 /// [dimension][2]: the largest displacement of any station is 1, at the instant of its peak.

@@ -31,6 +31,17 @@ double *view_numbers(const block_view *view, size_t field, size_t which) {
     return f && which < f->repeat ? view->block + f->offset + which * f->rows * f->columns : NULL;
 }
 
+void fill_seen(const whirl_record *record, size_t probe, size_t count, double *seen) {
+    const whirl_probe *own = &record->probes[probe];
+    const size_t all = record->sample_count, turn = record->samples_per_revolution;
+    for (size_t axis = 0; axis < 2; axis++, seen += count) {
+        const double *last = record->waveform + (2 * probe + axis + 1) * all - count;
+        memcpy(seen, last, count * sizeof *seen);
+        for (size_t j = 0; j < count && own->runout_count > 0; j++)
+            seen[j] += whirl_probe_runout(own, axis, (double)((all - count + j + 1) % turn) / (double)turn);
+    }
+}
+
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view) {
     double largest = 0.0, c = 1.0, s = 0.0;
     for (size_t p = 0; p < 2 * system->probe_count; p++) {

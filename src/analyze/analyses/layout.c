@@ -68,7 +68,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         status = whirl_fail(WHIRL_BAD_INPUT, "a revolution has %d steps, expected 1 or more",
                             integrate->steps_per_revolution);
     if (status.code != WHIRL_OK) return status;
-    const block_shape shape = {
+    block_shape shape = {
         .dimension = system->dimension,
         .station_count = system->probe_count,
         .contact_count = system->contact_count,
@@ -76,6 +76,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .options = options,
     };
+    for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;
     for (size_t a = 0; analysis_plans[a] && status.code == WHIRL_OK; a++) {
         if (!(set >> a & 1u)) continue;
         const char *name = whirl_analyses()[a].name;
@@ -89,7 +90,9 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
 }
 
 whirl_status whirl_layout_known(whirl_layout *layout) {
-    const whirl_probe probes[2] = {{.x = 0}}; // so that rows of which there is one a station are not taken for one
+    const whirl_runout runout = {.order = 1};
+    const whirl_probe probes[2] = {{.runout_count = 1, .runout = &runout}}; // one of two, so that rows of which there
+                                                                            // is one a station are not taken for one
     const whirl_system system = {
         .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 1, .probes = probes};
     const whirl_integrate_options integrate = whirl_integrate_default();

@@ -138,9 +138,13 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
     if (probe >= record->probe_count) {
         return whirl_fail(WHIRL_BAD_INPUT, "there is no probe %zu, the record has %zu", probe, record->probe_count);
     }
-    const double *x = record->waveform + 2 * probe * record->sample_count;
-    const whirl_status status = spectrum_of(x, x + record->sample_count, record->sample_count,
-                                            record->samples_per_revolution, highest_order, spectrum);
+    const size_t count = record->sample_count;
+    double *x = malloc(2 * count * sizeof *x);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
+    fill_seen(record, probe, count, x);
+    const whirl_status status =
+        spectrum_of(x, x + count, count, record->samples_per_revolution, highest_order, spectrum);
+    free(x);
     if (status.code == WHIRL_OK && record->probes[probe].clockwise) swap_directions(*spectrum);
     return status;
 }

@@ -4,10 +4,28 @@
 
 #include "analysis.h"
 
-enum { SPEED, REST, AMPLITUDE, LAG, AXES, INCLINATION, PROBE, PROBE_LAG, PLACED, CLEARANCE, FIELD_COUNT };
+enum {
+    SPEED,
+    REST,
+    AMPLITUDE,
+    LAG,
+    AXES,
+    INCLINATION,
+    PROBE,
+    PROBE_LAG,
+    PLACED,
+    CLEARANCE,
+    SEEN,
+    SEEN_LAG,
+    FIELD_COUNT
+};
 
 static size_t placed(const block_shape *shape) {
     return shape->options->antinodes_of > 0 || *shape->options->placed_at;
+}
+
+static size_t runs_out(const block_shape *shape) {
+    return shape->runout_count > 0;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
@@ -26,6 +44,10 @@ static const field_plan fields[FIELD_COUNT] = {
     [CLEARANCE] = {WHIRL_FIELD_UNBALANCE_CLEARANCE, "length",
                    "radial, the least of a bearing's and a stator's here (missing where there is none)",
                    WHIRL_PER_STATION, 1, NULL},
+    [SEEN] = {WHIRL_FIELD_UNBALANCE_SEEN, "length", "first, second (0-p amplitudes: not compensated, with runout)",
+              WHIRL_PER_STATION, 2, runs_out},
+    [SEEN_LAG] = {WHIRL_FIELD_UNBALANCE_SEEN_LAG, "deg", "first, second (not compensated, with runout)",
+                  WHIRL_PER_STATION, 2, runs_out},
 };
 
 static const double degree = 3.14159265358979323846 / 180.0;
@@ -35,6 +57,25 @@ static void look(const double *x, const double *y, double c, double s, double *a
     const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
     *amplitude = hypot(real, imaginary);
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
+}
+
+/// The same with the runout of order 1 added, v exp(-i way angle) of a probe that stands by so much further on.
+static void look_at_surface(const block_view *view, size_t which, const whirl_probe *probe, const double *x,
+                            const double *y, double angle) {
+    double *amplitude = view_numbers(view, SEEN, which), *lag = view_numbers(view, SEEN_LAG, which);
+    const double c = cos(angle), s = sin(angle), back = -whirl_probe_way(probe) * s;
+    if (!amplitude || !lag) return;
+    for (size_t nth = 0; nth < 2; nth++) {
+        const double along[2] = {nth == 0 ? c : -s, nth == 0 ? s : c};
+        double seen[2] = {x[0] * along[0] + y[0] * along[1], x[1] * along[0] + y[1] * along[1]};
+        for (size_t i = 0; i < probe->runout_count; i++) {
+            const double *v = nth == 0 ? probe->runout[i].first : probe->runout[i].second;
+            if (probe->runout[i].order != 1) continue;
+            seen[0] += v[0] * c - v[1] * back;
+            seen[1] += v[1] * c + v[0] * back;
+        }
+        look(seen, (const double[2]){0.0, 0.0}, 1.0, 0.0, &amplitude[nth], &lag[nth]);
+    }
 }
 
 /// way: of its probe.
@@ -87,9 +128,10 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         const whirl_probe *probe = &system->probes[p];
         const double nothing[2] = {0.0, 0.0};
         for (size_t c = 0; c < 2; c++) view_numbers(view, REST, p)[c] = whirl_probe_value(probe, rest, c);
-        fill_station(view, p, whirl_probe_sees(probe, 0) ? response + 2 * probe->x : nothing,
-                     whirl_probe_sees(probe, 1) ? response + 2 * probe->y : nothing, options->probe_angle,
-                     whirl_probe_way(probe));
+        const double *x = whirl_probe_sees(probe, 0) ? response + 2 * probe->x : nothing;
+        const double *y = whirl_probe_sees(probe, 1) ? response + 2 * probe->y : nothing;
+        fill_station(view, p, x, y, options->probe_angle, whirl_probe_way(probe));
+        look_at_surface(view, p, probe, x, y, options->probe_angle);
     }
     free(rest);
     return status;

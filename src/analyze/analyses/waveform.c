@@ -1,4 +1,6 @@
-// Waveforms: displacements over the last revolutions of the record.
+// Waveforms: what probes see of displacements over the last revolutions of the record.
+#include <stdlib.h>
+
 #include "analysis.h"
 
 static size_t kept_samples(const block_shape *shape) {
@@ -8,8 +10,9 @@ static size_t kept_samples(const block_shape *shape) {
 enum { SAMPLES };
 
 static const field_plan fields[] = {
-    [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length", "x, y (from the centre, at equal angles)", WHIRL_PER_STATION,
-                 2, kept_samples},
+    [SAMPLES] = {WHIRL_FIELD_WAVEFORM_SAMPLES, "length",
+                 "x, y (from the centre, at equal angles; with runout, where there is any)", WHIRL_PER_STATION, 2,
+                 kept_samples},
 };
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
@@ -18,15 +21,17 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
         return whirl_fail(WHIRL_BAD_INPUT, "the record holds %zu samples of a waveform, expected %zu or more",
                           record->sample_count, kept);
     }
+    double *x = malloc((2 * kept + 1) * sizeof *x);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a waveform of %zu samples", kept);
     for (size_t s = 0; s < record->probe_count && kept > 0; s++) {
-        const double *x = record->waveform + (2 * s + 1) * record->sample_count - kept;
-        const double *y = x + record->sample_count;
         double *out = view_numbers(view, SAMPLES, s);
+        fill_seen(record, s, kept, x);
         for (size_t j = 0; j < kept; j++) {
             *out++ = x[j];
-            *out++ = y[j];
+            *out++ = x[kept + j];
         }
     }
+    free(x);
     return whirl_ok();
 }
 

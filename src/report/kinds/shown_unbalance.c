@@ -69,6 +69,8 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
     char placed[PLACED_TEXT];
     list_placed(result, table, placed, sizeof placed);
     if (*placed) fprintf(out, "  unbalances by rule: %s\n", placed);
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_SEEN))
+        fprintf(out, "  compensated for runout; what probes read with it is " WHIRL_FIELD_UNBALANCE_SEEN "\n");
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter), length = summary_length_unit(units);
     for (size_t station = 0; station < result->station_count; station++) {
         double largest = 0.0;
@@ -98,6 +100,10 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
     list_placed(result, table, placed, sizeof placed);
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_SEEN))
+        fputs("<p>Responses are compensated for runout; what probes read with it is <code>" WHIRL_FIELD_UNBALANCE_SEEN
+              "</code>.</p>\n",
+              to->stream);
     if (*placed) {
         fputs("<p>Unbalances by rule, in the place of the machine's own: ", to->stream);
         html_text(to->stream, placed);

@@ -8,6 +8,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
     for (size_t i = 0; i < from->node_count; i++) {
         assembly_station *at = &to->stations[from->nodes[i].station];
         at->shaft = from->nodes[i].shaft;
+        at->position = from->nodes[i].z;
         at->ratio = from->shafts[at->shaft].ratio;
         at->hidden = !at->name;
     }
