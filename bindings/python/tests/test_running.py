@@ -137,6 +137,63 @@ def test_a_signal_whose_handler_raises_ends_the_run(tmp_path):
     assert (told.returncode, told.stdout) == (0, "well\n"), told.stderr
 
 
+AGAIN = """
+import gc, os, signal, sys, threading, time, whirl
+
+def boom(_number, frame):
+    "Raises, and has every instruction of whirl from here on counted, of which one raises once more."
+    left, which = [which_raises], __import__("whirl.running").running.__file__
+    def trace(frame, event, _argument):
+        frame.f_trace_opcodes = True
+        if event == "opcode" and frame.f_code.co_filename == which:
+            left[0] -= 1
+            if left[0] == 0:
+                seen.append((frame.f_code.co_name, frame.f_lineno))
+                raise TimeoutError("again")
+        return trace
+    sys.settrace(trace)
+    while frame:
+        frame.f_trace, frame.f_trace_opcodes = trace, True
+        frame = frame.f_back
+    raise TimeoutError
+
+signal.signal(signal.SIGALRM, boom)
+seen, which_raises = [], 0
+while len(seen) == which_raises:
+    which_raises += 1
+    case = whirl.Case(sys.argv[1])
+    case.set("integrate.transient", 500).set("sweep.points", 4000)
+    journal = f"{sys.argv[2]}.{which_raises}"
+    def raise_soon():
+        while not os.path.exists(journal):
+            time.sleep(0.001)
+        os.kill(os.getpid(), signal.SIGALRM)
+    threading.Thread(target=raise_soon).start()
+    try:
+        whirl.run(case, threads=1, progress=lambda *about: None, journal=journal)
+    except TimeoutError:
+        pass
+    sys.settrace(None)
+    del case
+    gc.collect()
+    for thread in threading.enumerate():
+        if thread.name == "whirl.run":
+            thread.join(10)
+            assert not thread.is_alive(), "the run goes on"
+    assert os.path.exists(journal), "the journal was not closed as one that others go on with"
+print(len(seen), *sorted({name for name, _ in seen}))
+"""
+
+
+def test_handlers_may_raise_anywhere(tmp_path):
+    """The handler of a signal raises, and once more at each of the instructions after that in turn."""
+    words = [sys.executable, "-c", AGAIN, GOOD, tmp_path / "journal"]
+    told = subprocess.run(words, capture_output=True, text=True, timeout=120)
+    assert told.returncode == 0, told.stderr
+    count, *names = told.stdout.split()
+    assert int(count) > 50 and {"wait", "outlast", "compute"} <= set(names), told.stdout
+
+
 def test_results_are_freed_at_once():
     result = whirl.run(whirl.Case(GOOD), progress=False)
     result.plot  # which is a view of it
@@ -163,11 +220,10 @@ def test_cases_are_pickled_and_copied():
 
 
 LEAVING = """
-import atexit, sys, threading, time
+import atexit, sys, threading
 
 def look():
-    names = [thread.name for thread in threading.enumerate() if thread.name == "whirl.run"]
-    print("left with", len(names), "runs")
+    print("left with", len(__import__("whirl.running").running._underway), "runs")
 
 atexit.register(look)  # before that of whirl, so that it is called after it
 import whirl

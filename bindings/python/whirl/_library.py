@@ -38,9 +38,11 @@ def _places():
 
 
 def _open():
+    # Not closed before the program ends: Python frees what is left, such as cases, after it has let go of modules.
+    kept = ffi.RTLD_NOW | getattr(ffi, "RTLD_NODELETE", 0)
     for place in _places():
         try:
-            library = ffi.dlopen(place)
+            library = ffi.dlopen(place, kept)
         except OSError as failure:
             raise ImportError(
                 f"{failure}; whirl needs libwhirl, version {'.'.join(map(str, _OLDEST))} or later: install the package "

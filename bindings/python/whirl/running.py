@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import atexit
 import datetime
 import operator
@@ -24,16 +25,19 @@ __all__ = ["run"]
 _MOST_THREADS = 1024  # as whirl_job_threads has it
 
 
-_underway: dict[threading.Event, object] = {}  # jobs, by what is set when all of a run has ended
+_underway: set[_Work] = set()
+_leaving = threading.Event()  # Python does: no run begins any more
 
 
 @atexit.register
 def _stop_all() -> None:
     """Runs of threads that do not outlive Python (daemons) end before it does: it would take the library from them."""
-    for job in list(_underway.values()):
-        lib.whirl_job_stop(job)
-    for ended in list(_underway):
-        ended.wait()
+    _leaving.set()
+    left = list(_underway)
+    for work in left:
+        lib.whirl_job_stop(work.job)
+    for work in left:
+        work.outlast()
 
 
 class _Bar:
@@ -106,38 +110,78 @@ def _stopped_by_ctrl_c(job, outcome):
         signal.signal(signal.SIGINT, earlier)
 
 
-def _wait(job, outcome):
-    """Runs the job on a thread of its own, for Python's handlers of signals wait for calls of the library."""
-    out, ended = ffi.new("whirl_result **"), threading.Event()
+class _Work:
+    """A run on a thread of its own, for Python's handlers of signals wait for calls of the library. The thread owns all
+    that the run works with: whatever is raised where it is waited for, nothing is freed before the run has ended.
 
-    def work():
+    Handlers may raise within methods of threading, too, whose locks are then as they happen to be and whose threads
+    pass for ended: what ends a wait is a flag of ours, and a bare lock that is only there to sleep at."""
+
+    def __init__(self, job, borrowed, describe, journal, resume, started, threads):
+        self.job, self.borrowed = job, borrowed
+        self.describe, self.journal, self.resume = describe, journal, resume
+        self.started, self.threads = started, threads
+        self.outcome, self.over, self.gate = {}, False, threading.Lock()
+        self.gate.acquire()
+        self.worker = threading.Thread(target=self._work, name="whirl.run")
+
+    def wait(self):
+        """Has the work done, and gives what came of it."""
         try:
-            status = lib.whirl_job_run(job, out)
-            outcome.update(code=status.code, message=text(status.message), result=out[0])
-        finally:
-            ended.set()
+            with _stopped_by_ctrl_c(self.job, self.outcome):
+                _thread.start_new_thread(self._begin, ())  # threads without handlers: no start is cut short
+                while not self.over:
+                    self.gate.acquire(timeout=0.2)
+        except BaseException:  # of a handler of another signal
+            lib.whirl_job_stop(self.job)
+            self.outlast()
+            raise
+        if "raised" in self.outcome:
+            raise self.outcome.pop("raised")
+        return self.outcome.pop("result")
 
-    worker = threading.Thread(target=work, name="whirl.run")
-    try:
-        with _stopped_by_ctrl_c(job, outcome):
-            worker.start()
-            while not ended.wait(0.2):
+    def outlast(self):
+        """Waits for the end, whatever handlers of signals raise meanwhile."""
+        while not self.over:
+            try:
+                self.gate.acquire(timeout=0.2)
+            except BaseException:  # noqa: B036 (the first one, or the result, is what counts)
                 pass
-    except BaseException:  # of a handler of another signal, say: nothing may be freed that the job works with
-        lib.whirl_job_stop(job)
-        _join(worker)
-        lib.whirl_result_free(out[0])
-        raise
-    _join(worker)
 
-
-def _join(worker):
-    """Waits for the end of a thread, whatever handlers of signals raise meanwhile."""
-    while worker.is_alive():
+    def _begin(self):
         try:
-            worker.join()
-        except BaseException:  # noqa: B036 (the first one, or the result, is what counts)
-            pass
+            self.worker.start()
+        except BaseException as raised:
+            self._end(raised)
+
+    def _work(self):
+        raised = None
+        _underway.add(self)
+        try:
+            if not _leaving.is_set():
+                self._run()
+        except BaseException as caught:
+            raised = caught
+        _underway.remove(self)
+        self._end(raised)
+
+    def _end(self, raised):
+        if raised is not None:
+            self.outcome.setdefault("raised", raised)
+        self.over = True
+        self.gate.release()
+
+    def _run(self):
+        out, outcome = ffi.new("whirl_result **"), self.outcome
+        with _journal(self.describe, self.journal, self.resume) as (keeper, all_done):
+            lib.whirl_job_keep(self.job, keeper)
+            status = lib.whirl_job_run(self.job, out)
+            source = MemorySource(out[0]) if out[0] != ffi.NULL else None
+            outcome.update(code=status.code, message=text(status.message))
+            if "raised" not in outcome:
+                outcome["result"] = _finish(source, outcome, self.started, self.threads)
+                if not source.partial:
+                    all_done()
 
 
 def _whole(number, what):
@@ -206,6 +250,7 @@ def run(
     return compute(
         lambda out: lib.whirl_job_new(case._handle, out),
         lambda out: lib.whirl_case_outline(case._handle, out),
+        case,
         threads=threads,
         progress=progress,
         journal=journal,
@@ -216,15 +261,16 @@ def run(
 def compute(
     new_job: Callable,
     describe: Callable,
+    borrowed: object,
     *,
     threads: int,
     progress: bool | Callable[[str, float, float, float, float], object] | None,
     journal: str | os.PathLike | None,
     resume: bool,
 ) -> Result:
-    """The result of a job that ``new_job`` makes, and of which ``describe`` gives the outline; the rest as for run."""
-    started, outcome = _now(), {}
-    out = ffi.new("whirl_job **")
+    """The result of a job that ``new_job`` makes, which works with what is ``borrowed``, and of which ``describe``
+    gives the outline; the rest as for run."""
+    started, out = _now(), ffi.new("whirl_job **")
     check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)
     threads = _whole(threads, "the number of threads")
@@ -233,37 +279,26 @@ def compute(
     check(lib.whirl_job_threads(job, threads))
     bar = _Bar() if (progress and not callable(progress)) or (progress is None and sys.stderr.isatty()) else None
     tell = progress if callable(progress) else bar.show if bar else None
-    told = _teller(tell, job, outcome) if tell else ffi.NULL
-    lib.whirl_job_progress(job, told, ffi.NULL)
-    over = threading.Event()
-    _underway[over] = job
+    work = _Work(job, borrowed, describe, journal, resume, started, threads)
+    work.told = _teller(tell, job, work.outcome) if tell else ffi.NULL
+    lib.whirl_job_progress(job, work.told, ffi.NULL)
     try:
-        with _journal(describe, journal, resume) as (keeper, ended):
-            lib.whirl_job_keep(job, keeper)
-            _wait(job, outcome)
-            result = _finish(outcome, started, threads)
-            if not result.partial:
-                ended()
+        result = work.wait()
     finally:
-        del _underway[over]
-        over.set()
+        lib.whirl_job_stop(job)  # where a handler raises before this was said
         if bar:
             bar.close()
     if result.partial:
-        warnings.warn(f"{outcome['message']}: the result is partial", stacklevel=3)
+        warnings.warn(f"{work.outcome['message']}: the result is partial", stacklevel=3)
     return result
 
 
-def _finish(outcome, started, threads):
+def _finish(source, outcome, started, threads):
     """The result of a job that has ended, or the exception."""
-    if "raised" in outcome:
-        lib.whirl_result_free(outcome["result"])
-        raise outcome["raised"]
-    if outcome["result"] == ffi.NULL:
+    if source is None:
         if outcome.get("interrupted") and outcome["code"] == STOPPED:
             raise KeyboardInterrupt
         check(_Status(outcome["code"], outcome["message"]))
-    source = MemorySource(outcome["result"])
     for name, value in (("program", "Python"), ("started", started), ("finished", _now()), ("threads", str(threads))):
         check(lib.whirl_result_add_fact(source.handle, name.encode(), value.encode()))
     return Result(source)

@@ -520,6 +520,7 @@ class System:
             return compute(
                 lambda out: lib.whirl_job_of_user_system(handle, out),
                 lambda out: lib.whirl_user_system_outline(handle, out),
+                (self.rates, self.tangent, functions),
                 threads=threads,
                 progress=progress,
                 journal=journal,
@@ -529,8 +530,6 @@ class System:
             if "value" in raised:
                 raise raised["value"] from None
             raise
-        finally:
-            del functions
 
     def response(self, **more: Any) -> Result:
         """One motion, with the parameters as they are; see :meth:`run`."""
