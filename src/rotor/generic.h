@@ -80,6 +80,19 @@ VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t p
 #endif
 }
 
+/// Whether its place moves along all axes, in their own units, and the other place is the ground: mostly so, and then
+/// there is less to ask.
+static inline bool is_grounded(const element *own) {
+#ifdef KERNEL_TILTS
+    bool grounded = false;
+#else
+    bool grounded = true;
+#endif
+    for (size_t a = 0; a < KERNEL_AXES; a++)
+        grounded = grounded && own->port[a] != NO_COORDINATE && own->port[KERNEL_AXES + a] == NO_COORDINATE;
+    return grounded;
+}
+
 /// Along axis a, of vector k of a row.
 VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, size_t k, size_t a) {
     const size_t one = own->port[a], other = own->port[KERNEL_AXES + a];
@@ -89,17 +102,21 @@ VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, si
 }
 
 /// Of vector k of state or perturbation n.
-VECTOR_INLINE kernel_inputs inputs_of(const element *own, const block *b, size_t n, size_t k) {
+VECTOR_INLINE void inputs_of(const element *own, const block *b, size_t n, size_t k, bool grounded, kernel_inputs *in) {
     const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v;
-    kernel_inputs in;
-    for (size_t a = 0; a < KERNEL_AXES; a++) {
-        in.d[a] = between(own, b, q, k, a);
-        in.w[a] = between(own, b, v, k, a);
-    }
-    v += k;
-    for (int s = 0; s < STATES_OF(own); s++) in.s[s] = v[(own->state + (size_t)s) * b->stride];
-    in.phase = phase_of(b, n, k);
-    return in;
+    if (grounded)
+        for (size_t a = 0; a < KERNEL_AXES; a++) {
+            in->d[a] = q[own->port[a] * b->stride + k];
+            in->w[a] = v[own->port[a] * b->stride + k];
+        }
+    else
+        for (size_t a = 0; a < KERNEL_AXES; a++) {
+            in->d[a] = between(own, b, q, k, a);
+            in->w[a] = between(own, b, v, k, a);
+        }
+    in->s[0] = v_set(0.0);
+    for (int s = 0; s < STATES_OF(own); s++) in->s[s] = v[(own->state + (size_t)s) * b->stride + k];
+    if (KERNEL_PHASED) in->phase = phase_of(b, n, k);
 }
 
 VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) {
@@ -113,25 +130,27 @@ VECTOR_INLINE kernel_view view_of(const element *own, const block *b, size_t k) 
 }
 
 /// Adds forces to the accelerations, and slopes, of vector k of state or perturbation n.
-VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, const vec *force, const vec *slope) {
+VECTOR_INLINE void spread(const element *own, const block *b, size_t n, size_t k, bool grounded, const vec *force,
+                          const vec *slope) {
+    const size_t stride = b->stride;
+    const vec *scale = numbers_of(b, own) + KERNEL_NUMBERS * stride + k;
     vec *a = b->a + n * b->next_v + k;
-    for (int i = 0; i < KERNEL_AXES; i++) {
+    for (size_t i = 0; i < KERNEL_AXES; i++) {
         const size_t one = own->port[i], other = own->port[KERNEL_AXES + i];
-        const vec *scale = numbers_of(b, own) + KERNEL_NUMBERS * b->stride + k;
-        if (one != NO_COORDINATE)
-            a[one * b->stride] = v_fma(scale[(size_t)i * b->stride], force[i], a[one * b->stride]);
-        if (other != NO_COORDINATE)
-            a[other * b->stride] = v_fnma(scale[(size_t)(KERNEL_AXES + i) * b->stride], force[i], a[other * b->stride]);
+        if (grounded || one != NO_COORDINATE) a[one * stride] = v_fma(scale[i * stride], force[i], a[one * stride]);
+        if (!grounded && other != NO_COORDINATE)
+            a[other * stride] = v_fnma(scale[(KERNEL_AXES + i) * stride], force[i], a[other * stride]);
     }
-    for (int s = 0; s < STATES_OF(own); s++) a[(own->state + (size_t)s) * b->stride] = slope[s];
+    for (int s = 0; s < STATES_OF(own); s++) a[(own->state + (size_t)s) * stride] = slope[s];
 }
 
-VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k) {
+VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k, bool grounded) {
     const kernel_view view = view_of(own, b, k);
-    const kernel_inputs in = inputs_of(own, b, 0, k);
+    kernel_inputs in;
+    inputs_of(own, b, 0, k, grounded, &in);
     vec force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     force_plain(own, &view, in.d, in.w, in.s, force, slope);
-    spread(own, b, 0, k, force, slope);
+    spread(own, b, 0, k, grounded, force, slope);
 }
 
 /// What the derivative of `of` makes of a perturbation.
@@ -176,7 +195,8 @@ VECTOR_INLINE void seed(const element *own, const kernel_inputs *in, dual *d, du
 
 static void add_dual(const element *own, const block *b, size_t k) {
     const kernel_view view = view_of(own, b, k);
-    const kernel_inputs in = inputs_of(own, b, 0, k);
+    kernel_inputs in;
+    inputs_of(own, b, 0, k, false, &in);
     dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], force[KERNEL_AXES], slope[KERNEL_STATES + 1];
     vec values[KERNEL_AXES], slopes[KERNEL_STATES + 1];
     for (int i = STATES_OF(own); i < KERNEL_STATES; i++) slopes[i] = v_set(0.0);
@@ -184,24 +204,28 @@ static void add_dual(const element *own, const block *b, size_t k) {
     force_dual(own, &view, d, w, s, force, slope);
     for (int a = 0; a < KERNEL_AXES; a++) values[a] = force[a].value;
     for (int i = 0; i < STATES_OF(own); i++) slopes[i] = slope[i].value;
-    spread(own, b, 0, k, values, slopes);
+    spread(own, b, 0, k, false, values, slopes);
     for (size_t n = 1; n <= b->perturbations; n++) {
-        const kernel_inputs change = inputs_of(own, b, n, k);
+        kernel_inputs change;
+        inputs_of(own, b, n, k, false, &change);
         for (int a = 0; a < KERNEL_AXES; a++) values[a] = along(own, &force[a], &change);
         for (int i = 0; i < STATES_OF(own); i++) slopes[i] = along(own, &slope[i], &change);
-        spread(own, b, n, k, values, slopes);
+        spread(own, b, n, k, false, values, slopes);
     }
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
 }
 
+/// The block and the element are one's own, so that what is written cannot be a part of them.
 static void generic_flow(const element *first, size_t count, const block *b) {
-    for (const element *own = first; own < first + count; own++)
-        for (size_t k = 0; k < b->vectors; k++) {
-            if (wants_tangent(b))
-                add_dual(own, b, k);
-            else
-                add_plain(own, b, k);
-        }
+    const block at = *b;
+    for (size_t i = 0; i < count; i++) {
+        const element own = first[i];
+        const bool grounded = is_grounded(&own);
+        if (wants_tangent(&at))
+            for (size_t k = 0; k < at.vectors; k++) add_dual(&own, &at, k);
+        else
+            for (size_t k = 0; k < at.vectors; k++) add_plain(&own, &at, k, grounded);
+    }
 }
 
 #if KERNEL_SWITCHES > 0
@@ -209,7 +233,8 @@ static void generic_flow(const element *first, size_t count, const block *b) {
 static void generic_switches(const element *own, const block *b, void *values, void *rates) {
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
-        const kernel_inputs in = inputs_of(own, b, 0, k);
+        kernel_inputs in;
+        inputs_of(own, b, 0, k, false, &in);
         dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
         seed(own, &in, d, w, s);
         switches_dual(own, &view, d, w, value);

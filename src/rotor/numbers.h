@@ -76,6 +76,20 @@ VECTOR_INLINE dual dual_pow(dual a, vec power) {
     FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
     return out;
 }
+/// 1/sqrt(a) of a normal number above 0.
+VECTOR_INLINE dual dual_over_root(dual a) {
+    dual out = {.value = v_over_root(a.value)};
+    const vec slope = v_mul(v_mul(v_set(-0.5), out.value), v_mul(out.value, out.value));
+    FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
+    return out;
+}
+/// Of a normal number above 0.
+VECTOR_INLINE dual dual_ninth_root(dual a) {
+    dual out = {.value = v_ninth_root(a.value)};
+    const vec slope = v_div(out.value, v_mul(v_set(9.0), a.value));
+    FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
+    return out;
+}
 VECTOR_INLINE dual dual_exp(dual a) {
     dual out = {.value = v_exp(a.value)};
     FOR_INPUTS out.by[i] = v_mul(out.value, a.by[i]);
@@ -139,6 +153,8 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #undef n_div
 #undef n_sqrt
 #undef n_pow
+#undef n_over_root
+#undef n_ninth_root
 #undef n_exp
 #undef n_select
 #undef n_less
@@ -158,6 +174,8 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_div dual_div
 #define n_sqrt dual_sqrt
 #define n_pow dual_pow
+#define n_over_root dual_over_root
+#define n_ninth_root dual_ninth_root
 #define n_exp dual_exp
 #define n_select dual_select
 #define n_less dual_less
@@ -177,6 +195,8 @@ VECTOR_INLINE vec plain_scale(vec factor, vec a) {
 #define n_div v_div
 #define n_sqrt v_sqrt
 #define n_pow v_pow
+#define n_over_root v_over_root
+#define n_ninth_root v_ninth_root
 #define n_exp v_exp
 #define n_select v_select
 #define n_less v_less

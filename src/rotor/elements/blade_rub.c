@@ -9,7 +9,7 @@ enum { MOST_BLADES = 128 };
 
 /// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
 /// sine of the angle between blades; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is
-/// the number of blades.
+/// the number of blades and whether a key names the power, which else is 1.
 enum {
     BLADE_CASING,
     BLADE_POWER,
@@ -23,6 +23,14 @@ enum {
     BLADE_NUMBERS = BLADE_LENGTHS + MOST_BLADES
 };
 
+enum { BLADE_POWERED = 0x100 };
+
+#include "element.h"
+
+static inline int blades_of(const element *own) {
+    return own->law & (BLADE_POWERED - 1);
+}
+
 #include "generic.h"
 #include "registry.h"
 
@@ -30,7 +38,8 @@ static void contact(const element *own, const block *b, void *force) {
     vec *out = force;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
-        const kernel_inputs in = inputs_of(own, b, 0, k);
+        kernel_inputs in;
+        inputs_of(own, b, 0, k, false, &in);
         vec sum[2];
         blades_plain(own, &view, in.d, in.s, sum, &out[k]);
     }
@@ -80,10 +89,10 @@ static whirl_status check_list(const key_value *values, int key) {
 static double rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
-    for (int j = 1; j < own->law; j++)
+    for (int j = 1; j < blades_of(own); j++)
         alike = alike && own->number[BLADE_LENGTHS + j] == own->number[BLADE_LENGTHS] &&
                 own->number[BLADE_STIFFNESSES + j] == own->number[BLADE_STIFFNESSES];
-    return own->number[BLADE_RATE] * (alike ? own->law : 1);
+    return own->number[BLADE_RATE] * (alike ? blades_of(own) : 1);
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -92,7 +101,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
     if (status.code == WHIRL_OK) status = check_list(values, EXTENSION);
     if (status.code != WHIRL_OK) return status;
-    out->law = (int)values[BLADES].number;
+    out->law = (int)values[BLADES].number | (values[POWER].given ? BLADE_POWERED : 0);
     out->number[BLADE_CASING] = (values[RADIUS].number + values[GAP].number) / length;
     out->number[BLADE_POWER] = p - 1.0;
     out->number[BLADE_FRICTION] = copysign(values[FRICTION].number, to->turn);
@@ -100,7 +109,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[BLADE_START] = values[ANGLE].number;
     out->number[BLADE_APART_COS] = cos(apart);
     out->number[BLADE_APART_SIN] = copysign(sin(apart), to->turn); // numbered along the rotation
-    for (int j = 0; j < out->law; j++) {
+    for (int j = 0; j < blades_of(out); j++) {
         const double own = values[RADIUS].number + of_blade(&values[EXTENSION], j);
         if (!(own > 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "has a blade of %g m, expected one above 0", own);
         out->number[BLADE_LENGTHS + j] = own / length;

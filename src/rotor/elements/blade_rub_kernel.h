@@ -16,14 +16,15 @@ static inline void KERNEL(blades)(const element *own, const kernel_view *view, c
     num x, y;
     n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
     sum[0] = sum[1] = *all = none;
-    for (int j = 0; j < own->law; j++) {
+    for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
-        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
-        const num depth = n_sub(far, casing);
-        const num power = n_pow(n_select(n_less(least, depth), depth, least), number[BLADE_POWER * stride]);
-        const num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], n_mul(depth, power));
-        const num force = n_select(n_less(none, depth), push, none), part = n_div(force, far);
+        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1]))), pressed = n_sub(far, casing);
+        const num depth = n_select(n_less(none, pressed), pressed, none);
+        num force = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
+        if (own->law & BLADE_POWERED && v_any(n_less(none, pressed)))
+            force = n_mul(force, n_pow(n_select(n_less(least, depth), depth, least), number[BLADE_POWER * stride]));
+        const num part = n_div(force, far);
         sum[0] = n_fma(part, tip[0], sum[0]);
         sum[1] = n_fma(part, tip[1], sum[1]);
         *all = n_add(*all, force);

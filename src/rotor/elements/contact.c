@@ -10,8 +10,16 @@
 enum { CONTACT_DEPTH, CONTACT_PUSH, CONTACT_SLIP, CONTACT_ARC };
 
 /// The law: lossy normal force; friction, whether it jumps where the slip reverses, and with bristles; part of a
-/// circle.
-enum { CONTACT_LOSSY = 1, CONTACT_SLIPS = 2, CONTACT_SHARP = 4, CONTACT_BRISTLES = 8, CONTACT_PARTIAL = 16 };
+/// circle; a power of its own, not 3/2; a coefficient that falls with the slip.
+enum {
+    CONTACT_LOSSY = 1,
+    CONTACT_SLIPS = 2,
+    CONTACT_SHARP = 4,
+    CONTACT_BRISTLES = 8,
+    CONTACT_PARTIAL = 16,
+    CONTACT_POWERED = 32,
+    CONTACT_FALLS = 64
+};
 
 /// Gap; K in newtons by length scales to the power n; n - 1; chi; R (the surface's speed by tau); f_k; f_s - f_k;
 /// 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Direction of the arc's middle, cosine of half of
@@ -44,10 +52,12 @@ static void contact(const element *own, const block *b, void *force) {
     vec *out = force;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
-        const kernel_inputs in = inputs_of(own, b, 0, k);
-        vec value[KERNEL_SWITCHES];
+        kernel_inputs in;
+        inputs_of(own, b, 0, k, false, &in);
+        vec over;
         vec_mask touching;
-        out[k] = normal_plain(own, &view, in.d, in.w, value, &touching);
+        const vec r = distance_plain(in.d, &over);
+        out[k] = normal_plain(own, &view, in.d, in.w, r, over, &touching);
     }
 }
 
@@ -189,6 +199,7 @@ static int law_of(const key_value *values) {
     const bool bristles = values[FRICTION_LAW].choice == LUGRE;
     const bool sharp = !bristles && !(values[SLIP_SPEED].number > 0.0);
     return (loss_of(values) > 0.0 ? CONTACT_LOSSY : 0) | (values[ARC_WIDTH].given ? CONTACT_PARTIAL : 0) |
+           (values[POWER].given ? CONTACT_POWERED : 0) | (values[STATIC_FRICTION].given ? CONTACT_FALLS : 0) |
            (values[RADIUS].given ? CONTACT_SLIPS | (bristles ? CONTACT_BRISTLES : 0) | (sharp ? CONTACT_SHARP : 0) : 0);
 }
 

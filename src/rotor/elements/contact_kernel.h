@@ -13,55 +13,77 @@
 //
 // Switches: d, 1 + chi d', the slip times r, and the arc; those that a law has not are 1.
 
-/// The distance from the middle, 1 in the middle itself.
-static inline num KERNEL(distance)(const num *d) {
-    const num r = n_sqrt(n_fma(d[0], d[0], n_mul(d[1], d[1])));
-    return n_select(n_less(n_set(0x1p-500), r), r, n_set(1.0));
+/// The distance from the middle; and 1 over it, 1 in the middle itself.
+static inline num KERNEL(distance)(const num *d, num *over) {
+    const num r = n_sqrt(n_fma(d[0], d[0], n_mul(d[1], d[1]))), one = n_set(1.0);
+    *over = n_div(one, n_select(n_less(n_set(0x1p-500), r), r, one));
+    return r;
+}
+
+/// By which the normal force is larger where the depth grows.
+static inline num KERNEL(push)(const element *own, const kernel_view *view, const num *d, const num *w, num over) {
+    if (!(own->law & CONTACT_LOSSY)) return n_set(1.0);
+    const num growth = n_mul(n_fma(d[0], w[0], n_mul(d[1], w[1])), over);
+    return n_fma(n_of(view->number[CONTACT_LOSS * view->stride]), growth, n_set(1.0));
+}
+
+static inline num KERNEL(in_arc)(const element *own, const kernel_view *view, const num *d, num r) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    if (!(own->law & CONTACT_PARTIAL)) return n_set(1.0);
+    const num along =
+        n_add(n_scale(number[CONTACT_ARC_X * stride], d[0]), n_scale(number[CONTACT_ARC_Y * stride], d[1]));
+    return n_sub(along, n_scale(number[CONTACT_ARC_HALF * stride], r));
 }
 
 static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
                                     num *values) {
-    const size_t stride = view->stride;
-    const vec *number = view->number;
-    const num r = n_sqrt(n_fma(d[0], d[0], n_mul(d[1], d[1]))), one = n_set(1.0);
-    const num growth = n_div(n_fma(d[0], w[0], n_mul(d[1], w[1])), KERNEL(distance)(d));
-    const num slip = n_add(n_scale(number[CONTACT_SURFACE * stride], r), n_sub(n_mul(d[0], w[1]), n_mul(d[1], w[0])));
-    const num along =
-        n_add(n_scale(number[CONTACT_ARC_X * stride], d[0]), n_scale(number[CONTACT_ARC_Y * stride], d[1]));
-    values[CONTACT_DEPTH] = n_sub(r, n_of(number[CONTACT_GAP * stride]));
-    values[CONTACT_PUSH] = own->law & CONTACT_LOSSY ? n_add(one, n_scale(number[CONTACT_LOSS * stride], growth)) : one;
-    values[CONTACT_SLIP] = own->law & (CONTACT_SHARP | CONTACT_BRISTLES) ? slip : one;
-    values[CONTACT_ARC] =
-        own->law & CONTACT_PARTIAL ? n_sub(along, n_scale(number[CONTACT_ARC_HALF * stride], r)) : one;
+    num over;
+    const num r = KERNEL(distance)(d, &over), turn = n_sub(n_mul(d[0], w[1]), n_mul(d[1], w[0]));
+    values[CONTACT_DEPTH] = n_sub(r, n_of(view->number[CONTACT_GAP * view->stride]));
+    values[CONTACT_PUSH] = KERNEL(push)(own, view, d, w, over);
+    values[CONTACT_SLIP] = own->law & (CONTACT_SHARP | CONTACT_BRISTLES)
+                               ? n_fma(n_of(view->number[CONTACT_SURFACE * view->stride]), r, turn)
+                               : n_set(1.0);
+    values[CONTACT_ARC] = KERNEL(in_arc)(own, view, d, r);
 }
 
-/// The normal force, where it touches; and the switching functions.
-static inline num KERNEL(normal)(const element *own, const kernel_view *view, const num *d, const num *w, num *value,
-                                 vec_mask *touching) {
+/// The normal force, where it touches, at the distance r.
+static inline num KERNEL(normal)(const element *own, const kernel_view *view, const num *d, const num *w, num r,
+                                 num over, vec_mask *touching) {
     const size_t stride = view->stride;
     const vec *number = view->number, *sides = view->sides;
-    const num none = n_set(0.0), least = n_set(0x1p-800);
-    KERNEL(switches)(own, view, d, w, value);
-    vec held = sides ? sides[CONTACT_DEPTH * stride] : n_value(value[CONTACT_DEPTH]);
-    held = v_min(held, sides ? sides[CONTACT_PUSH * stride] : n_value(value[CONTACT_PUSH]));
-    held = v_min(held, sides ? sides[CONTACT_ARC * stride] : n_value(value[CONTACT_ARC]));
+    const num none = n_set(0.0), depth = n_sub(r, n_of(number[CONTACT_GAP * stride]));
+    const num push = KERNEL(push)(own, view, d, w, over);
+    vec held = sides ? sides[CONTACT_DEPTH * stride] : n_value(depth);
+    held = v_min(held, sides ? sides[CONTACT_PUSH * stride] : n_value(push));
+    held = v_min(held, sides ? sides[CONTACT_ARC * stride] : n_value(KERNEL(in_arc)(own, view, d, r)));
     *touching = v_less(v_set(0.0), held);
+    if (!v_any(*touching)) return none;
     // On a side that is held the depth may be a little below zero: the law goes on as an odd function.
-    const num depth = value[CONTACT_DEPTH];
-    const num size = n_select(n_less(none, depth), depth, n_sub(none, depth));
-    const num power = n_pow(n_select(n_less(least, size), size, least), number[CONTACT_POWER * stride]);
-    const num push = n_scale(number[CONTACT_STIFFNESS * stride], n_mul(depth, power));
-    return n_select(*touching, n_mul(push, value[CONTACT_PUSH]), none);
+    const num size = n_select(n_less(none, depth), depth, n_sub(none, depth)), least = n_set(0x1p-800);
+    const num power = own->law & CONTACT_POWERED
+                          ? n_pow(n_select(n_less(least, size), size, least), number[CONTACT_POWER * stride])
+                          : n_sqrt(size);
+    const num force = n_scale(number[CONTACT_STIFFNESS * stride], n_mul(depth, power));
+    return n_select(*touching, n_mul(force, push), none);
+}
+
+/// The coefficient of friction where the speed counts.
+static inline num KERNEL(level)(const element *own, const kernel_view *view, num slip) {
+    const size_t stride = view->stride;
+    const num kinetic = n_of(view->number[CONTACT_KINETIC * stride]);
+    if (!(own->law & CONTACT_FALLS)) return kinetic;
+    const num over = n_scale(view->number[CONTACT_STRIBECK * stride], slip);
+    const num excess = n_exp(n_sub(n_set(0.0), n_mul(over, over)));
+    return n_fma(n_of(view->number[CONTACT_EXCESS * stride]), excess, kinetic);
 }
 
 /// The coefficient of friction with its sign, and the slope of the bristles.
 static inline num KERNEL(friction)(const element *own, const kernel_view *view, num slip, num z, vec side, num *rate) {
     const size_t stride = view->stride;
     const vec *number = view->number;
-    const num over = n_scale(number[CONTACT_STRIBECK * stride], slip);
-    const num excess = n_exp(n_sub(n_set(0.0), n_mul(over, over)));
-    const num level = n_add(n_of(number[CONTACT_KINETIC * stride]), n_scale(number[CONTACT_EXCESS * stride], excess));
-    const num viscous = n_scale(number[CONTACT_VISCOUS * stride], slip);
+    const num level = KERNEL(level)(own, view, slip), viscous = n_scale(number[CONTACT_VISCOUS * stride], slip);
     const vec zero = v_set(0.0);
     const vec sign = v_select(v_less(zero, side), v_set(1.0), v_select(v_less(side, zero), v_set(-1.0), zero));
     if (own->law & CONTACT_BRISTLES) {
@@ -72,23 +94,25 @@ static inline num KERNEL(friction)(const element *own, const kernel_view *view, 
     }
     if (own->law & CONTACT_SHARP) return n_add(viscous, n_scale(sign, level));
     const num speed = n_of(number[CONTACT_SLIP_SPEED * stride]);
-    return n_fma(level, n_div(slip, n_sqrt(n_fma(slip, slip, n_mul(speed, speed)))), viscous);
+    const num over = n_over_root(n_fma(slip, slip, n_mul(speed, speed)));
+    return n_fma(level, n_mul(slip, over), viscous);
 }
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
     const size_t stride = view->stride;
-    const num none = n_set(0.0), r = KERNEL(distance)(d), z = own->states ? s[0] : none;
-    num value[KERNEL_SWITCHES], f = none, rate = none;
+    num over, f = n_set(0.0), rate = f;
+    const num none = f, r = KERNEL(distance)(d, &over), z = own->states ? s[0] : none;
     vec_mask touching;
-    const num push = n_div(KERNEL(normal)(own, view, d, w, value, &touching), r);
-    if (own->law & CONTACT_SLIPS) {
+    const num push = n_mul(KERNEL(normal)(own, view, d, w, r, over, &touching), over);
+    if (own->law & CONTACT_SLIPS && v_any(touching)) {
         const num turn = n_sub(n_mul(d[0], w[1]), n_mul(d[1], w[0]));
-        const num slip = n_add(n_of(view->number[CONTACT_SURFACE * stride]), n_div(turn, r));
+        const num slip = n_fma(turn, over, n_of(view->number[CONTACT_SURFACE * stride]));
         const vec side = view->sides ? view->sides[CONTACT_SLIP * stride] : n_value(slip);
         f = KERNEL(friction)(own, view, slip, z, side, &rate);
     }
     slope[0] = n_select(touching, rate, n_scale(v_sub(v_set(0.0), view->number[CONTACT_BACK * stride]), z));
-    force[0] = n_mul(push, n_sub(n_mul(f, d[1]), d[0]));
-    force[1] = n_sub(none, n_mul(push, n_fma(f, d[0], d[1])));
+    const num share = n_select(touching, f, none);
+    force[0] = n_mul(push, n_sub(n_mul(share, d[1]), d[0]));
+    force[1] = n_sub(none, n_mul(push, n_fma(share, d[0], d[1])));
 }

@@ -308,7 +308,8 @@ static void loop(const element *own, const double *q, const double *states, size
     const size_t order = (size_t)loop_order(own), first = index * order;
     dual s[KERNEL_STATES], rates[KERNEL_STATES];
     for (size_t i = 0; i < order; i++) s[i] = dual_of(states[first + i]);
-    const dual current = current_dual(own, &view, dual_input(u, 0), s, rates);
+    dual current = dual_input(u, 0);
+    currents_dual(own, &view, 1, &current, s, rates);
     const double pull = pull_dual(own, &view, dual_of(u), current).by[0];
     for (size_t i = 0; i < order; i++) slope[first + i] = rates[i].by[0];
     for (size_t p = 0; p < KERNEL_PORTS; p++) {

@@ -11,30 +11,44 @@
 // tells the time; currents fall smoothly where it goes from one value to another. Where linear analyses put out what
 // depends on time, x stays 0.
 
-/// One of the loop's transfer functions: its input u, its states s and their slopes; returns its output.
-static inline num KERNEL(transfer)(const kernel_view *view, int part, int order, num u, const num *s, num *slope) {
+/// One of the loop's transfer functions, on `lines` axes side by side: of each its input u, which becomes its output,
+/// and of the first its states s and their slopes, those of the next `apart` further on.
+VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, int part, int order, size_t lines, size_t apart, num *u,
+                                    const num *s, num *slope) {
     const size_t stride = view->stride;
     const vec *b = view->number + ((size_t)MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS) * stride;
     const vec *a = b + (size_t)(BLOCK_ORDER + 1) * stride;
-    num y = n_scale(b[(size_t)order * stride], u);
-    if (order > 0) y = n_add(s[0], y);
-    for (int j = 0; j < order; j++) {
-        const size_t back = (size_t)(order - 1 - j) * stride;
-        slope[j] = n_sub(n_scale(b[back], u), n_scale(a[back], y));
-        if (j + 1 < order) slope[j] = n_add(slope[j], s[j + 1]);
+    for (size_t line = 0; line < lines; line++, s += apart, slope += apart) {
+        num y = n_scale(b[(size_t)order * stride], u[line]);
+        if (order > 0) y = n_add(s[0], y);
+        for (int j = 0; j < order; j++) {
+            const size_t back = (size_t)(order - 1 - j) * stride;
+            slope[j] = n_sub(n_scale(b[back], u[line]), n_scale(a[back], y));
+            if (j + 1 < order) slope[j] = n_add(slope[j], s[j + 1]);
+        }
+        u[line] = y;
     }
-    return y;
 }
 
-/// The current of a loop at u.
-static inline num KERNEL(current)(const element *own, const kernel_view *view, num u, const num *s, num *slope) {
-    int first = 0;
+/// The currents of the loops of `lines` axes at u, which they take the place of.
+VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view, size_t lines, num *u, const num *s,
+                                    num *slope) {
+    const size_t apart = (size_t)loop_order(own);
     for (int part = 0; part < LOOP_BLOCKS; part++) {
         const int order = block_order(own, part);
-        u = KERNEL(transfer)(view, part, order, u, s + first, slope + first);
-        first += order;
+        // Most are of these orders, known to the compiler.
+        if (order == 0)
+            KERNEL(of_order)(view, part, 0, lines, apart, u, s, slope);
+        else if (order == 1)
+            KERNEL(of_order)(view, part, 1, lines, apart, u, s, slope);
+        else if (order == 2)
+            KERNEL(of_order)(view, part, 2, lines, apart, u, s, slope);
+        else
+            KERNEL(of_order)(view, part, order, lines, apart, u, s, slope);
+        s += order;
+        slope += order;
     }
-    return n_sub(n_set(0.0), u);
+    for (size_t line = 0; line < lines; line++) u[line] = n_sub(n_set(0.0), u[line]);
 }
 
 /// Of a coil, within its limits.
@@ -52,9 +66,12 @@ static inline num KERNEL(pull)(const element *own, const kernel_view *view, num 
         return n_add(n_scale(number[MAGNETIC_BY_CURRENT * stride], current),
                      n_scale(number[MAGNETIC_BY_PLACE * stride], u));
     const num bias = n_of(number[MAGNETIC_BIAS * stride]), gap = n_of(number[MAGNETIC_GAP * stride]);
-    const num one = n_div(KERNEL(limited)(view, n_add(bias, current)), n_sub(gap, u));
-    const num other = n_div(KERNEL(limited)(view, n_sub(bias, current)), n_add(gap, u));
-    return n_scale(number[MAGNETIC_FORCE * stride], n_sub(n_mul(one, one), n_mul(other, other)));
+    // One division: of currents by gaps, the difference of squares by their sum and difference.
+    const num near = n_sub(gap, u), far = n_add(gap, u), over = n_div(n_set(1.0), n_mul(near, far));
+    const num one = n_mul(KERNEL(limited)(view, n_add(bias, current)), far);
+    const num other = n_mul(KERNEL(limited)(view, n_sub(bias, current)), near);
+    const num square = n_mul(n_sub(one, other), n_add(one, other));
+    return n_scale(number[MAGNETIC_FORCE * stride], n_mul(square, n_mul(over, over)));
 }
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
@@ -64,13 +81,11 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0);
     // The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that are not to be fused.
     const num u[2] = {n_fma(n_of(c), d[0], n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
-    num pull[2], left = n_set(1.0);
+    num pull[2], current[2] = {u[0], u[1]}, left = n_set(1.0);
     const size_t loop = (size_t)loop_order(own);
     (void)w;
-    for (size_t line = 0; line < 2; line++) {
-        const num current = KERNEL(current)(own, view, u[line], s + line * loop, slope + line * loop);
-        pull[line] = KERNEL(pull)(own, view, u[line], current);
-    }
+    KERNEL(currents)(own, view, 2, current, s, slope);
+    for (size_t line = 0; line < 2; line++) pull[line] = KERNEL(pull)(own, view, u[line], current[line]);
     if (own->law & MAGNETIC_FAILS) {
         const vec C = view->phase[COS_TAU], S = view->phase[SIN_TAU], running = v_fma(C, C, v_mul(S, S));
         const num clock = s[2 * loop], way = n_sub(clock, n_of(number[MAGNETIC_FAILS_AT * stride]));

@@ -71,7 +71,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const vec *number = view->number;
     const vec start = number[ROLLING_START * stride];
     const vec c = number[ROLLING_APART_COS * stride], sine = number[ROLLING_APART_SIN * stride];
-    const num gap = n_of(number[ROLLING_GAP * stride]), zero = n_set(0.0);
+    const num gap = n_of(number[ROLLING_GAP * stride]), zero = n_set(0.0), least = n_set(0x1p-800);
     const num angle = n_add(s[0], n_of(start));
     num x, y, lever = n_set(1.0), sum_x = zero, sum_y = zero;
     (void)w;
@@ -89,8 +89,8 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         if (j == 0 && own->law & ROLLING_BALL_DENT) pressed = n_sub(pressed, KERNEL(ball_dent)(view, s[3]));
 #endif
         const num depth = n_select(n_less(zero, pressed), pressed, zero);
-        num push = own->law & ROLLING_LINE ? n_select(n_less(zero, pressed), n_pow(pressed, v_set(10.0 / 9.0)), zero)
-                                           : n_mul(depth, n_sqrt(depth));
+        num push = n_mul(depth, own->law & ROLLING_LINE ? n_ninth_root(n_select(n_less(least, depth), depth, least))
+                                                        : n_sqrt(depth));
         if (own->law & ROLLING_OBLIQUE) push = n_mul(push, lever);
         sum_x = n_fma(push, x, sum_x);
         sum_y = n_fma(push, y, sum_y);

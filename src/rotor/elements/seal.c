@@ -17,6 +17,9 @@ enum {
     SEAL_NUMBERS
 };
 
+/// Its law: whether its coefficients follow from its geometry, and which powers keys name.
+enum { SEAL_BLACK = 1, SEAL_GROWS = 2, SEAL_SLOWS = 4 };
+
 #include "black.h"
 #include "generic.h"
 #include "registry.h"
@@ -129,7 +132,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     const black_coefficients middle = middle_of(values, to->speed);
-    out->law = values[LAW].choice;
+    out->law = (values[LAW].choice ? SEAL_BLACK : 0) | (values[GROWTH].given ? SEAL_GROWS : 0) |
+               (values[SLOWING].given ? SEAL_SLOWS : 0);
     for (size_t a = 0; a < KERNEL_AXES && values[FROM].given; a++)
         assembly_inerter(to, out->port[a], out->port[KERNEL_AXES + a], middle.mass);
     out->number[SEAL_STIFFNESS] = middle.stiffness * to->length;
@@ -176,7 +180,7 @@ static void note(const element *own, double length, double clock, char *text, si
     const double *number = own->number, turn = number[SEAL_RATIO] * clock;
     const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
     const double M = number[SEAL_MASS] / (clock * clock * length);
-    if (!own->law) return;
+    if (!(own->law & SEAL_BLACK)) return;
     snprintf(text, size,
              "in the fluid K %.5g N/m, C %.5g N s/m, M %.4g kg, which turns at %.4g of the shaft's speed: kxx %.5g, "
              "kxy %.5g N/m, cxx %.5g, cxy %.5g N s/m",
