@@ -3,9 +3,10 @@
 ///
 /// All is without dimensions: lengths in the pads' radial clearance c, velocities in c Omega, forces in
 /// mu Omega R L (R/c)^2, so stiffness in mu Omega R L R^2/c^3 and damping in mu R L R^2/c^3. Angles go from x to y, the
-/// way in which the journal turns. The films obey Reynolds' equation (1886): laminar, of constant viscosity, with the
-/// pressure of the surroundings at all edges of the pads. A clearance of the bearing, by which its clearance circle is
-/// told, is (1 - preload) c.
+/// way in which the journal turns. The films obey Reynolds' equation (1886), of constant viscosity: laminar, or with
+/// the factors of turbulence; with the pressure of the surroundings at the ends of the pads and, unless their grooves
+/// are under pressure, at the edges. A clearance of the bearing, by which its clearance circle is told, is (1 -
+/// preload) c.
 #ifndef WHIRL_BEARING_H
 #define WHIRL_BEARING_H
 
@@ -19,6 +20,13 @@ extern "C" {
 #endif
 
 enum { WHIRL_MAX_PADS = 12 };
+
+/// Whose factors of turbulence a film has.
+typedef enum whirl_turbulence {
+    WHIRL_LAMINAR,       ///< none
+    WHIRL_NG_PAN,        ///< Ng, Pan 1965
+    WHIRL_CONSTANTINESCU ///< Constantinescu 1962
+} whirl_turbulence;
 
 /// A pad.
 typedef struct whirl_pad {
@@ -37,8 +45,15 @@ typedef struct whirl_pads {
     /// The full film's pressures below 0 are left out (Guembel 1914); else pressure and its gradient vanish where the
     /// film breaks (Swift 1932, Stieber 1933).
     bool gumbel;
-    int fineness; ///< volumes around a full circle of the finest of the grids, a multiple of 16; 0: 960
-    bool halved;  ///< half as many volumes both ways: what that changes tells how good an answer is
+    int fineness;                ///< volumes around a full circle of the finest of the grids, a multiple of 16; 0: 960
+    bool halved;                 ///< half as many volumes both ways: what that changes tells how good an answer is
+    whirl_turbulence turbulence; ///< of the films, by the local Reynolds number, `reynolds` times the thickness
+    double reynolds;             ///< density Omega R c/mu
+    double supply;          ///< pressure in the grooves before and after every pad, over 6 mu Omega (R/c)^2; fixed pads
+    double groove;          ///< share of the length over which it stands there; from there it falls evenly to the end
+    double pivot_stiffness; ///< of a tilting pad's pivot along the radius; 0: rigid
+    double pivot_damping;   ///< the same of its damping
+    double pad_mass;        ///< m Omega c^3/(mu L R^3), of a pad on such a pivot
 } whirl_pads;
 
 /// What a bearing does with its journal at a place.
@@ -47,12 +62,15 @@ typedef struct whirl_pads_state {
     double force[2];               ///< on the journal
     double load[WHIRL_MAX_PADS];   ///< of every pad
     double tilt[WHIRL_MAX_PADS];   ///< R delta/c of every pad, above 0 with the rotation; 0 of fixed pads
+    double yield[WHIRL_MAX_PADS];  ///< by which the load moves a pad outwards on its pivot
+    double thrust[WHIRL_MAX_PADS]; ///< of its film on every pad, outwards along the radius of its pivot
     double moment[WHIRL_MAX_PADS]; ///< of every pad about its pivot over R: the force along it, 0 of those that tilt
     bool loaded[WHIRL_MAX_PADS];   ///< it has a film that holds it; of others the tilt is told as 0
     double thinnest;               ///< the least film thickness of loaded pads
     double highest;                ///< the highest pressure over 6 mu Omega (R/c)^2
     double leaving;                ///< oil that leaves at the ends a second, over Omega R c L
-    double drag; ///< torque on the journal over mu Omega R^3 L/c: streams in cavities, no oil between pads
+    double drag;       ///< torque on the journal over mu Omega R^3 L/c: streams in cavities, no oil between pads
+    double grooves[2]; ///< of `force`, that of the oil in the grooves between pads
     /// Derivatives of -force by the place and by the velocity, pads held: [row][column].
     double stiffness[2][2], damping[2][2];
     /// The same of every pad by itself.
@@ -69,14 +87,22 @@ bool whirl_pads_named(const char *name, double preload, whirl_pads *out);
 /// Whether pads lie over one another, where no film is their own; pads `one` and `other`, from 0, are the first two.
 bool whirl_pads_overlap(const whirl_pads *bearing, size_t *one, size_t *other);
 
+/// The angle from the end of a pad to the beginning of the next, where a groove is.
+double whirl_pads_gap(const whirl_pads *bearing, size_t pad);
+
 /// Where the journal rests under a load (Newton's method, from the middle of the bearing on), with all that
 /// whirl_pads_state has. WHIRL_BAD_INPUT where pads are impossible; WHIRL_NUMERICAL_FAILURE where no such place is
 /// found; WHIRL_NO_MEMORY.
 whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], whirl_pads_state *state);
 
+/// What the bearing does with its journal at rest at a place, pads that tilt balanced, as on rigid pivots.
+/// WHIRL_BAD_INPUT also where the journal touches a pad.
+whirl_status whirl_pads_at(const whirl_pads *bearing, const double place[2], whirl_pads_state *state);
+
 /// What pads that tilt make of stiffness and damping at a whirl ratio, frequency over speed: condensed
 /// Z = K + i ratio C, of pads with a moment of inertia about their pivots over mu L R^5/(Omega c^3)... `inertia` is
-/// I Omega c^3/(mu L R^5). Of fixed pads they are those of the state.
+/// I Omega c^3/(mu L R^5). Pads on pivots that yield move along the radius, too. Of fixed pads they are those of the
+/// state.
 void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state, double ratio, double inertia,
                         double stiffness[2][2], double damping[2][2]);
 

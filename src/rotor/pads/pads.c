@@ -1,4 +1,5 @@
 // Bearings of pads: from the films of single pads to where the journal rests, and how stiffly.
+#include <complex.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +38,11 @@ static pad_film film_of(const solver *s, const whirl_pad *pad) {
                       .ratio = s->bearing->ratio,
                       .law = s->bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS,
                       .around = around / s->coarser,
-                      .along = ALONG / s->coarser};
+                      .along = ALONG / s->coarser,
+                      .turbulence = s->bearing->turbulence,
+                      .reynolds = s->bearing->reynolds,
+                      .supply = s->bearing->supply,
+                      .groove = s->bearing->groove};
 }
 
 /// A journal and a pad: what the film sees, in the frame of the bearing.
@@ -63,6 +68,19 @@ static whirl_status force_of(const solver *s, const whirl_pad *pad, const seen *
 static void tangent_of(const whirl_pad *pad, double t[2]) {
     t[0] = -sin(pad->pivot);
     t[1] = cos(pad->pivot);
+}
+
+/// Outwards there.
+static void normal_of(const whirl_pad *pad, double n[2]) {
+    n[0] = cos(pad->pivot);
+    n[1] = sin(pad->pivot);
+}
+
+/// The journal before a pad that has moved outwards.
+static void before_pad(const whirl_pad *pad, const double place[2], double yield, double out[2]) {
+    double n[2];
+    normal_of(pad, n);
+    for (int k = 0; k < 2; k++) out[k] = place[k] - yield * n[k];
 }
 
 /// The journal as a tilted pad sees it.
@@ -189,25 +207,46 @@ static whirl_status derive(const solver *s, const whirl_pad *pad, const double p
     return whirl_ok();
 }
 
+/// Adds the oil in a groove, which presses on the journal in the middle of the gap.
+static void add_groove(const whirl_pads *bearing, size_t pad, whirl_pads_state *state) {
+    const whirl_pad *before = &bearing->pads[pad];
+    const double half = 0.5 * whirl_pads_gap(bearing, pad);
+    const double middle = before->pivot + (1.0 - before->offset) * before->arc + half;
+    // 3 int int P (-cos p, -sin p), the mean along the axis between 1 and the share that is full.
+    const double size = -6.0 * bearing->supply * 0.5 * (1.0 + bearing->groove) * 2.0 * sin(half);
+    state->grooves[0] += size * cos(middle);
+    state->grooves[1] += size * sin(middle);
+}
+
+static void begin_look(const whirl_pads *bearing, const double place[2], whirl_pads_state *state) {
+    memcpy(state->at, place, sizeof state->at);
+    state->highest = state->leaving = state->drag = state->grooves[0] = state->grooves[1] = 0.0;
+    for (size_t i = 0; i < bearing->count && bearing->supply > 0.0; i++) add_groove(bearing, i, state);
+    memcpy(state->force, state->grooves, sizeof state->force);
+    state->thinnest = INFINITY;
+}
+
 /// Every pad at a place, with its tilt where that is asked for, and its derivatives.
 static whirl_status look(const solver *s, const double place[2], bool balanced, bool derived, whirl_pads_state *state) {
     whirl_status status = whirl_ok();
-    memcpy(state->at, place, sizeof state->at);
-    state->force[0] = state->force[1] = state->highest = state->leaving = state->drag = 0.0;
-    state->thinnest = INFINITY;
+    begin_look(s->bearing, place, state);
     for (size_t i = 0; i < s->bearing->count && status.code == WHIRL_OK; i++) {
         const whirl_pad *pad = &s->bearing->pads[i];
-        balance b = {.s = s, .pad = pad, .place = place};
-        double along;
-        if (balanced && s->bearing->tilting) status = balance_pad(s, pad, place, &state->tilt[i], &state->loaded[i]);
+        double before[2], n[2], along;
+        before_pad(pad, place, state->yield[i], before);
+        balance b = {.s = s, .pad = pad, .place = before};
+        if (balanced && s->bearing->tilting) status = balance_pad(s, pad, before, &state->tilt[i], &state->loaded[i]);
         memset(state->of_pads[i], 0, sizeof state->of_pads[i]);
         state->load[i] = 0.0;
+        if (!state->loaded[i]) state->yield[i] = 0.0;
         if (status.code != WHIRL_OK || !state->loaded[i]) continue;
         status = along_pad(&b, state->tilt[i], &along);
         if (status.code == WHIRL_OK && derived)
-            status = derive(s, pad, place, state->tilt[i], b.all.thinnest, state->of_pads[i]);
+            status = derive(s, pad, before, state->tilt[i], b.all.thinnest, state->of_pads[i]);
         state->load[i] = hypot(b.force[0], b.force[1]);
         state->moment[i] = along;
+        normal_of(pad, n);
+        state->thrust[i] = -(b.force[0] * n[0] + b.force[1] * n[1]);
         for (int k = 0; k < 2; k++) state->force[k] += b.force[k];
         state->thinnest = fmin(state->thinnest, b.all.thinnest);
         state->highest = fmax(state->highest, b.all.highest);
@@ -219,56 +258,112 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
 
 // ---------------------------------------------------------------- rest
 
-/// Solves K* d = r, with pads that are held following their tilts: K* = K - K t t K/(t K t). Then the change of the
-/// tilts by that of the place and by what their moments lack.
-static void step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2], double move[2],
-                    double turn[WHIRL_MAX_PADS]) {
-    double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]}, by[WHIRL_MAX_PADS][2], back[WHIRL_MAX_PADS];
+/// How a pad follows the journal: its tilt and how it yields, r, by the journal's place q, r = by dq - back.
+typedef struct follower {
+    double t[2], n[2]; ///< what they move it along
+    double by[2][2];   ///< [tilt, yield][x, y]
+    double back[2];    ///< what its own balance lacks
+} follower;
+
+/// The balance of a pad, F.t = 0 and k yield + F.n = 0 with dF = -K (dq - T dr), is A dr = T' K dq - b.
+static follower follower_of(const whirl_pads *bearing, const whirl_pads_state *state, size_t i) {
+    const double(*k)[2] = state->of_pads[i][0];
+    follower out = {.back = {0.0}};
+    double a[2][2], right[2][2];
+    tangent_of(&bearing->pads[i], out.t);
+    normal_of(&bearing->pads[i], out.n);
+    const double *along[] = {out.t, out.n};
+    for (int r = 0; r < 2; r++) {
+        for (int c = 0; c < 2; c++) right[r][c] = along[r][0] * k[0][c] + along[r][1] * k[1][c];
+        for (int c = 0; c < 2; c++) a[r][c] = right[r][0] * along[c][0] + right[r][1] * along[c][1];
+    }
+    const bool tilts = bearing->tilting && state->loaded[i] && a[0][0] > 0.0;
+    const bool yields = tilts && bearing->pivot_stiffness > 0.0;
+    if (!tilts) return out;
+    a[1][1] += bearing->pivot_stiffness;
+    if (!yields) a[0][1] = a[1][0] = 0.0, a[1][1] = 1.0;
+    const double lacking[] = {state->moment[i],
+                              yields ? bearing->pivot_stiffness * state->yield[i] - state->thrust[i] : 0.0};
+    const double determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    for (int c = 0; c < 2; c++) {
+        const double under = yields ? right[1][c] : 0.0;
+        out.by[0][c] = (right[0][c] * a[1][1] - a[0][1] * under) / determinant;
+        out.by[1][c] = (a[0][0] * under - a[1][0] * right[0][c]) / determinant;
+    }
+    out.back[0] = (lacking[0] * a[1][1] - a[0][1] * lacking[1]) / determinant;
+    out.back[1] = (a[0][0] * lacking[1] - a[1][0] * lacking[0]) / determinant;
+    return out;
+}
+
+/// A change of the place, and of tilts and yields of the pads.
+typedef struct step {
+    double place[2], tilt[WHIRL_MAX_PADS], yield[WHIRL_MAX_PADS];
+} step;
+
+/// Solves K* d = r, with pads that are held following: K* = K - K T by. Then their changes.
+static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2]) {
+    double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
+    follower pads[WHIRL_MAX_PADS];
+    step out;
     for (size_t i = 0; i < bearing->count; i++) {
         const double(*k)[2] = state->of_pads[i][0];
-        double t[2], kt[2], tk[2];
-        tangent_of(&bearing->pads[i], t);
-        for (int r = 0; r < 2; r++) kt[r] = k[r][0] * t[0] + k[r][1] * t[1], tk[r] = t[0] * k[0][r] + t[1] * k[1][r];
-        const double tkt = t[0] * kt[0] + t[1] * kt[1];
-        const bool tilts = bearing->tilting && state->loaded[i] && tkt > 0.0;
-        // F.t = moment - (t K) d + (t K t) turn = 0
-        back[i] = tilts ? -state->moment[i] / tkt : 0.0;
-        for (int c = 0; c < 2; c++) by[i][c] = tilts ? tk[c] / tkt : 0.0;
+        const follower *pad = &pads[i];
+        pads[i] = follower_of(bearing, state, i);
         for (int r = 0; r < 2; r++) {
-            right[r] += kt[r] * back[i];
-            for (int c = 0; c < 2; c++) sum[r][c] += k[r][c] - kt[r] * by[i][c];
+            const double kt = k[r][0] * pad->t[0] + k[r][1] * pad->t[1], kn = k[r][0] * pad->n[0] + k[r][1] * pad->n[1];
+            right[r] -= kt * pad->back[0] + kn * pad->back[1];
+            for (int c = 0; c < 2; c++) sum[r][c] += k[r][c] - kt * pad->by[0][c] - kn * pad->by[1][c];
         }
     }
     const double determinant = sum[0][0] * sum[1][1] - sum[0][1] * sum[1][0];
-    move[0] = (right[0] * sum[1][1] - right[1] * sum[0][1]) / determinant;
-    move[1] = (right[1] * sum[0][0] - right[0] * sum[1][0]) / determinant;
-    for (size_t i = 0; i < bearing->count; i++) turn[i] = back[i] + by[i][0] * move[0] + by[i][1] * move[1];
+    out.place[0] = (right[0] * sum[1][1] - right[1] * sum[0][1]) / determinant;
+    out.place[1] = (right[1] * sum[0][0] - right[0] * sum[1][0]) / determinant;
+    for (size_t i = 0; i < bearing->count; i++) {
+        const double *d = out.place;
+        out.tilt[i] = pads[i].by[0][0] * d[0] + pads[i].by[0][1] * d[1] - pads[i].back[0];
+        out.yield[i] = pads[i].by[1][0] * d[0] + pads[i].by[1][1] * d[1] - pads[i].back[1];
+    }
+    return out;
 }
 
-static double lack(const whirl_pads_state *state, const double load[2], double lacking[2]) {
-    for (int k = 0; k < 2; k++) lacking[k] = load[k] + state->force[k];
-    return hypot(lacking[0], lacking[1]) / hypot(load[0], load[1]);
+/// What the journal's balance lacks; returned with that of the pivots, over the load.
+static double lack(const whirl_pads *bearing, const whirl_pads_state *state, const double load[2], double lacking[2]) {
+    double sum = 0.0;
+    for (int k = 0; k < 2; k++) lacking[k] = load[k] + state->force[k], sum += lacking[k] * lacking[k];
+    for (size_t i = 0; i < bearing->count && bearing->pivot_stiffness > 0.0; i++)
+        if (state->loaded[i]) sum += pow(bearing->pivot_stiffness * state->yield[i] - state->thrust[i], 2.0);
+    return sqrt(sum) / hypot(load[0], load[1]);
+}
+
+/// A share of the way.
+static void go(const whirl_pads *bearing, const step *by, double share, whirl_pads_state *state) {
+    for (int c = 0; c < 2; c++) state->at[c] += share * by->place[c];
+    for (size_t i = 0; i < bearing->count; i++) {
+        state->tilt[i] += share * by->tilt[i];
+        state->yield[i] += share * by->yield[i];
+    }
 }
 
 /// Newton's method on a coarse grid, pads at rest at every step; steps are halved until less is lacking.
 static whirl_status find_coarsely(const solver *s, const double load[2], whirl_pads_state *state) {
-    double lacking[2], move[2], turn[WHIRL_MAX_PADS];
+    double lacking[2];
     whirl_status status = look(s, state->at, true, true, state);
     for (int k = 0; k < MOST_STEPS && status.code == WHIRL_OK; k++) {
-        const double before = lack(state, load, lacking);
+        const double before = lack(s->bearing, state, load, lacking);
         if (before < 1e-6) return status;
-        step_of(s->bearing, state, lacking, move, turn);
+        const step move = step_of(s->bearing, state, lacking);
         whirl_pads_state next;
-        double share = fmin(1.0, 0.3 / hypot(move[0], move[1]));
+        double share = fmin(1.0, 0.3 / hypot(move.place[0], move.place[1]));
         for (int half = 0; half < 30; half++, share *= 0.5) {
-            const double place[2] = {state->at[0] + share * move[0], state->at[1] + share * move[1]};
             next = *state;
-            status = look(s, place, true, false, &next);
-            if (status.code == WHIRL_OK && lack(&next, load, lacking) < before) break;
+            go(s->bearing, &move, share, &next);
+            status = look(s, next.at, true, false, &next);
+            if (status.code == WHIRL_OK && lack(s->bearing, &next, load, lacking) < before) break;
             if (status.code != WHIRL_OK && status.code != WHIRL_BAD_INPUT) return status;
         }
-        if (status.code != WHIRL_OK || !(lack(&next, load, lacking) < before)) break;
-        status = look(s, next.at, true, true, state);
+        if (status.code != WHIRL_OK || !(lack(s->bearing, &next, load, lacking) < before)) break;
+        *state = next;
+        status = look(s, state->at, true, true, state);
     }
     return whirl_fail(WHIRL_NUMERICAL_FAILURE, "no place was found where the films of the bearing carry the load");
 }
@@ -277,19 +372,16 @@ static whirl_status find_coarsely(const solver *s, const double load[2], whirl_p
 static whirl_status polish(const solver *s, const double load[2], whirl_pads_state *state) {
     whirl_status status = whirl_ok();
     for (int k = 0; k < MOST_STEPS && status.code == WHIRL_OK; k++) {
-        double lacking[2], move[2], turn[WHIRL_MAX_PADS], slopes[WHIRL_MAX_PADS][2][2][2];
+        double lacking[2], slopes[WHIRL_MAX_PADS][2][2][2];
         memcpy(slopes, state->of_pads, sizeof slopes);
         status = look(s, state->at, false, false, state);
         memcpy(state->of_pads, slopes, sizeof slopes);
         if (status.code != WHIRL_OK) break;
-        lack(state, load, lacking);
-        step_of(s->bearing, state, lacking, move, turn);
-        double most = hypot(move[0], move[1]);
-        for (int c = 0; c < 2; c++) state->at[c] += move[c];
-        for (size_t i = 0; i < s->bearing->count; i++) {
-            state->tilt[i] += turn[i];
-            most = fmax(most, fabs(turn[i]));
-        }
+        lack(s->bearing, state, load, lacking);
+        const step move = step_of(s->bearing, state, lacking);
+        double most = hypot(move.place[0], move.place[1]);
+        go(s->bearing, &move, 1.0, state);
+        for (size_t i = 0; i < s->bearing->count; i++) most = fmax(most, fmax(fabs(move.tilt[i]), fabs(move.yield[i])));
         if (most < 1e-9) return look(s, state->at, false, true, state);
     }
     return status.code == WHIRL_OK
@@ -303,6 +395,21 @@ static whirl_status check(const whirl_pads *bearing) {
         return whirl_fail(WHIRL_BAD_INPUT, "a bearing has %zu pads, expected 1 to %d", bearing->count, WHIRL_MAX_PADS);
     if (!(bearing->ratio > 0.0) || !isfinite(bearing->ratio))
         return whirl_fail(WHIRL_BAD_INPUT, "length over diameter is %g, expected a number above 0", bearing->ratio);
+    if (!(bearing->reynolds >= 0.0 && isfinite(bearing->reynolds)))
+        return whirl_fail(WHIRL_BAD_INPUT, "the Reynolds number is %g, expected 0 or more", bearing->reynolds);
+    if (!(bearing->supply >= 0.0 && bearing->groove >= 0.0 && bearing->groove < 1.0))
+        return whirl_fail(
+            WHIRL_BAD_INPUT,
+            "grooves have a pressure of %g over a share of the length of %g, expected 0 or more over less "
+            "than 1",
+            bearing->supply, bearing->groove);
+    if (bearing->supply > 0.0 && bearing->tilting)
+        return whirl_fail(WHIRL_BAD_INPUT, "pads that tilt have no grooves, expected no pressure in them");
+    if (!(bearing->pivot_stiffness >= 0.0 && bearing->pivot_damping >= 0.0 && bearing->pad_mass >= 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "a pivot has a stiffness of %g, a damping of %g, a mass of %g, expected 0 or "
+                          "more",
+                          bearing->pivot_stiffness, bearing->pivot_damping, bearing->pad_mass);
     for (size_t i = 0; i < bearing->count; i++) {
         const whirl_pad *pad = &bearing->pads[i];
         if (!(pad->arc > 0.0 && pad->arc <= turn * (1.0 + 1e-12)))
@@ -315,6 +422,20 @@ static whirl_status check(const whirl_pads *bearing) {
                               pad->preload);
     }
     return whirl_ok();
+}
+
+/// The angle from the end of one pad to the beginning of another, 0 to a turn.
+static double apart(const whirl_pad *pad, const whirl_pad *next) {
+    const double turn = 6.283185307179586476925;
+    const double end = pad->pivot + (1.0 - pad->offset) * pad->arc, start = next->pivot - next->offset * next->arc;
+    const double angle = fmod(fmod(start - end, turn) + turn, turn);
+    return turn - angle < 1e-9 ? 0.0 : angle;
+}
+
+double whirl_pads_gap(const whirl_pads *bearing, size_t pad) {
+    double least = INFINITY;
+    for (size_t i = 0; i < bearing->count; i++) least = fmin(least, apart(&bearing->pads[pad], &bearing->pads[i]));
+    return least;
 }
 
 bool whirl_pads_overlap(const whirl_pads *bearing, size_t *one, size_t *other) {
@@ -343,22 +464,43 @@ static void add_up(const whirl_pads *bearing, whirl_pads_state *state) {
             }
 }
 
-whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], whirl_pads_state *state) {
-    solver s = {.bearing = bearing, .coarser = 1};
-    whirl_status status = check(bearing);
-    *state = (whirl_pads_state){.thinnest = NAN};
-    if (status.code == WHIRL_OK && !(hypot(load[0], load[1]) > 0.0))
-        status = whirl_fail(WHIRL_BAD_INPUT, "the load on a bearing is 0, expected one above");
-    if (status.code != WHIRL_OK) return status;
+/// Memory for the finest grid of its widest pad.
+static whirl_status workspace_of(const whirl_pads *bearing, pad_workspace **work) {
+    const solver s = {.bearing = bearing, .coarser = 1};
     pad_film widest = {.around = 0};
     for (size_t i = 0; i < bearing->count; i++) {
         const pad_film film = film_of(&s, &bearing->pads[i]);
         if (film.around > widest.around) widest = film;
-        state->loaded[i] = true;
     }
-    status = pad_workspace_new(widest.around, widest.along, &s.work);
+    return pad_workspace_new(widest.around, widest.along, work);
+}
+
+static void load_all(const whirl_pads *bearing, whirl_pads_state *state) {
+    *state = (whirl_pads_state){.thinnest = NAN};
+    for (size_t i = 0; i < bearing->count; i++) state->loaded[i] = true;
+}
+
+whirl_status whirl_pads_at(const whirl_pads *bearing, const double place[2], whirl_pads_state *state) {
+    solver s = {.bearing = bearing, .coarser = bearing->halved ? 2 : 1};
+    whirl_status status = check(bearing);
+    if (status.code == WHIRL_OK) status = workspace_of(bearing, &s.work);
     if (status.code != WHIRL_OK) return status;
-    s.coarser = COARSER;
+    load_all(bearing, state);
+    status = look(&s, place, true, true, state);
+    add_up(bearing, state);
+    pad_workspace_free(s.work);
+    return status;
+}
+
+whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], whirl_pads_state *state) {
+    solver s = {.bearing = bearing, .coarser = COARSER};
+    whirl_status status = check(bearing);
+    if (status.code == WHIRL_OK && !(hypot(load[0], load[1]) > 0.0))
+        status = whirl_fail(WHIRL_BAD_INPUT, "the load on a bearing is 0, expected one above");
+    if (status.code == WHIRL_OK) status = workspace_of(bearing, &s.work);
+    *state = (whirl_pads_state){.thinnest = NAN};
+    if (status.code != WHIRL_OK) return status;
+    load_all(bearing, state);
     status = find_coarsely(&s, load, state);
     s.coarser = bearing->halved ? 2 : 1;
     if (status.code == WHIRL_OK) status = polish(&s, load, state);
@@ -369,31 +511,52 @@ whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], wh
 
 // ---------------------------------------------------------------- reduced coefficients
 
+/// Takes from z what a pad makes of it that follows: Z T (T' Z T + D)^-1 T' Z, T = (t, n), D what holds and weighs it.
+static void follow(const whirl_pads *bearing, const whirl_pad *pad, const double complex own[2][2], double ratio,
+                   double inertia, double complex z[2][2]) {
+    const bool yields = bearing->pivot_stiffness > 0.0;
+    const size_t count = yields ? 2 : 1;
+    double along[2][2];
+    double complex zt[2][2], tz[2][2], a[2][2] = {{-ratio * ratio * inertia, 0.0}, {0.0, 1.0}};
+    tangent_of(pad, along[0]);
+    normal_of(pad, along[1]);
+    if (yields)
+        a[1][1] = bearing->pivot_stiffness - ratio * ratio * bearing->pad_mass + I * ratio * bearing->pivot_damping;
+    for (size_t k = 0; k < count; k++)
+        for (int r = 0; r < 2; r++) {
+            zt[k][r] = own[r][0] * along[k][0] + own[r][1] * along[k][1];
+            tz[k][r] = along[k][0] * own[0][r] + along[k][1] * own[1][r];
+        }
+    for (size_t r = 0; r < count; r++)
+        for (size_t c = 0; c < count; c++) a[r][c] += tz[r][0] * along[c][0] + tz[r][1] * along[c][1];
+    const double complex determinant = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    if (!(cabs(determinant) > 0.0)) return;
+    const double complex inverse[2][2] = {{a[1][1] / determinant, -a[0][1] / determinant},
+                                          {-a[1][0] / determinant, a[0][0] / determinant}};
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < count; k++)
+            for (int r = 0; r < 2; r++)
+                for (int c = 0; c < 2; c++) z[r][c] -= zt[i][r] * inverse[i][k] * tz[k][c];
+}
+
 void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state, double ratio, double inertia,
                         double stiffness[2][2], double damping[2][2]) {
-    memcpy(stiffness, state->stiffness, sizeof state->stiffness);
-    memcpy(damping, state->damping, sizeof state->damping);
+    // Damping at rest is the limit, which needs the terms of first order alone.
+    const double at = ratio != 0.0 ? ratio : 1e-6;
+    double complex z[2][2];
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++) z[r][c] = state->stiffness[r][c] + I * at * state->damping[r][c];
     for (size_t i = 0; i < bearing->count && bearing->tilting; i++) {
-        // Z = Z_qq - Z_qs Z_sq/Z_ss, Z_qs = -Z t, Z_sq = -t Z, Z_ss = t Z t - ratio^2 I (real and imaginary parts).
-        const double(*k)[2] = state->of_pads[i][0], (*c)[2] = state->of_pads[i][1];
-        double t[2], real[2][2] = {{0.0}}, imaginary[2][2] = {{0.0}}, ss[2] = {-ratio * ratio * inertia, 0.0};
-        tangent_of(&bearing->pads[i], t);
+        double complex own[2][2];
         for (int r = 0; r < 2; r++)
-            for (int s = 0; s < 2; s++) {
-                real[0][r] += k[r][s] * t[s], imaginary[0][r] += ratio * c[r][s] * t[s];
-                real[1][r] += t[s] * k[s][r], imaginary[1][r] += ratio * t[s] * c[s][r];
-                ss[0] += t[r] * k[r][s] * t[s], ss[1] += ratio * t[r] * c[r][s] * t[s];
-            }
-        const double over = ss[0] * ss[0] + ss[1] * ss[1];
-        if (!state->loaded[i] || !(over > 0.0)) continue;
-        for (int r = 0; r < 2; r++)
-            for (int s = 0; s < 2; s++) {
-                const double x = real[0][r] * real[1][s] - imaginary[0][r] * imaginary[1][s];
-                const double y = real[0][r] * imaginary[1][s] + imaginary[0][r] * real[1][s];
-                stiffness[r][s] -= (x * ss[0] + y * ss[1]) / over;
-                if (ratio != 0.0) damping[r][s] -= (y * ss[0] - x * ss[1]) / over / ratio;
-            }
+            for (int c = 0; c < 2; c++) own[r][c] = state->of_pads[i][0][r][c] + I * at * state->of_pads[i][1][r][c];
+        if (state->loaded[i]) follow(bearing, &bearing->pads[i], (const double complex(*)[2])own, at, inertia, z);
     }
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++) {
+            stiffness[r][c] = creal(z[r][c]);
+            damping[r][c] = cimag(z[r][c]) / at;
+        }
 }
 
 // ---------------------------------------------------------------- usual bearings

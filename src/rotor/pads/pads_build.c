@@ -65,7 +65,11 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, dou
     number[PAD_ALONG_Y] = cos(lead);
     number[PAD_HALF_COSINE] = cos(0.5 * pad->arc);
     number[PAD_HALF_SINE] = sin(0.5 * pad->arc);
-    const pad_table_key key = {pad->arc, bearing->ratio, bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS};
+    const pad_table_key key = {.arc = pad->arc,
+                               .ratio = bearing->ratio,
+                               .law = bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS,
+                               .turbulence = bearing->turbulence,
+                               .reynolds = bearing->reynolds};
     return pad_table_number(&key, &number[PAD_TABLE]);
 }
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "turbulence.h"
+
 /// Solutions of cavities whose edge moves by a volume a pass are found on the next coarser grid first.
 enum { LEAST_AROUND = 24, LEAST_ALONG = 3, MOST_PASSES = 200 };
 
@@ -13,6 +15,7 @@ struct pad_workspace {
     double *pressure;    ///< [(around - 1) along]
     double *source;      ///< the same
     double *cubes;       ///< [2][around + 2] of the film's thickness, at nodes and between them
+    double *edge;        ///< [along] pressure at the edges before and after the pad
     unsigned char *rest; ///< [(around - 1) along] 1 in the cavity
     unsigned char *coarse;
 };
@@ -22,8 +25,9 @@ typedef struct grid {
     int around, along;
     double step, rise;     ///< of p and zeta
     double first;          ///< p of the edge
-    const double *middle;  ///< [around + 1] H^3 at nodes
-    const double *between; ///< [around] H^3 between node i and i + 1
+    const double *middle;  ///< [around + 1] H^3 at nodes, as oil flows along the axis
+    const double *between; ///< [around] H^3 between node i and i + 1, as it flows around
+    const double *edge;    ///< [along] P at nodes 0 and `around`
 } grid;
 
 static size_t unknowns(int around, int along) {
@@ -36,6 +40,7 @@ void pad_workspace_free(pad_workspace *work) {
     free(work->pressure);
     free(work->source);
     free(work->cubes);
+    free(work->edge);
     free(work->rest);
     free(work->coarse);
     free(work);
@@ -52,9 +57,10 @@ whirl_status pad_workspace_new(int around, int along, pad_workspace **out) {
                                 .pressure = malloc(count * sizeof(double)),
                                 .source = malloc(count * sizeof(double)),
                                 .cubes = malloc(2 * (size_t)(around + 2) * sizeof(double)),
+                                .edge = malloc((size_t)along * sizeof(double)),
                                 .rest = malloc(count),
                                 .coarse = malloc(count)};
-        if (work->band && work->pressure && work->source && work->cubes && work->rest && work->coarse)
+        if (work->band && work->pressure && work->source && work->cubes && work->edge && work->rest && work->coarse)
             return whirl_ok();
     }
     pad_workspace_free(work);
@@ -73,12 +79,17 @@ static double width(const grid *g, int j) {
     return j == 0 ? 0.5 * g->rise : g->rise;
 }
 
-/// - int (A sin p - B cos p) over every volume.
+/// - int (A sin p - B cos p) over every volume, and what the grooves press into those beside them.
 static void fill_source(const grid *g, const pad_place *at, double *source) {
     for (int i = 1; i < g->around; i++) {
         const double west = g->first + (i - 0.5) * g->step, east = west + g->step;
         const double inside = at->b * (sin(east) - sin(west)) - at->a * (cos(west) - cos(east));
         for (int j = 0; j < g->along; j++) source[(i - 1) * g->along + j] = inside * width(g, j);
+    }
+    double *last = source + (g->around - 2) * g->along;
+    for (int j = 0; j < g->along; j++) {
+        source[j] += g->between[0] * width(g, j) / g->step * g->edge[j];
+        last[j] += g->between[g->around - 1] * width(g, j) / g->step * g->edge[j];
     }
 }
 
@@ -192,41 +203,53 @@ static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_fil
 
 // ---------------------------------------------------------------- what follows from the pressure
 
-/// The share of the width that oil fills in the cavity: streams as wide as it was where the film broke.
-static double shear(const grid *g, const pad_place *at, const double *p, int j) {
-    double broke = thickness(at, g->first), sum = 0.5 / broke;
+/// The shear of a film, 1/H where it is laminar.
+static double shear_at(const pad_film *film, double h) {
+    return turbulent_shear(film->turbulence, film->reynolds * h) / h;
+}
+
+/// Around the pad at node j. In the cavity it is that of the streams: as wide together as the film where it broke.
+static double shear(const grid *g, const pad_film *film, const pad_place *at, const double *p, int j) {
+    double broke = thickness(at, g->first), sum = 0.5 * shear_at(film, broke);
     for (int i = 1; i < g->around; i++) {
         const double h = thickness(at, g->first + i * g->step), here = p[(i - 1) * g->along + j];
         if (here > 0.0) broke = h;
-        sum += here > 0.0 ? 1.0 / h : fmin(1.0, broke / h) / h;
+        sum += (here > 0.0 ? 1.0 : fmin(1.0, broke / h)) * shear_at(film, h);
     }
     const double last = thickness(at, -g->first);
-    return sum + 0.5 * fmin(1.0, broke / last) / last;
+    return sum + 0.5 * (g->edge[j] > 0.0 ? 1.0 : fmin(1.0, broke / last)) * shear_at(film, last);
+}
+
+/// Adds what the pressures [along] do from west to east of node i, of which a share of a volume is there.
+static void add_column(const grid *g, const pad_place *at, double ratio, int i, double share, const double *p,
+                       pad_answer *out) {
+    const double west = g->first + (i - (i > 0 ? 0.5 : 0.0)) * g->step, east = west + share * g->step;
+    double sum = 0.0;
+    for (int j = 0; j < g->along; j++) {
+        sum += p[j] * width(g, j);
+        out->highest = fmax(out->highest, p[j]);
+    }
+    out->force[0] -= 6.0 * sum * (sin(east) - sin(west));
+    out->force[1] -= 6.0 * sum * (cos(west) - cos(east));
+    // H dP/dp, in parts.
+    out->drag -= 3.0 * sum * (at->x * (cos(west) - cos(east)) - at->y * (sin(east) - sin(west)));
+    if (i == 0 || i == g->around) out->drag += 3.0 * sum * (i == 0 ? -1.0 : 1.0) * thickness(at, i ? east : west);
+    // The slope at the end by the two nodes before it, of second order.
+    const double slope = (4.0 * p[g->along - 1] - p[g->along - 2]) / (2.0 * g->rise);
+    out->leaving += 0.5 * ratio * g->middle[i] * slope * share * g->step;
+    out->thinnest = fmin(out->thinnest, thickness(at, g->first + i * g->step));
 }
 
 static pad_answer answer_of(const grid *g, const pad_film *film, const pad_place *at, const double *pressure) {
     const double ratio = 1.0 / (film->ratio * film->ratio);
-    pad_answer out = {.thinnest = fmin(thickness(at, g->first), thickness(at, -g->first))};
-    for (int i = 1; i < g->around; i++) {
-        const double west = g->first + (i - 0.5) * g->step, east = west + g->step;
-        const double *p = pressure + (size_t)(i - 1) * (size_t)g->along;
-        double sum = 0.0;
-        for (int j = 0; j < g->along; j++) {
-            sum += p[j] * width(g, j);
-            out.highest = fmax(out.highest, p[j]);
-        }
-        out.force[0] -= 6.0 * sum * (sin(east) - sin(west));
-        out.force[1] -= 6.0 * sum * (cos(west) - cos(east));
-        // H dP/dp, in parts.
-        out.drag -= 3.0 * sum * (at->x * (cos(west) - cos(east)) - at->y * (sin(east) - sin(west)));
-        // The slope at the end by the two nodes before it, of second order.
-        const double slope = (4.0 * p[g->along - 1] - p[g->along - 2]) / (2.0 * g->rise);
-        out.leaving += 0.5 * ratio * g->middle[i] * slope * g->step;
-        out.thinnest = fmin(out.thinnest, thickness(at, west + 0.5 * g->step));
-    }
+    pad_answer out = {.thinnest = INFINITY};
+    for (int i = 1; i < g->around; i++)
+        add_column(g, at, ratio, i, 1.0, pressure + (size_t)(i - 1) * (size_t)g->along, &out);
+    for (int side = 0; side < 2; side++) add_column(g, at, ratio, side * g->around, 0.5, g->edge, &out);
     // The last volume's stream goes on to the end.
     for (int j = 0; j < g->along; j++)
-        out.drag += shear(g, at, pressure, j) * g->step * (width(g, j) + (j + 1 == g->along ? 0.5 * g->rise : 0.0));
+        out.drag +=
+            shear(g, film, at, pressure, j) * g->step * (width(g, j) + (j + 1 == g->along ? 0.5 * g->rise : 0.0));
     return out;
 }
 
@@ -236,13 +259,24 @@ static double extrapolate(double fine, double coarse) {
 
 // ---------------------------------------------------------------- from grid to grid
 
+/// H^3 as oil flows in it, around or along.
+static double conductance(const pad_film *film, const pad_place *at, double p, bool along) {
+    const double h = thickness(at, p), cube = pow(h, 3.0);
+    if (film->turbulence == WHIRL_LAMINAR) return cube;
+    const turbulent_factors by = turbulent_resistance(film->turbulence, film->reynolds * h);
+    return cube / (along ? by.along : by.around);
+}
+
 static grid grid_of(pad_workspace *work, const pad_film *film, const pad_place *at, int around, int along) {
     double *middle = work->cubes, *between = work->cubes + around + 2;
-    const grid g = {around, along, film->arc / around, 1.0 / along, -0.5 * film->arc, middle, between};
+    const grid g = {around, along, film->arc / around, 1.0 / along, -0.5 * film->arc, middle, between, work->edge};
     for (int i = 0; i <= around; i++) {
-        middle[i] = pow(thickness(at, g.first + i * g.step), 3.0);
-        between[i] = pow(thickness(at, g.first + (i + 0.5) * g.step), 3.0);
+        middle[i] = conductance(film, at, g.first + i * g.step, true);
+        between[i] = conductance(film, at, g.first + (i + 0.5) * g.step, false);
     }
+    for (int j = 0; j < along; j++)
+        work->edge[j] =
+            film->supply * (film->groove < 1.0 ? fmin(1.0, (1.0 - j * g.rise) / (1.0 - film->groove)) : 1.0);
     return g;
 }
 

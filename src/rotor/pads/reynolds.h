@@ -6,13 +6,16 @@
 ///
 ///     d/dp(H^3 dP/dp) + (D/L)^2 d/dzeta(H^3 dP/dzeta) = A sin p - B cos p                           (Reynolds 1886),
 ///
-/// P = 0 at all edges; the pressure is 6 mu Omega (R/c)^2 P. The force on the journal over mu Omega R L (R/c)^2 is
-/// 3 int int P (-cos p, -sin p) dp dzeta.
+/// P = 0 at both ends; at the edges before and after the pad it is that of the grooves there, 0 or `supply` to zeta =
+/// `groove` and from there to the end on a straight line to 0. The pressure is 6 mu Omega (R/c)^2 P. The force on the
+/// journal over mu Omega R L (R/c)^2 is 3 int int P (-cos p, -sin p) dp dzeta. In a turbulent film H^3 is divided by
+/// the factors of the local Reynolds number, `reynolds` H (turbulence.h).
 #ifndef ROTOR_REYNOLDS_H
 #define ROTOR_REYNOLDS_H
 
 #include <stdbool.h>
 
+#include "whirl/bearing.h"
 #include "whirl/status.h"
 
 /// What becomes of pressures below 0.
@@ -27,6 +30,9 @@ typedef struct pad_film {
     double ratio; ///< length over diameter, L/D
     cavitation law;
     int around, along; ///< volumes of the finest grid, along half the length; both multiples of 2
+    whirl_turbulence turbulence;
+    double reynolds;       ///< density Omega R c/mu, of turbulent films
+    double supply, groove; ///< P in grooves, and the share of the length over which it stands there
 } pad_film;
 
 /// A journal in it.

@@ -144,15 +144,21 @@ static whirl_status fill(pad_table *table, const pad_film *film) {
 }
 
 /// The grid of a table: half as long as it is wide, or longer, a pad needs more volumes along it.
-static pad_film film_of(double arc, double ratio, cavitation law) {
-    const int around = 16 * (int)ceil(arc / two_pi * AROUND_A_TURN / 16.0), least = 64;
-    const double along = 4.0 * ceil(4.0 * ratio / arc);
-    return (pad_film){arc, ratio, law, around > least ? around : least, (int)fmin(fmax(along, 8.0), 24.0)};
+static pad_film film_of(const pad_table_key *key) {
+    const int around = 16 * (int)ceil(key->arc / two_pi * AROUND_A_TURN / 16.0), least = 64;
+    const double along = 4.0 * ceil(4.0 * key->ratio / key->arc);
+    return (pad_film){.arc = key->arc,
+                      .ratio = key->ratio,
+                      .law = key->law,
+                      .around = around > least ? around : least,
+                      .along = (int)fmin(fmax(along, 8.0), 24.0),
+                      .turbulence = key->turbulence,
+                      .reynolds = key->reynolds};
 }
 
-whirl_status pad_table_new(double arc, double ratio, cavitation law, pad_table **out) {
-    const pad_film film = film_of(arc, ratio, law);
-    pad_table *table = pad_table_empty(arc);
+whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
+    const pad_film film = film_of(key);
+    pad_table *table = pad_table_empty(key->arc);
     const whirl_status status =
         table ? fill(table, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
     *out = status.code == WHIRL_OK ? table : NULL;

@@ -15,6 +15,14 @@
 
 #include "reynolds.h"
 
+/// What a table is of.
+typedef struct pad_table_key {
+    double arc, ratio;
+    cavitation law;
+    whirl_turbulence turbulence;
+    double reynolds; ///< as in pad_film; 0 of laminar ones
+} pad_table_key;
+
 /// An axis of nodes.
 typedef struct pad_axis {
     double first, step;
@@ -29,7 +37,7 @@ typedef struct pad_table {
 
 /// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed by pad_table_free.
 /// Errors as pad_solve.
-whirl_status pad_table_new(double arc, double ratio, cavitation law, pad_table **out);
+whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
 void pad_table_free(pad_table *table);
 
 /// One whose coefficients are 0; NULL without memory.

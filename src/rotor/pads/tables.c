@@ -12,7 +12,7 @@
 #include "lock.h"
 
 /// Of the file: another number where nodes or the solution change.
-enum { FORMAT = 1, PATH_LENGTH = 1024 };
+enum { FORMAT = 2, PATH_LENGTH = 1024 };
 
 static lock guard = LOCK_OPEN;
 static _Atomic(const pad_table *) tables[MAX_PAD_TABLES];
@@ -24,8 +24,8 @@ static size_t table_count;
 /// What stands before the coefficients.
 typedef struct file_head {
     char magic[8];
-    int32_t format, law;
-    double arc, ratio;
+    int32_t format, law, turbulence, unused;
+    double arc, ratio, reynolds;
     uint64_t count, checksum;
 } file_head;
 
@@ -56,11 +56,13 @@ static bool cache_folder(char folder[PATH_LENGTH]) {
 static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
     char folder[PATH_LENGTH];
     if (!cache_folder(folder)) return false;
-    uint64_t of[2];
+    uint64_t of[3];
     memcpy(&of[0], &key->arc, sizeof of[0]);
     memcpy(&of[1], &key->ratio, sizeof of[1]);
-    const int length = snprintf(path, PATH_LENGTH, "%s/pad-%d-%d-%016llx-%016llx", folder, FORMAT, (int)key->law,
-                                (unsigned long long)of[0], (unsigned long long)of[1]);
+    memcpy(&of[2], &key->reynolds, sizeof of[2]);
+    const int length =
+        snprintf(path, PATH_LENGTH, "%s/pad-%d-%d-%d-%016llx-%016llx-%016llx", folder, FORMAT, (int)key->law,
+                 (int)key->turbulence, (unsigned long long)of[0], (unsigned long long)of[1], (unsigned long long)of[2]);
     return length > 0 && length < PATH_LENGTH;
 }
 
@@ -68,8 +70,10 @@ static file_head head_of(const pad_table_key *key, const pad_table *table) {
     const size_t count = pad_table_size(table);
     file_head head = {.format = FORMAT,
                       .law = (int32_t)key->law,
+                      .turbulence = (int32_t)key->turbulence,
                       .arc = key->arc,
                       .ratio = key->ratio,
+                      .reynolds = key->reynolds,
                       .count = count,
                       .checksum = checksum(table->coefficients, count)};
     memcpy(head.magic, "whirlpad", sizeof head.magic);
@@ -87,9 +91,7 @@ static pad_table *read_table(const pad_table_key *key) {
                 fread(table->coefficients, sizeof(double), pad_table_size(table), in) == pad_table_size(table);
     if (good) {
         own = head_of(key, table);
-        good = memcmp(head.magic, own.magic, sizeof head.magic) == 0 && head.format == own.format &&
-               head.law == own.law && head.arc == own.arc && head.ratio == own.ratio && head.count == own.count &&
-               head.checksum == own.checksum;
+        good = memcmp(&head, &own, sizeof head) == 0;
     }
     if (in) fclose(in);
     if (good) return table;
@@ -123,16 +125,22 @@ static void write_table(const pad_table_key *key, const pad_table *table) {
 
 // ---------------------------------------------------------------- all tables
 
+static bool same(const pad_table_key *one, const pad_table_key *other) {
+    return one->arc == other->arc && one->ratio == other->ratio && one->law == other->law &&
+           one->turbulence == other->turbulence && one->reynolds == other->reynolds;
+}
+
 whirl_status pad_table_number(const pad_table_key *key, double *number) {
     size_t i = 0;
     lock_take(&guard);
-    while (i < table_count && (keys[i].arc != key->arc || keys[i].ratio != key->ratio || keys[i].law != key->law)) i++;
+    while (i < table_count && !same(&keys[i], key)) i++;
     if (i == table_count && i < MAX_PAD_TABLES) keys[table_count++] = *key;
     lock_leave(&guard);
     *number = (double)i;
     return i < MAX_PAD_TABLES
                ? whirl_ok()
-               : whirl_fail(WHIRL_BAD_INPUT, "there are more than %d different pads, by arc and length over diameter",
+               : whirl_fail(WHIRL_BAD_INPUT,
+                            "there are more than %d different pads, by arc, length over diameter and Reynolds number",
                             MAX_PAD_TABLES);
 }
 
@@ -155,7 +163,7 @@ static const pad_table *no_table(void) {
 static const pad_table *make_table(const pad_table_key *key) {
     pad_table *table = read_table(key);
     if (table) return table;
-    if (pad_table_new(key->arc, key->ratio, key->law, &table).code != WHIRL_OK) return no_table();
+    if (pad_table_new(key, &table).code != WHIRL_OK) return no_table();
     for (size_t i = 0; i < pad_table_size(table); i++)
         if (!isfinite(table->coefficients[i])) return table; // told as diverged, and not kept
     write_table(key, table);

@@ -6,12 +6,6 @@
 
 enum { MAX_PAD_TABLES = 4096 };
 
-/// What a table is of.
-typedef struct pad_table_key {
-    double arc, ratio;
-    cavitation law;
-} pad_table_key;
-
 /// The number of the table of such a pad. WHIRL_BAD_INPUT for more tables than MAX_PAD_TABLES.
 whirl_status pad_table_number(const pad_table_key *key, double *number);
 
