@@ -36,16 +36,26 @@ typedef struct whirl_bearing {
     double radius, length;      ///< m, of the journal
     double pad_clearance;       ///< m, radial, of every pad: c
     double clearance;           ///< m, radial, of the bearing: (1 - preload) c of the pad with the most preload
-    double viscosity, density;  ///< Pa s, kg/m3
-    double inertia;             ///< kg m2, of a pad about its pivot
-    double load_angle;          ///< rad from x towards y, of the load on the journal
-    double least_film;          ///< m, below which a warning stands
-    size_t ratio_count;         ///< of whirl ratios
-    double ratios[WHIRL_MAX_WHIRL_RATIOS]; ///< [ratio_count] frequency of whirl over speed
-    bool pairs;                            ///< speeds and loads belong to each other; else all of both
-    size_t load_count;                     ///< of different loads that the file has
-    size_t count;                          ///< of points: speeds of the first load, then of the next
-    double *speeds, *loads;                ///< [count] rad/s and N; its own
+    double viscosity, density;  ///< Pa s, at the temperature that the oil has or comes in with; kg/m3
+    double temperature;   ///< K, of the film or, where that follows from the heat, of the oil that comes in; or NaN
+    bool heated;          ///< the film's temperature follows from the heat
+    double heat_share;    ///< of the power, that the leaving oil carries
+    double specific_heat; ///< J/(kg K), of the oil
+    size_t oil_count;     ///< of rows that tell its viscosity over the temperature; 0: it is constant
+    double oil_temperatures[WHIRL_MAX_LIST]; ///< [oil_count] K, rising
+    double oil_viscosities[WHIRL_MAX_LIST];  ///< [oil_count] m2/s, falling
+    double supply_pressure;                  ///< Pa above that of the surroundings, in the grooves
+    double inertia;                          ///< kg m2, of a pad about its pivot
+    double pivot_stiffness, pivot_damping;   ///< N/m and N s/m along the radius; stiffness 0: rigid
+    double pad_mass;                         ///< kg, of a pad on such a pivot
+    double load_angle;                       ///< rad from x towards y, of the load on the journal
+    double least_film;                       ///< m, below which a warning stands
+    size_t ratio_count;                      ///< of whirl ratios
+    double ratios[WHIRL_MAX_WHIRL_RATIOS];   ///< [ratio_count] frequency of whirl over speed
+    bool pairs;                              ///< speeds and loads belong to each other; else all of both
+    size_t load_count;                       ///< of different loads that the file has
+    size_t count;                            ///< of points: speeds of the first load, then of the next
+    double *speeds, *loads;                  ///< [count] rad/s and N; its own
 } whirl_bearing;
 
 /// A point of the table. What does not hold or is not known is NaN.
@@ -58,6 +68,8 @@ typedef struct whirl_bearing_point {
     double eccentricity, attitude;      ///< m; rad from the load to the journal, with the rotation
     double film, pressure, flow, power; ///< m, Pa, m3/s that leave at both ends, W
     double heating;                     ///< K by which that flow would warm, if it took all of the power
+    double viscosity, temperature;      ///< Pa s, K: of the film; the temperature NaN where it is not known
+    double outlet;                      ///< K at which oil leaves, where that follows from the heat; else NaN
     double reynolds;                    ///< number, of the clearance: density speed R c/mu
     double stiffness[2][2];             ///< N/m, pads held
     double damping[2][2];               ///< N s/m, pads held
@@ -67,6 +79,7 @@ typedef struct whirl_bearing_point {
         critical_mass; ///< kg, of a rigid rotor a bearing, above which it whirls by itself; inf: never; of fixed pads
     double whirl;      ///< whirl ratio there
     double tilt[WHIRL_MAX_PADS];           ///< rad
+    double yield[WHIRL_MAX_PADS];          ///< m, outwards, of pads on pivots that yield
     double error_place;                    ///< m, by which the journal's place differs on a mesh half as fine
     double error_stiffness, error_damping; ///< the same of coefficients, over the largest of them
     size_t remark_count;                   ///< of warnings

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bearing_oil.h"
 #include "file.h"
 #include "keys.h"
-#include "mineral_oil.h"
 #include "problem.h"
 #include "whirl/bearing_table.h"
 
@@ -34,10 +34,29 @@ static const whirl_key file_keys[] = {
     NUMBER_KEY("kinematic_viscosity", "", "m2/s", OPTIONAL, WHIRL_POSITIVE, "viscosity over density"),
     CITED_NUMBER_KEY("grade", "ISO VG", "1", OPTIONAL, WHIRL_FROM_TO(6.5, 1500.0),
                      "viscosity class of the oil, mm2/s at 40 degC, with temperature", "ISO 3448; Walther 1931"),
+    {"temperatures", "", "K", WHIRL_KEY_NUMBERS, false, "", WHIRL_FROM_TO(233.15, 473.15), NULL,
+     "rising, at which the viscosities of an oil are known, between them by Walther's law; in place of grade",
+     "Walther 1931; ASTM D341"},
+    {"viscosities", "", "Pa s", WHIRL_KEY_NUMBERS, false, "", WHIRL_POSITIVE, NULL, "at these temperatures", ""},
     NUMBER_KEY("temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15), "of the oil in the film, '50 degC'"),
+    CITED_NUMBER_KEY("supply_temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15),
+                     "of the oil that comes in; in place of temperature: the film is as warm as the mean of this and "
+                     "of the leaving oil, which takes heat_share of the power",
+                     "Boswall 1928; DIN 31652"),
+    NUMBER_KEY("heat_share", "kappa", "1", DEFAULT("1"), WHIRL_ABOVE_TO(0.0, 1.0),
+               "of the power, that the leaving oil carries; the rest goes into the housing"),
+    NUMBER_KEY("specific_heat", "c_p", "J/(kg K)", DEFAULT("1950"), WHIRL_POSITIVE, "of the oil"),
     CITED_NUMBER_KEY("kinematic_100", "", "m2/s", OPTIONAL, WHIRL_POSITIVE,
                      "at 100 degC, of an oil of that grade; absent: of viscosity index 100", "ASTM D2270"),
     NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("870"), WHIRL_POSITIVE, "of the oil"),
+    CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",
+                     "factors by the local Reynolds number on flows around and along and on the shear",
+                     "Ng, Pan 1965; Constantinescu 1962"),
+    NUMBER_KEY("supply_pressure", "p_s", "Pa", OPTIONAL, WHIRL_NOT_NEGATIVE,
+               "above that of the surroundings, of the oil in the grooves between fixed pads"),
+    NUMBER_KEY(
+        "groove", "", "1", OPTIONAL, WHIRL_FROM_TO(0.0, 0.99),
+        "share of the length over which grooves have that pressure, .8 where absent; to the ends it falls evenly"),
     CITED_CHOICE_KEY("cavitation", DEFAULT("reynolds"), "reynolds|gumbel",
                      "reynolds: pressure and its gradient vanish where the film breaks; gumbel: the full film's "
                      "pressures below 0 are left out",
@@ -49,6 +68,10 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("combine", DEFAULT("all"), "all|pairs",
                "all: every load at every speed; pairs: the first load at the first speed, and so on"),
     NUMBER_KEY("pad_inertia", "", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "of a tilting pad about its pivot"),
+    NUMBER_KEY("pivot_stiffness", "k_p", "N/m", OPTIONAL, WHIRL_POSITIVE,
+               "of a tilting pad's pivot along the radius; rigid where absent"),
+    NUMBER_KEY("pivot_damping", "", "N s/m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same of its damping"),
+    NUMBER_KEY("pad_mass", "", "kg", OPTIONAL, WHIRL_NOT_NEGATIVE, "of a pad on such a pivot"),
     {"whirl_ratio", "nu", "1", WHIRL_KEY_NUMBERS, false, "1", WHIRL_FROM_TO(0.0, 100.0), NULL,
      "frequency of whirl over speed at which coefficients of tilting pads are reduced; a list of up to 8",
      "Parsell, Allaire, Barrett 1983"},
@@ -177,6 +200,53 @@ static void read_shape(case_reader *reader, const setting_list *file, whirl_bear
     out->pads.fineness = isfinite(fineness) ? 16 * (int)ceil(fineness / 16.0) : 0;
 }
 
+static void read_turbulence(const setting_list *file, whirl_bearing *out) {
+    const char *law = settings_word(file, "turbulence");
+    out->pads.turbulence = strcmp(law, "ng-pan") == 0           ? WHIRL_NG_PAN
+                           : strcmp(law, "constantinescu") == 0 ? WHIRL_CONSTANTINESCU
+                                                                : WHIRL_LAMINAR;
+}
+
+/// Keys that say nothing unless another one is given.
+static void check_belongs(case_reader *reader, const setting_list *file, const char *key, const char *to) {
+    const setting *given = settings_find(file, key);
+    if (given && !settings_find(file, to) && !settings_misspelt(file, to))
+        problem_at(reader->problems, given->place, "belongs to %s, which is not given", to);
+}
+
+static void read_grooves(case_reader *reader, const setting_list *file, whirl_bearing *out) {
+    const setting *pressure = settings_find(file, "supply_pressure");
+    check_belongs(reader, file, "groove", "supply_pressure");
+    out->pads.groove = settings_find(file, "groove") ? settings_plain(reader, file, "groove") : 0.8;
+    if (!pressure) return;
+    out->supply_pressure = settings_plain(reader, file, "supply_pressure");
+    if (out->pads.tilting)
+        problem_at(reader->problems, pressure->place,
+                   "is given, and pads that tilt have no grooves: their housing has one pressure all around");
+    for (size_t i = 0; i < out->pads.count && !out->pads.tilting; i++) {
+        const double gap = whirl_pads_gap(&out->pads, i) * 180.0 / 3.14159265358979323846;
+        if (gap > 90.0)
+            problem_at(
+                reader->problems, pressure->place,
+                "is given, and behind pad %zu there are %.4g degrees without a pad, expected a groove of at most "
+                "90 that holds it",
+                i + 1, gap);
+    }
+}
+
+static void read_pivots(case_reader *reader, const setting_list *file, whirl_bearing *out) {
+    static const char *const keys[] = {"pad_inertia", "pivot_stiffness", "pivot_damping", "pad_mass"};
+    double *const numbers[] = {&out->inertia, &out->pivot_stiffness, &out->pivot_damping, &out->pad_mass};
+    for (size_t i = 0; i < COUNT(keys); i++) {
+        const setting *given = settings_find(file, keys[i]);
+        if (given) *numbers[i] = settings_plain(reader, file, keys[i]);
+        if (given && out->pads.count > 0 && !out->pads.tilting)
+            problem_at(reader->problems, given->place, "is given, and the pads do not tilt");
+        else if (i > 1)
+            check_belongs(reader, file, keys[i], "pivot_stiffness");
+    }
+}
+
 static void read_size(case_reader *reader, const setting_list *file, whirl_bearing *out) {
     const int by = one_of(reader, file, "radius", "diameter");
     out->radius = by == 1 ? settings_plain(reader, file, "radius") : 0.5 * settings_plain(reader, file, "diameter");
@@ -198,36 +268,6 @@ static void read_size(case_reader *reader, const setting_list *file, whirl_beari
         problem_at(reader->problems, place_of(file, of == 1 ? "pad_clearance" : "clearance"),
                    "makes a clearance of pads of %.3g times the radius, expected less than 0.05",
                    out->pad_clearance / out->radius);
-}
-
-static void read_oil(case_reader *reader, const setting_list *file, whirl_bearing *out) {
-    static const char *const keys[] = {"viscosity", "kinematic_viscosity", "grade"};
-    size_t given = 0, last = 0;
-    for (size_t i = 0; i < COUNT(keys); i++)
-        if (settings_find(file, keys[i])) given++, last = i;
-    out->density = settings_plain(reader, file, "density");
-    const double own = settings_plain(reader, file, keys[last]), warm = settings_plain(reader, file, "temperature");
-    if (given == 0)
-        problem_missing(reader->problems, file->place, "viscosity",
-                        "is missing, expected this, kinematic_viscosity, or grade with temperature");
-    else if (given > 1)
-        problem_at(reader->problems, place_of(file, keys[last]), "stands beside another one, expected one of them");
-    if (given != 1) return;
-    if (last < 2 && (settings_find(file, "temperature") || settings_find(file, "kinematic_100")))
-        problem_at(reader->problems,
-                   place_of(file, settings_find(file, "temperature") ? "temperature" : "kinematic_100"),
-                   "belongs to grade, which is not given");
-    if (last == 2 && !settings_find(file, "temperature"))
-        problem_missing(reader->problems, file->place, "temperature", "is missing, expected that of the film");
-    out->viscosity = own;
-    if (last == 1) out->viscosity = own * out->density;
-    if (last != 2) return;
-    const double hot = settings_find(file, "kinematic_100") ? settings_plain(reader, file, "kinematic_100")
-                                                            : mineral_oil_at_100(own * 1e-6);
-    if (hot >= own * 1e-6)
-        problem_at(reader->problems, place_of(file, "kinematic_100"), "is not below that at 40 degC, %g mm2/s", own);
-    else
-        out->viscosity = out->density * mineral_oil_viscosity(own * 1e-6, hot, warm);
 }
 
 // ---------------------------------------------------------------- loads and speeds
@@ -297,25 +337,7 @@ static void read_points(case_reader *reader, const setting_list *file, whirl_bea
 }
 
 static void read_ratios(case_reader *reader, const setting_list *file, whirl_bearing *out) {
-    const setting *given = settings_find(file, "whirl_ratio");
-    out->ratio_count = 1;
-    out->ratios[0] = 1.0;
-    if (!given || !given->good) return;
-    if (!given->word) {
-        out->ratios[0] = settings_plain(reader, file, "whirl_ratio");
-        return;
-    }
-    if (given->place->count > WHIRL_MAX_WHIRL_RATIOS) {
-        problem_at(reader->problems, given->place, "has %zu numbers, expected 1 to %d", given->place->count,
-                   WHIRL_MAX_WHIRL_RATIOS);
-        return;
-    }
-    const char *text = given->word;
-    for (out->ratio_count = 0; text; out->ratio_count++) {
-        out->ratios[out->ratio_count] = strtod(text, NULL);
-        text = strchr(text, ',');
-        if (text) text++;
-    }
+    out->ratio_count = settings_list_plain(reader, file, "whirl_ratio", out->ratios, WHIRL_MAX_WHIRL_RATIOS);
 }
 
 static void fill(case_reader *reader, const setting_list *file, void *into) {
@@ -323,14 +345,14 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     settings_text(reader, file, "title", out->title, sizeof out->title);
     read_shape(reader, file, out);
     read_size(reader, file, out);
-    read_oil(reader, file, out);
+    bearing_oil_read(reader, file, out);
+    read_turbulence(file, out);
+    read_grooves(reader, file, out);
     read_points(reader, file, out);
     read_ratios(reader, file, out);
     out->load_angle = settings_plain(reader, file, "load_angle");
-    out->inertia = settings_plain(reader, file, "pad_inertia");
+    read_pivots(reader, file, out);
     out->least_film = settings_plain(reader, file, "least_film");
-    if (settings_find(file, "pad_inertia") && out->pads.count > 0 && !out->pads.tilting)
-        problem_at(reader->problems, place_of(file, "pad_inertia"), "is given, and the pads do not tilt");
 }
 
 static void release(void *made) {

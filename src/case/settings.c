@@ -354,6 +354,26 @@ double settings_plain(case_reader *reader, const setting_list *settings, const c
     return given->good && !given->value.expression ? given->value.number : NAN;
 }
 
+size_t settings_list_plain(case_reader *reader, const setting_list *settings, const char *name, double *out,
+                           size_t most) {
+    const setting *given = settings_find(settings, name);
+    if (given && !given->good) return 0;
+    if (!given || !given->word) {
+        *out = settings_plain(reader, settings, name);
+        return isfinite(*out) ? 1 : 0;
+    }
+    if (given->place->count > most) {
+        problem_at(reader->problems, given->place, "has %zu numbers, expected 1 to %zu", given->place->count, most);
+        return 0;
+    }
+    size_t count = 0;
+    for (const char *text = given->word; text && count < most; text = strchr(text, ',')) {
+        if (*text == ',') text++;
+        out[count++] = strtod(text, NULL);
+    }
+    return count;
+}
+
 const char *settings_word(const setting_list *settings, const char *key) {
     const setting *item = settings_find(settings, key);
     return item && item->word ? item->word : whirl_group_key(settings->group, key)->fallback;

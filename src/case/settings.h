@@ -5,7 +5,7 @@
 #include "parameters.h"
 #include "whirl/rotor.h"
 
-enum { SETTINGS_MAX = 32 };
+enum { SETTINGS_MAX = 64 };
 
 /// One key with what stands there.
 typedef struct setting {
@@ -50,6 +50,11 @@ double settings_number(valuation *v, const setting_list *settings, const char *k
 /// The value of a number in a file without parameters: an expression is a problem. What is absent has its default, NaN
 /// without one.
 double settings_plain(case_reader *reader, const setting_list *settings, const char *key);
+
+/// The numbers of a list, or the one that stands for it or is its default, in a file without parameters: how many of at
+/// most `most`; more are a problem. 0 where it is absent without a default, or wrong.
+size_t settings_list_plain(case_reader *reader, const setting_list *settings, const char *key, double *out,
+                           size_t most);
 
 /// The word of a choice, or the key's default.
 const char *settings_word(const setting_list *settings, const char *key);

@@ -5,7 +5,23 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6;
+static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6,
+                    zero_degrees = 273.15;
+
+/// What bearings need not have.
+static void print_more(const whirl_bearing *of, FILE *out) {
+    static const char *const laws[] = {"", "Ng and Pan", "Constantinescu"};
+    if (of->pads.turbulence != WHIRL_LAMINAR) fprintf(out, "turbulent, factors of %s\n", laws[of->pads.turbulence]);
+    if (of->supply_pressure > 0.0)
+        fprintf(out, "oil in the grooves at %.4g bar over %.3g of the length\n", 1e-5 * of->supply_pressure,
+                of->pads.groove);
+    if (of->pivot_stiffness > 0.0) fprintf(out, "pivots of %.4g MN/m along the radius\n", 1e-6 * of->pivot_stiffness);
+    if (of->heated)
+        fprintf(out,
+                "the film is as warm as the mean of the oil that comes in and that which leaves, with %.3g %% of "
+                "the power\n",
+                100.0 * of->heat_share);
+}
 
 static void print_bearing(const whirl_bearing *of, FILE *out) {
     double least = INFINITY, most = -INFINITY;
@@ -20,9 +36,13 @@ static void print_bearing(const whirl_bearing *of, FILE *out) {
     if (most != 0.0) fprintf(out, ", %.6g um of the bearing", of->clearance / um);
     if (least != most) fprintf(out, " (preloads %.4g to %.4g)", least, most);
     if (least == most && most != 0.0) fprintf(out, " (preload %.4g)", most);
-    fprintf(out, "\nviscosity %.5g mPa s, %s; load at %.5g deg from x towards y\n", 1e3 * of->viscosity,
+    fprintf(out, "\nviscosity %.5g mPa s", 1e3 * of->viscosity);
+    if (of->oil_count > 0)
+        fprintf(out, " at %.4g degC%s", of->temperature - zero_degrees, of->heated ? ", where oil comes in" : "");
+    fprintf(out, ", %s; load at %.5g deg from x towards y\n",
             of->pads.gumbel ? "pressures below 0 left out (Guembel)" : "film breaks without a slope (Reynolds)",
             of->load_angle / degree);
+    print_more(of, out);
 }
 
 /// What rounding leaves of 0 has no sign.
@@ -39,10 +59,11 @@ static void print_states(const whirl_bearing_table *table, FILE *out) {
     fputs("S = mu N D L (R/c)^2/W and e/c with the clearance of the pads; attitude from the load to the journal, with "
           "the rotation\n",
           out);
-    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s\n", "speed", "load", "S", "e/c", "attitude", "film",
-            "pressure", "flow", "power", of->pads.tilting ? "" : "  crit. mass   whirl");
-    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s\n", "rpm", "N", "1", "1", "deg", "um", "MPa", "l/min", "kW",
-            of->pads.tilting ? "" : "          kg       1");
+    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s%s\n", "speed", "load", "S", "e/c", "attitude", "film",
+            "pressure", "flow", "power", of->pads.tilting ? "" : "  crit. mass   whirl",
+            of->heated ? "      film" : "");
+    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s%s\n", "rpm", "N", "1", "1", "deg", "um", "MPa", "l/min", "kW",
+            of->pads.tilting ? "" : "          kg       1", of->heated ? "      degC" : "");
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];
         print_place(point, out);
@@ -57,6 +78,7 @@ static void print_states(const whirl_bearing_table *table, FILE *out) {
             fprintf(out, "  %10.5g  %6.4f", point->critical_mass, point->whirl);
         else if (!of->pads.tilting)
             fputs("        none       -", out);
+        if (of->heated) fprintf(out, " %9.2f", point->temperature - zero_degrees);
         fputc('\n', out);
     }
 }

@@ -8,7 +8,7 @@
 
 static const double rpm = 3.14159265358979323846 / 30.0;
 
-enum { FULL = 2 + WHIRL_MAX_PADS };
+enum { FULL = 2 + 2 * WHIRL_MAX_PADS };
 
 // ---------------------------------------------------------------- JSON
 
@@ -43,6 +43,7 @@ static json_t *pads_of(bool *well, const whirl_bearing *of) {
 }
 
 static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
+    static const char *const laws[] = {"none", "ng-pan", "constantinescu"};
     json_t *ratios = json_array();
     document_put(well, all, "title", document_text(of->title));
     document_put(well, all, "kind", document_text(of->kind));
@@ -55,7 +56,16 @@ static void put_bearing(bool *well, json_t *all, const whirl_bearing *of) {
     document_put(well, all, "clearance", document_number(of->clearance));
     document_put(well, all, "viscosity", document_number(of->viscosity));
     document_put(well, all, "density", document_number(of->density));
+    document_put(well, all, "temperature", document_number(of->temperature));
+    document_put(well, all, "heated", json_boolean(of->heated));
+    document_put(well, all, "heat_share", document_number(of->heat_share));
+    document_put(well, all, "turbulence", document_text(laws[of->pads.turbulence]));
+    document_put(well, all, "supply_pressure", document_number(of->supply_pressure));
+    document_put(well, all, "groove", document_number(of->pads.groove));
     document_put(well, all, "pad_inertia", document_number(of->inertia));
+    document_put(well, all, "pivot_stiffness", document_number(of->pivot_stiffness > 0.0 ? of->pivot_stiffness : NAN));
+    document_put(well, all, "pivot_damping", document_number(of->pivot_damping));
+    document_put(well, all, "pad_mass", document_number(of->pad_mass));
     document_put(well, all, "load_angle", document_number(of->load_angle));
     document_put(well, all, "fineness", json_integer(of->pads.fineness));
     for (size_t i = 0; i < of->ratio_count; i++) document_append(well, ratios, document_number(of->ratios[i]));
@@ -69,24 +79,30 @@ static json_t *both(bool *well, const double (*of)[2][2]) {
     return made;
 }
 
-/// All coordinates: x, y in m, tilts in rad. The film of a pad sees (x, y) - R tilt t, t along the pad.
-static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double *out) {
+/// All coordinates: x, y in m, tilts in rad, and how pads yield on their pivots in m where these are not rigid. The
+/// film of a pad sees (x, y) - R tilt t - yield n, t along the pad, n outwards; `pivot` stands on the diagonal of
+/// yields.
+static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double pivot,
+                      double *out) {
+    const size_t pads = of->pads.count, moves = of->pivot_stiffness > 0.0 ? 2 : 1;
     for (size_t i = 0; i < (size_t)FULL * FULL; i++) out[i] = 0.0;
-    for (size_t i = 0; i < of->pads.count; i++) {
-        const double angle = of->pads.pads[i].pivot, t[] = {-of->radius * -sin(angle), -of->radius * cos(angle)};
-        for (size_t r = 0; r < 2; r++)
-            for (size_t c = 0; c < 2; c++) {
-                const double k = unit * point->state.of_pads[i][which][r][c];
-                out[r * FULL + c] += k;
-                out[r * FULL + 2 + i] += k * t[c];
-                out[(2 + i) * FULL + c] += t[r] * k;
-                out[(2 + i) * FULL + 2 + i] += t[r] * k * t[c];
-            }
+    for (size_t i = 0; i < pads; i++) {
+        const double angle = of->pads.pads[i].pivot;
+        // What x, y, the tilt and the yield move the journal by, before the pad.
+        const double by[4][2] = {
+            {1.0, 0.0}, {0.0, 1.0}, {of->radius * sin(angle), -of->radius * cos(angle)}, {-cos(angle), -sin(angle)}};
+        const size_t at[] = {0, 1, 2 + i, 2 + pads + i};
+        for (size_t r = 0; r < 2 + moves; r++)
+            for (size_t c = 0; c < 2 + moves; c++)
+                for (int k = 0; k < 4; k++)
+                    out[at[r] * FULL + at[c]] +=
+                        by[r][k / 2] * unit * point->state.of_pads[i][which][k / 2][k % 2] * by[c][k % 2];
+        if (moves == 2) out[at[3] * FULL + at[3]] += pivot;
     }
 }
 
 static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const whirl_bearing_point *point) {
-    const double force = of->viscosity * point->speed * of->radius * of->length * (of->radius / of->pad_clearance) *
+    const double force = point->viscosity * point->speed * of->radius * of->length * (of->radius / of->pad_clearance) *
                          (of->radius / of->pad_clearance);
     json_t *reduced = json_array(), *pads = json_array(), *full = json_object();
     double matrices[2][FULL * FULL];
@@ -96,15 +112,17 @@ static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const
         document_append(well, reduced, one);
     }
     document_put(well, made, "reduced", reduced);
-    fill_full(of, point, 0, force / of->pad_clearance, matrices[0]);
-    fill_full(of, point, 1, force / (of->pad_clearance * point->speed), matrices[1]);
-    document_put(well, full, "stiffness", matrix(well, 2 + of->pads.count, FULL, matrices[0]));
-    document_put(well, full, "damping", matrix(well, 2 + of->pads.count, FULL, matrices[1]));
+    const size_t size = 2 + (of->pivot_stiffness > 0.0 ? 2 : 1) * of->pads.count;
+    fill_full(of, point, 0, force / of->pad_clearance, of->pivot_stiffness, matrices[0]);
+    fill_full(of, point, 1, force / (of->pad_clearance * point->speed), of->pivot_damping, matrices[1]);
+    document_put(well, full, "stiffness", matrix(well, size, FULL, matrices[0]));
+    document_put(well, full, "damping", matrix(well, size, FULL, matrices[1]));
     document_put(well, made, "full", full);
     for (size_t i = 0; i < of->pads.count; i++) {
         json_t *one = json_object();
         document_put(well, one, "load", document_number(force * point->state.load[i]));
         document_put(well, one, "tilt", document_number(point->tilt[i]));
+        document_put(well, one, "yield", document_number(point->yield[i]));
         document_put(well, one, "loaded", json_boolean(point->state.loaded[i]));
         document_append(well, pads, one);
     }
@@ -129,6 +147,9 @@ static json_t *point_of(bool *well, const whirl_bearing *of, const whirl_bearing
     document_put(well, made, "flow", document_number(point->flow));
     document_put(well, made, "power", document_number(point->power));
     document_put(well, made, "heating", document_number(point->heating));
+    document_put(well, made, "viscosity", document_number(point->viscosity));
+    document_put(well, made, "temperature", document_number(point->temperature));
+    document_put(well, made, "outlet", document_number(point->outlet));
     document_put(well, made, "reynolds", document_number(point->reynolds));
     document_put(well, made, "stiffness", matrix(well, 2, 2, point->reduced[0][0][0]));
     document_put(well, made, "damping", matrix(well, 2, 2, point->reduced[0][1][0]));
@@ -167,7 +188,8 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out
     const whirl_bearing *of = table->bearing;
     fputs("speed (rad/s),load (N),sommerfeld,eccentricity ratio,attitude (rad),x (m),y (m),film (m),pressure (Pa),"
           "flow (m3/s),power (W),kxx (N/m),kxy (N/m),kyx (N/m),kyy (N/m),cxx (N s/m),cxy (N s/m),cyx (N s/m),"
-          "cyy (N s/m),critical mass (kg),error of place (m),error of stiffness,error of damping,warnings\n",
+          "cyy (N s/m),critical mass (kg),error of place (m),error of stiffness,error of damping,"
+          "viscosity (Pa s),temperature (K),warnings\n",
           out);
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];
@@ -189,6 +211,8 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out
         put_number(out, point->error_place, ",");
         put_number(out, point->error_stiffness, ",");
         put_number(out, point->error_damping, ",");
+        put_number(out, point->viscosity, ",");
+        put_number(out, point->temperature, ",");
         fprintf(out, "\"%s", point->failure);
         for (size_t k = 0; k < point->remark_count; k++) fprintf(out, "%s%s", k ? "; " : "", point->remarks[k]);
         fputs("\"\n", out);

@@ -1,5 +1,6 @@
 // Bearings of fixed and of tilting pads of finite length against digits of growth.md B2 to B4, which two methods
 // (finite volumes to 7680 x 48 and bilinear elements, extrapolated) agree on.
+#include <complex.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -237,6 +238,164 @@ static void carried(void **unused) {
         }
 }
 
+/// 1 + .0136/12 Re^.9 around, 1 + .0043/12 Re^.96 along (Ng, Pan 1965).
+static double resistance(double reynolds, bool along) {
+    return 1.0 + (along ? 0.0043 * pow(reynolds, 0.96) : 0.0136 * pow(reynolds, 0.9)) / 12.0;
+}
+
+/// A turbulent pad about the line of x, its journal at a place: of a very long one the highest pressure, of a very
+/// short one the force, each by one quadrature (midpoints) of what Reynolds' equation is then.
+static void turbulent(void **unused) {
+    enum { POINTS = 200000 };
+    static const double x = 0.45, y = -0.25, reynolds = 4000.0, arc = 2.6, ratio = 0.002;
+    double flow = 0.0, drawn = 0.0, pressure = 0.0, highest = 0.0, force[2] = {0.0};
+    whirl_pads bearing = {.count = 1,
+                          .pads = {{0.0, arc, 0.5, 0.0}},
+                          .ratio = 1e4,
+                          .gumbel = true,
+                          .fineness = FINE,
+                          .turbulence = WHIRL_NG_PAN,
+                          .reynolds = reynolds};
+    whirl_pads_state state;
+    (void)unused;
+    for (int pass = 0; pass < 2; pass++) // H^3 P'/r = C - A cos p - B sin p, C so that the pressure ends at 0
+        for (int i = 0; i < POINTS; i++) {
+            const double p = arc * ((i + 0.5) / POINTS - 0.5), h = 1.0 - x * cos(p) - y * sin(p);
+            const double over = resistance(reynolds * h, false) / (h * h * h), wedge = x * cos(p) + y * sin(p);
+            if (pass == 0) {
+                flow += over;
+                drawn += over * wedge;
+                // P = r (B cos p - A sin p)(1 - zeta^2) (L/D)^2/(2 H^3) where it is above 0.
+                const double source = fmax(y * cos(p) - x * sin(p), 0.0) * resistance(reynolds * h, true) / (h * h * h);
+                force[0] -= 2.0 * source * ratio * ratio * cos(p) * arc / POINTS;
+                force[1] -= 2.0 * source * ratio * ratio * sin(p) * arc / POINTS;
+                continue;
+            }
+            pressure += over * (drawn / flow - wedge) * arc / POINTS;
+            highest = fmax(highest, pressure);
+        }
+    require_ok(whirl_pads_at(&bearing, (const double[]){x, y}, &state));
+    check_within("pads-turbulent", "very long pad, Re 4000: highest pressure", highest, state.highest, 3e-5 * highest);
+    bearing.ratio = ratio;
+    require_ok(whirl_pads_at(&bearing, (const double[]){x, y}, &state));
+    const double size = hypot(force[0], force[1]);
+    for (int i = 0; i < 2; i++)
+        check_within("pads-turbulent", words("very short pad, Re 4000: force %d over its size", i + 1), force[i] / size,
+                     state.force[i] / size, 3e-3);
+    bearing.ratio = 0.5;
+    bearing.reynolds = 0.0;
+    require_ok(whirl_pads_at(&bearing, (const double[]){x, y}, &state));
+    bearing.turbulence = WHIRL_LAMINAR;
+    whirl_pads_state laminar;
+    require_ok(whirl_pads_at(&bearing, (const double[]){x, y}, &laminar));
+    check_within("pads-turbulent", "Re 0 beside a laminar film: force", laminar.force[0], state.force[0], 1e-12);
+    // Concentric, the shear is that of Couette's flow alone.
+    bearing.turbulence = WHIRL_NG_PAN;
+    bearing.reynolds = 10000.0;
+    require_ok(whirl_pads_at(&bearing, (const double[]){0.0, 0.0}, &state));
+    check_within("pads-turbulent", "concentric, Re 10000: torque over the laminar one",
+                 1.0 + 0.0012 * pow(10000.0, 0.94), state.drag / arc, 1e-9);
+}
+
+/// Oil under pressure in the groove of a pad before a journal in the middle: Laplace's equation, P = sum a cos(l zeta)
+/// cosh(l D/L p)/cosh(l D/L arc/2), with l = (n - 1/2) pi and a = 2 P cos(l groove)/((1 - groove) l^2).
+static void supplied(void **unused) {
+    whirl_pads bearing = {
+        .count = 1, .pads = {{0.0, 5.8, 0.5, 0.0}}, .ratio = 0.6, .fineness = FINE, .supply = 1.5, .groove = 0.75};
+    const double half = 2.9, gap = pi - half;
+    double force = 0.0, leaving = 0.0;
+    whirl_pads_state state;
+    (void)unused;
+    for (int n = 1; n < 400; n++) {
+        const double l = (n - 0.5) * pi, m = l / bearing.ratio, sign = n % 2 ? 1.0 : -1.0;
+        const double a = bearing.supply * 2.0 * cos(l * bearing.groove) / ((1.0 - bearing.groove) * l * l);
+        force -= 12.0 * a * sign / l * (m * tanh(m * half) * cos(half) + sin(half)) / (m * m + 1.0);
+        leaving += a * l * sign * tanh(m * half) / m / (bearing.ratio * bearing.ratio);
+    }
+    require_ok(whirl_pads_at(&bearing, (const double[]){0.0, 0.0}, &state));
+    const double groove = 12.0 * bearing.supply * 0.5 * (1.0 + bearing.groove) * sin(gap);
+    check_within("pads-supply", "groove of 27 degrees: its force on the journal", groove, state.grooves[0], 1e-12);
+    check_within("pads-supply", "film of a concentric journal: force", force, state.force[0] - state.grooves[0],
+                 1e-4 * fabs(force));
+    check_within("pads-supply", "film of a concentric journal: oil that leaves", leaving, state.leaving,
+                 5e-3 * leaving);
+    // Pressure lifts: of two grooves at the sides, the more the lower the journal lies.
+    assert_true(whirl_pads_named("two-groove", 0.0, &bearing));
+    for (size_t i = 0; i < 2; i++)
+        check_within("pads-supply", "gap between pads of 160 degrees", pi / 9.0, whirl_pads_gap(&bearing, i), 1e-12);
+    bearing.tilting = true;
+    assert_int_equal(whirl_pads_at(&bearing, (const double[]){0.0, 0.0}, &state).code, WHIRL_BAD_INPUT);
+}
+
+/// What a pad without inertia is to the journal with its tilt eliminated: Z* t = 0 and t Z* = 0, so one stiffness along
+/// the radius, det Z/(t Z t). A spring at its pivot is in series.
+static double complex alone(const whirl_pad *pad, double of[2][2][2], double ratio) {
+    const double t[] = {-sin(pad->pivot), cos(pad->pivot)};
+    double complex z[2][2], along = 0.0;
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++) {
+            z[r][c] = of[0][r][c] + I * ratio * of[1][r][c];
+            along += t[r] * z[r][c] * t[c];
+        }
+    return (z[0][0] * z[1][1] - z[0][1] * z[1][0]) / along;
+}
+
+static void check_in_series(const whirl_pads *bearing, whirl_pads_state *state, double ratio, const char *what) {
+    const double complex spring =
+        bearing->pivot_stiffness + I * ratio * bearing->pivot_damping - ratio * ratio * bearing->pad_mass;
+    double complex sum[2][2] = {{0.0}};
+    double stiffness[2][2], damping[2][2];
+    for (size_t i = 0; i < bearing->count; i++) {
+        const double n[] = {cos(bearing->pads[i].pivot), sin(bearing->pads[i].pivot)};
+        const double complex film = alone(&bearing->pads[i], state->of_pads[i], ratio);
+        for (int k = 0; k < 4; k++) sum[k / 2][k % 2] += film * spring / (film + spring) * n[k / 2] * n[k % 2];
+    }
+    whirl_pads_reduced(bearing, state, ratio, 0.0, stiffness, damping);
+    for (int k = 0; k < 4; k++) {
+        check_within("pads-pivots", words("%s: K* %d", what, k + 1), creal(sum[k / 2][k % 2]), stiffness[k / 2][k % 2],
+                     1e-9);
+        check_within("pads-pivots", words("%s: C* %d", what, k + 1), cimag(sum[k / 2][k % 2]) / ratio,
+                     damping[k / 2][k % 2], 1e-9);
+    }
+}
+
+static void pivots(void **unused) {
+    whirl_pads bearing = {.ratio = 0.5, .fineness = 480}, moved;
+    const double load = 1.0 / (pi * 0.5);
+    double rigid[2][2], soft[2][2], damping[2][2];
+    (void)unused;
+    assert_true(whirl_pads_named("tilting-5", 0.5, &bearing));
+    whirl_pads_state stiff = rest(&bearing, load);
+    whirl_pads_reduced(&bearing, &stiff, 1.0, 0.0, rigid, damping);
+    bearing.pivot_stiffness = 1e8;
+    whirl_pads_state state = rest(&bearing, load);
+    whirl_pads_reduced(&bearing, &state, 1.0, 0.0, soft, damping);
+    check_within("pads-pivots", "very stiff pivots: place beside rigid ones", stiff.at[1], state.at[1], 1e-6);
+    for (int k = 0; k < 2; k++)
+        check_within("pads-pivots", "very stiff pivots: K* beside rigid ones", 1.0, soft[k][k] / rigid[k][k], 1e-6);
+    bearing.pivot_stiffness = 4.0; // about as stiff as the films
+    bearing.pivot_damping = 0.3;
+    bearing.pad_mass = 0.2;
+    state = rest(&bearing, load);
+    moved = bearing;
+    moved.pivot_stiffness = 0.0;
+    for (size_t i = 0; i < bearing.count; i++) {
+        check_within("pads-pivots", words("pad %zu: spring's force, that of the film", i + 1), state.thrust[i],
+                     bearing.pivot_stiffness * state.yield[i], 1e-8);
+        moved.pads[i].preload -= state.yield[i];
+    }
+    whirl_pads_state same = rest(&moved, load);
+    check_within("pads-pivots", "place beside rigid pivots further out", same.at[1], state.at[1], 1e-8);
+    check_in_series(&bearing, &state, 1.0, "whirl ratio 1");
+    check_in_series(&bearing, &state, 0.5, "whirl ratio .5");
+    // The softest springs are all that is left: k sum n n' = 5/2 k.
+    bearing.pivot_stiffness = 1e-6;
+    bearing.pivot_damping = bearing.pad_mass = 0.0;
+    whirl_pads_reduced(&bearing, &state, 1.0, 0.0, soft, damping);
+    for (int k = 0; k < 2; k++)
+        check_within("pads-pivots", "very soft pivots: K* over 5/2 k", 1.0, soft[k][k] / 2.5e-6, 1e-5);
+}
+
 static void refused(void **unused) {
     whirl_pads_state state;
     whirl_pads bearing = {.ratio = 0.5};
@@ -252,8 +411,9 @@ static void refused(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(plain),   cmocka_unit_test(fixed_pads),  cmocka_unit_test(between_pads),
-        cmocka_unit_test(on_pad),  cmocka_unit_test(short_limit), cmocka_unit_test(carried),
+        cmocka_unit_test(plain),     cmocka_unit_test(fixed_pads),  cmocka_unit_test(between_pads),
+        cmocka_unit_test(on_pad),    cmocka_unit_test(short_limit), cmocka_unit_test(carried),
+        cmocka_unit_test(turbulent), cmocka_unit_test(supplied),    cmocka_unit_test(pivots),
         cmocka_unit_test(refused),
     };
     return cmocka_run_group_tests_name("pads", tests, NULL, NULL);

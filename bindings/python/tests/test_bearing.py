@@ -70,6 +70,118 @@ def test_oils_by_their_grade(grade, warm, expected):
     assert found.viscosity * 1e3 == pytest.approx(expected, rel=3e-3)
 
 
+def walther(temperature, at_40, at_100):
+    """m2/s of viscosities in mm2/s."""
+    own = lambda nu: np.log10(np.log10(nu + 0.7))
+    slope = (own(at_100) - own(at_40)) / np.log10(373.15 / 313.15)
+    return 1e-6 * (10**10 ** (own(at_40) + slope * np.log10(temperature / 313.15)) - 0.7)
+
+
+@pytest.mark.parametrize("grade, hot", [(32, 5.25), (46, 6.60)])
+def test_oils_between_two_temperatures(grade, hot):
+    """Oils of viscosity index 95 or so: their two viscosities, and Walther's law between; a table of them is the same."""
+    oil = {**TWO_GROOVE, "viscosity": None, "density": 870, "fineness": 192, "load": 1000}
+    for warm in (313.15, 343.15, 373.15):
+        nu = walther(warm, grade, hot)
+        own = whirl.bearing({**oil, "grade": grade, "kinematic_100": hot * 1e-6, "temperature": warm})
+        assert own.viscosity == pytest.approx(870 * nu, rel=1e-12)
+        assert own.temperature[0] == warm and own.film_viscosity[0] == own.viscosity
+        rows = {"temperatures": [313.15, 373.15], "viscosities": [870e-6 * grade, 870e-6 * hot]}
+        table = whirl.bearing({**oil, **rows, "temperature": warm})
+        assert table.viscosity == pytest.approx(own.viscosity, rel=1e-12)
+    assert whirl.bearing({**oil, "grade": grade, "kinematic_100": hot * 1e-6, "temperature": "100 degC"}).viscosity == (
+        pytest.approx(870e-6 * hot, rel=1e-12)
+    )
+
+
+def test_film_as_warm_as_its_heat():
+    """A light load: Petroff's power of two pads of 160 degrees, the flow that grooves press into a concentric gap
+    (Laplace's equation, as a series), and the temperature at which both agree."""
+    speed, radius, clearance, length, groove, pressure = 3000 * np.pi / 30, 0.05, 1e-4, 0.05, 0.75, 2e5
+    file = {
+        **{"kind": "two-groove", "radius": radius, "length": length, "clearance": clearance, "speed": speed, "load": 2},
+        **{"grade": 46, "kinematic_100": 6.6e-6, "supply_temperature": "40 degC", "heat_share": 0.8},
+        **{"supply_pressure": pressure, "groove": groove, "density": 870, "specific_heat": 1950},
+    }
+    found = whirl.bearing(file)
+    l = (np.arange(1, 2000) - 0.5) * np.pi
+    a = 2 * np.cos(l * groove) / ((1 - groove) * l**2)
+    # Two pads' both ends, c^3/(12 mu) dp/dz along the arc.
+    along = np.sum(
+        a * np.sin(l) * l * np.tanh(l * 2 * radius / length * np.radians(80)) / (l * 2 * radius / length) * 2
+    )
+    flow = lambda mu: 4 * clearance**3 / (12 * mu) * pressure * (2 / length) * radius * along
+    power = lambda mu: 2 * np.radians(160) * mu * speed**2 * radius**3 * length / clearance
+    low, high = 313.15, 473.15
+    for _ in range(60):
+        warm = 0.5 * (low + high)
+        mu = 870 * walther(warm, 46, 6.6)
+        hotter = 313.15 + 0.5 * 0.8 * power(mu) / (870 * 1950 * flow(mu)) > warm
+        low, high = (warm, high) if hotter else (low, warm)
+    assert found.power[0] == pytest.approx(power(mu), rel=1e-3)
+    assert found.flow[0] == pytest.approx(flow(mu), rel=3e-3)
+    assert found.temperature[0] - 313.15 == pytest.approx(warm - 313.15, rel=3e-3)
+    assert found.outlet[0] - 313.15 == pytest.approx(2 * (found.temperature[0] - 313.15), abs=3e-3)
+    # Whatever the load, what is told of heat adds up, and of what does not carry it nothing is.
+    found = whirl.bearing({**file, "load": [1000, 5000]})
+    rise = 0.8 * found.power / (870 * 1950 * found.flow)
+    assert found.temperature == pytest.approx(313.15 + 0.5 * rise, abs=2e-3)
+    assert found.film_viscosity == pytest.approx(870 * walther(found.temperature, 46, 6.6), rel=1e-12)
+    hot = whirl.bearing({**file, "supply_pressure": None, "groove": None, "load": 0.01})
+    assert not hot.found[0] and "does not carry the heat" in hot.document["points"][0]["failure"]
+
+
+def test_turbulence_and_soft_pivots():
+    water = {**TWO_GROOVE, "viscosity": 1e-3, "density": 1000, "load": 200, "fineness": 192}
+    fast = {**water, "speed": ["1000 rpm", "3000 rpm", "8000 rpm"]}
+    laminar, found = whirl.bearing(fast), whirl.bearing({**fast, "turbulence": "ng-pan"})
+    assert any("add turbulence: ng-pan" in warning for warning in laminar.warnings)
+    assert [any(word in w for w in found.warnings) for word in ("is laminar", "between laminar")] == [True, True]
+    assert (found.eccentricity_ratio < laminar.eccentricity_ratio).all() and (found.power > laminar.power).all()
+    pads = {**TWO_GROOVE, "kind": "tilting-5", "preload": 0.5, "load": load_of(0.5), "fineness": 192}
+    soft = whirl.bearing({**pads, "pivot_stiffness": 2e7, "pivot_damping": 1e3, "pad_mass": 2, "whirl_ratio": 0.6})
+    full, rate = soft.document["points"][0]["full"], 0.6 * soft.speed[0]
+    z = np.array(full["stiffness"]) + 1j * rate * np.array(full["damping"])
+    assert z.shape == (12, 12)
+    z[range(7, 12), range(7, 12)] -= 2 * rate**2
+    z = z[:2, :2] - z[:2, 2:] @ np.linalg.solve(z[2:, 2:], z[2:, :2])
+    assert z.real == pytest.approx(soft.stiffness[0], abs=1e-9 * abs(z).max())
+    assert z.imag / rate == pytest.approx(soft.damping[0], abs=1e-9 * abs(soft.damping[0]).max())
+    for pad in soft.document["points"][0]["pads"]:  # centred: the film's force is along the radius
+        assert pad["yield"] == pytest.approx(pad["load"] / 2e7, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "keys, wrong",
+    [
+        ({"supply_pressure": 1e5, "kind": "tilting-5", "preload": 0.2}, "pads that tilt have no grooves"),
+        ({"groove": 0.5}, "belongs to supply_pressure, which is not given"),
+        ({"pivot_stiffness": 1e8}, "and the pads do not tilt"),
+        ({"pad_mass": 1, "kind": "tilting-5", "preload": 0.2}, "belongs to pivot_stiffness, which is not given"),
+        ({"supply_temperature": 313.15}, "belongs to grade or temperatures, which is not given"),
+        ({"heat_share": 0.5}, "belongs to supply_temperature, which is not given"),
+        ({"viscosity": None, "temperatures": [313.15, 373.15], "temperature": 330}, "viscosities: is missing"),
+        (
+            {"viscosity": None, "temperatures": [373.15, 313.15], "viscosities": [0.02, 0.01], "temperature": 330},
+            "temperatures: does not rise",
+        ),
+        (
+            {"viscosity": None, "temperatures": [313.15, 373.15], "viscosities": [0.01, 0.02], "temperature": 330},
+            "viscosities: does not fall",
+        ),
+        ({"viscosity": None, "grade": 46}, "expected that of the film, or supply_temperature"),
+        ({"turbulence": "ng-pang"}, "did you mean ng-pan"),
+        (
+            {"supply_pressure": 1e5, "kind": None, "pads": [{"pivot": 0, "arc": 2}], "tilting": "no"},
+            "expected a groove of at most 90 that holds it",
+        ),
+    ],
+)
+def test_what_is_asked_together(keys, wrong):
+    with pytest.raises(whirl.BadInput, match=wrong):
+        whirl.bearing({**TWO_GROOVE, "load": 1000, **keys})
+
+
 def test_heavy_loads_warn_and_impossible_ones_are_told():
     pad = {"pads": [{"pivot": "90 deg", "arc": "120 deg"}], "tilting": "no", "kind": None}
     found = whirl.bearing({**TWO_GROOVE, **pad, "load": [1000, 2000]})

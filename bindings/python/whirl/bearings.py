@@ -36,7 +36,7 @@ class Bearing:
     tilting: bool  #: pads tilt
     clearance: float  #: m, radial, of the bearing
     pad_clearance: float  #: m, radial, of the pads
-    viscosity: float  #: Pa s
+    viscosity: float  #: Pa s, at the temperature that the oil has or comes in with
     whirl_ratios: np.ndarray  #: at which coefficients are reduced
     speed: np.ndarray  #: rad/s
     load: np.ndarray  #: N
@@ -49,6 +49,9 @@ class Bearing:
     pressure: np.ndarray  #: Pa, the highest
     flow: np.ndarray  #: m3/s that leave at both ends
     power: np.ndarray  #: W
+    film_viscosity: np.ndarray  #: Pa s
+    temperature: np.ndarray  #: K of the film, NaN where its viscosity alone is known
+    outlet: np.ndarray  #: K at which oil leaves, where that follows from the heat
     stiffness: np.ndarray  #: N/m, [points][2][2], at the first whirl ratio
     damping: np.ndarray  #: N s/m, [points][2][2], at the first whirl ratio
     critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN of tilting pads and where there is none
@@ -92,12 +95,13 @@ def _warnings(of) -> list[str]:
 def _made(of: dict[str, Any], figures: list) -> Bearing:
     points = of["points"]
     arrays = ("speed", "load", "sommerfeld", "place", "eccentricity_ratio", "attitude", "film", "pressure", "flow")
-    arrays += ("power", "stiffness", "damping", "critical_mass")
+    arrays += ("power", "temperature", "outlet", "stiffness", "damping", "critical_mass")
     return Bearing(
         **{key: of[key] for key in ("title", "kind", "tilting", "clearance", "pad_clearance", "viscosity")},
         whirl_ratios=np.array(of["whirl_ratios"]),
         found=np.array([point["found"] for point in points]),
         **{key: _array(points, key) for key in arrays},
+        film_viscosity=_array(points, "viscosity"),
         error=np.stack([_array(points, "error", key) for key in ("place", "stiffness", "damping")], axis=-1),
         warnings=_warnings(of),
         document=of,

@@ -9,13 +9,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "bracket.h"
 #include "clock.h"
+#include "mineral_oil.h"
 #include "whirl/study.h"
 
-static const double pi = 3.14159265358979323846, um = 1e-6;
+static const double pi = 3.14159265358979323846, um = 1e-6, zero_degrees = 273.15;
 
-/// J/(m3 K) of mineral oils, density times specific heat; and Taylor's number, at which vortices begin (Taylor 1923).
-static const double heat = 1.7e6, first_vortices = 41.2;
+/// Taylor's number, at which vortices begin (Taylor 1923), and at twice of which films count as turbulent; and the
+/// Reynolds number up to which factors of turbulence were fitted to 5 %.
+static const double first_vortices = 41.2, most_reynolds = 30000.0;
 
 static void fill_nan(double *out, size_t count) {
     for (size_t i = 0; i < count; i++) out[i] = NAN;
@@ -48,22 +51,54 @@ static void remark_idle_pads(const whirl_bearing *of, whirl_bearing_point *point
                idle > 1 ? "y" : "ies");
 }
 
-static void remark_point(const whirl_bearing *of, whirl_bearing_point *point) {
+static void remark_flow(const whirl_bearing *of, whirl_bearing_point *point) {
     const double taylor = point->reynolds * sqrt(of->pad_clearance / of->radius);
-    const double error = fmax(point->error_stiffness, point->error_damping);
     char(*to)[200] = point->remarks;
     size_t *count = &point->remark_count;
-    if (point->film < of->least_film)
-        remark(to, count, "the film is %.3g um thin, below %.3g um", point->film / um, of->least_film / um);
-    if (taylor > first_vortices)
+    if (of->pads.turbulence == WHIRL_LAMINAR && taylor > first_vortices)
         remark(to, count,
                "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); what is told here "
-               "is of a laminar one",
+               "is of a laminar one: add turbulence: ng-pan",
                taylor, first_vortices, point->reynolds);
-    if (point->heating > 20.0)
-        remark(to, count, "the power would warm the leaving oil by %.3g K: is the viscosity that of the warm film?",
+    if (of->pads.turbulence == WHIRL_LAMINAR) return;
+    if (taylor < first_vortices)
+        remark(to, count,
+               "the film is laminar: Taylor's number is %.3g, below %.3g, and the factors of turbulence count all the "
+               "same: leave them out",
+               taylor, first_vortices);
+    else if (taylor < 2.0 * first_vortices)
+        remark(to, count,
+               "the film is between laminar and turbulent: Taylor's number is %.3g, between %.3g and twice that, where "
+               "factors of turbulence are uncertain by a tenth",
+               taylor, first_vortices);
+    if (point->reynolds > most_reynolds)
+        remark(to, count, "the Reynolds number is %.3g, and factors of turbulence are for up to %.3g", point->reynolds,
+               most_reynolds);
+}
+
+static void remark_oil(const whirl_bearing *of, whirl_bearing_point *point) {
+    const double first = of->oil_temperatures[0],
+                 last = of->oil_temperatures[of->oil_count > 0 ? of->oil_count - 1 : 0];
+    if (!of->heated && point->heating > 20.0)
+        remark(point->remarks, &point->remark_count,
+               "the power would warm the leaving oil by %.3g K: is the viscosity that of the warm film?",
                point->heating);
-    if (!(error <= 0.01)) remark(to, count, "coefficients differ by %.2g %% on a mesh half as fine", 100.0 * error);
+    if (of->oil_count > 0 && (point->temperature < first - 30.0 || point->temperature > last + 30.0))
+        remark(point->remarks, &point->remark_count,
+               "the film is at %.4g degC, and the viscosity of its oil is known from %.4g to %.4g",
+               point->temperature - zero_degrees, first - zero_degrees, last - zero_degrees);
+}
+
+static void remark_point(const whirl_bearing *of, whirl_bearing_point *point) {
+    const double error = fmax(point->error_stiffness, point->error_damping);
+    if (point->film < of->least_film)
+        remark(point->remarks, &point->remark_count, "the film is %.3g um thin, below %.3g um", point->film / um,
+               of->least_film / um);
+    remark_flow(of, point);
+    remark_oil(of, point);
+    if (!(error <= 0.01))
+        remark(point->remarks, &point->remark_count, "coefficients differ by %.2g %% on a mesh half as fine",
+               100.0 * error);
     remark_idle_pads(of, point);
 }
 
@@ -103,60 +138,163 @@ static void scale(const double *from, double unit, double *to) {
     for (int i = 0; i < 4; i++) to[i] = unit * from[i];
 }
 
-/// What is told of a state without dimensions; unit: that of forces.
-static void give_dimensions(const whirl_bearing *of, double unit, whirl_bearing_point *point) {
-    const double r = of->radius, c = of->pad_clearance, speed = point->speed;
+/// mu Omega R L (R/c)^2.
+static double unit_of(const whirl_bearing *of, const whirl_bearing_point *point) {
+    const double share = of->radius / of->pad_clearance;
+    return point->viscosity * point->speed * of->radius * of->length * share * share;
+}
+
+/// The pads without dimensions, at a point's speed and viscosity.
+static whirl_pads pads_of(const whirl_bearing *of, const whirl_bearing_point *point) {
+    const double c = of->pad_clearance, unit = unit_of(of, point), speed = point->speed, share = of->radius / c;
+    whirl_pads pads = of->pads;
+    pads.reynolds = pads.turbulence == WHIRL_LAMINAR ? 0.0 : of->density * speed * of->radius * c / point->viscosity;
+    pads.supply = of->supply_pressure / (6.0 * point->viscosity * speed * share * share);
+    pads.pivot_stiffness = of->pivot_stiffness * c / unit;
+    pads.pivot_damping = of->pivot_damping * c * speed / unit;
+    pads.pad_mass = of->pad_mass * c * speed * speed / unit;
+    return pads;
+}
+
+static whirl_status rest(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads *pads,
+                         whirl_pads_state *state) {
+    const double size = point->load / unit_of(of, point);
+    const double load[] = {size * cos(of->load_angle), size * sin(of->load_angle)};
+    return whirl_pads_rest(pads, load, state);
+}
+
+static double flow_of(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads_state *state) {
+    return point->speed * of->radius * of->pad_clearance * of->length * state->leaving;
+}
+
+static double power_of(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads_state *state) {
+    return point->viscosity * pow(point->speed, 2.0) * pow(of->radius, 3.0) * of->length / of->pad_clearance *
+           state->drag;
+}
+
+/// By how much the leaving oil would warm, took it all of the power.
+static double heating_of(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads_state *state) {
+    return power_of(of, point, state) / (of->density * of->specific_heat * flow_of(of, point, state));
+}
+
+/// What is told of a state without dimensions.
+static void give_dimensions(const whirl_bearing *of, const whirl_pads *pads, whirl_bearing_point *point) {
+    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
     const whirl_pads_state *state = &point->state;
     point->eccentricity = c * hypot(state->at[0], state->at[1]);
     point->attitude = remainder(atan2(state->at[1], state->at[0]) - of->load_angle, 2.0 * pi);
     point->film = c * state->thinnest;
-    point->pressure = 6.0 * of->viscosity * speed * (r / c) * (r / c) * state->highest;
-    point->flow = speed * r * c * of->length * state->leaving;
-    point->power = of->viscosity * speed * speed * r * r * r * of->length / c * state->drag;
-    point->heating = point->power / (heat * point->flow);
+    point->pressure = 6.0 * point->viscosity * speed * (r / c) * (r / c) * state->highest;
+    point->flow = flow_of(of, point, state);
+    point->power = power_of(of, point, state);
+    point->heating = heating_of(of, point, state);
+    if (of->heated) point->outlet = of->temperature + of->heat_share * point->heating;
     scale(state->stiffness[0], unit / c, point->stiffness[0]);
     scale(state->damping[0], unit / (c * speed), point->damping[0]);
     for (size_t i = 0; i < of->ratio_count; i++) {
-        const double inertia = of->inertia * speed * pow(c / r, 3.0) / (of->viscosity * of->length * r * r);
+        const double inertia = of->inertia * c * speed * speed / (unit * r * r);
         double k[2][2], d[2][2];
-        whirl_pads_reduced(&of->pads, state, of->ratios[i], inertia, k, d);
+        whirl_pads_reduced(pads, state, of->ratios[i], inertia, k, d);
         scale(k[0], unit / c, point->reduced[i][0][0]);
         scale(d[0], unit / (c * speed), point->reduced[i][1][0]);
     }
-    for (size_t i = 0; i < of->pads.count; i++) point->tilt[i] = state->tilt[i] * c / r;
+    for (size_t i = 0; i < of->pads.count; i++) {
+        point->tilt[i] = state->tilt[i] * c / r;
+        point->yield[i] = state->yield[i] * c;
+    }
     if (!of->pads.tilting)
         find_critical_mass(point->stiffness[0], point->damping[0], speed, &point->critical_mass, &point->whirl);
 }
 
-static void estimate_error(const whirl_bearing *of, const double load[2], whirl_bearing_point *point) {
-    whirl_pads coarse = of->pads;
+static void estimate_error(const whirl_bearing *of, const whirl_pads *pads, whirl_bearing_point *point) {
+    whirl_pads coarse = *pads;
     whirl_pads_state other;
     coarse.halved = true;
-    if (whirl_pads_rest(&coarse, load, &other).code != WHIRL_OK) return;
+    if (rest(of, point, &coarse, &other).code != WHIRL_OK) return;
     const whirl_pads_state *state = &point->state;
     point->error_place = of->pad_clearance * hypot(state->at[0] - other.at[0], state->at[1] - other.at[1]);
     point->error_stiffness = difference_of(state->stiffness[0], other.stiffness[0]);
     point->error_damping = difference_of(state->damping[0], other.damping[0]);
 }
 
+// ---------------------------------------------------------------- how warm it is
+
+static void warm(const whirl_bearing *of, double temperature, whirl_bearing_point *point) {
+    point->temperature = temperature;
+    point->viscosity =
+        of->density * mineral_oil_viscosity(of->oil_temperatures, of->oil_viscosities, of->oil_count, temperature);
+}
+
+/// By how much a film of a temperature is warmer than its heat makes it: the mean of the oil that comes in and of that
+/// which leaves. Infinite where no place carries the load: it is too hot.
+static whirl_status surplus(const whirl_bearing *of, double temperature, bool coarse, whirl_bearing_point *point,
+                            double *out) {
+    warm(of, temperature, point);
+    whirl_pads pads = pads_of(of, point);
+    pads.halved = coarse;
+    const whirl_status status = rest(of, point, &pads, &point->state);
+    *out = INFINITY;
+    if (status.code == WHIRL_NO_MEMORY) return status;
+    if (status.code == WHIRL_OK)
+        *out = temperature - of->temperature - 0.5 * of->heat_share * heating_of(of, point, &point->state);
+    return whirl_ok();
+}
+
+/// The temperature of the film, to a thousandth of a kelvin: between that of the oil that comes in and the one that
+/// this would make it, on a mesh half as fine; then by that mesh's slope on the fine one.
+static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
+    static const double hottest = 473.15, enough = 1e-3;
+    double value, slope = 1.0, at = of->temperature;
+    whirl_status status = surplus(of, at, true, point, &value);
+    if (status.code != WHIRL_OK) return status;
+    if (isinf(value))
+        return whirl_fail(WHIRL_NUMERICAL_FAILURE,
+                          "no place was found where the films of the bearing carry the load, cold as the oil comes in");
+    const double most = fmin(at - value, hottest);
+    bracket between = bracket_between(at, value, most, 0.0);
+    status = surplus(of, most, true, point, &between.fb);
+    if (status.code == WHIRL_OK && between.fb < 0.0)
+        return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the oil that leaves does not carry the heat below %.4g degC",
+                          hottest - zero_degrees);
+    for (int k = 0; k < 60 && status.code == WHIRL_OK && fabs(value) > enough && bracket_width(&between) > 0.1 * enough;
+         k++) {
+        const double last = at, before = value;
+        at = isinf(between.fb) ? 0.5 * (between.a + between.b) : bracket_next(&between);
+        status = surplus(of, at, true, point, &value);
+        bracket_tell(&between, at, value);
+        if (isfinite(value) && value != before) slope = (value - before) / (at - last);
+    }
+    for (int k = 0; k < 8 && status.code == WHIRL_OK; k++) {
+        status = surplus(of, at, false, point, &value);
+        if (status.code != WHIRL_OK || !(fabs(value) > enough)) return status;
+        if (isinf(value)) break;
+        at -= value / fmax(slope, 1.0);
+    }
+    return status.code == WHIRL_OK ? whirl_fail(WHIRL_NUMERICAL_FAILURE, "the temperature of the film does not settle")
+                                   : status;
+}
+
 static whirl_status compute(const whirl_bearing *of, whirl_bearing_point *point) {
-    const double r = of->radius, c = of->pad_clearance, speed = point->speed;
-    const double unit = of->viscosity * speed * r * of->length * (r / c) * (r / c), size = point->load / unit;
-    const double load[] = {size * cos(of->load_angle), size * sin(of->load_angle)};
-    const whirl_status status = whirl_pads_rest(&of->pads, load, &point->state);
-    point->sommerfeld = 1.0 / (pi * size);
-    point->reynolds = of->density * speed * r * c / of->viscosity;
+    whirl_status status = of->heated ? balance_heat(of, point) : whirl_ok();
+    const whirl_pads pads = pads_of(of, point);
+    if (!of->heated) status = rest(of, point, &pads, &point->state);
+    point->sommerfeld = unit_of(of, point) / (pi * point->load);
+    point->reynolds = of->density * point->speed * of->radius * of->pad_clearance / point->viscosity;
     point->found = status.code == WHIRL_OK;
     snprintf(point->failure, sizeof point->failure, "%s", status.message);
     if (status.code == WHIRL_NO_MEMORY || !point->found) return status;
-    give_dimensions(of, unit, point);
-    estimate_error(of, load, point);
+    give_dimensions(of, &pads, point);
+    estimate_error(of, &pads, point);
     remark_point(of, point);
     return status;
 }
 
 static void begin(const whirl_bearing *of, size_t i, whirl_bearing_point *point) {
-    *point = (whirl_bearing_point){.speed = of->speeds[i], .load = of->loads[i]};
+    *point = (whirl_bearing_point){.speed = of->speeds[i],
+                                   .load = of->loads[i],
+                                   .viscosity = of->viscosity,
+                                   .temperature = of->temperature,
+                                   .outlet = NAN};
     point->eccentricity = point->attitude = point->film = point->pressure = point->flow = point->power = NAN;
     point->heating = point->critical_mass = point->whirl = NAN;
     point->error_place = point->error_stiffness = point->error_damping = NAN;
@@ -164,6 +302,7 @@ static void begin(const whirl_bearing *of, size_t i, whirl_bearing_point *point)
     fill_nan(point->damping[0], 4);
     fill_nan(point->reduced[0][0][0], sizeof point->reduced / sizeof(double));
     fill_nan(point->tilt, WHIRL_MAX_PADS);
+    fill_nan(point->yield, WHIRL_MAX_PADS);
 }
 
 // ---------------------------------------------------------------- all of them

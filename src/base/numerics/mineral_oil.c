@@ -1,17 +1,19 @@
 #include "mineral_oil.h"
 
 #include <math.h>
-#include <stddef.h>
 
-static const double mm2 = 1e-6, at_40_degrees = 313.15, at_100_degrees = 373.15;
+static const double mm2 = 1e-6;
 
 static double walther(double nu) {
     return log10(log10(nu / mm2 + 0.7));
 }
 
-double mineral_oil_viscosity(double at_40, double at_100, double temperature) {
-    const double slope = (walther(at_100) - walther(at_40)) / log10(at_100_degrees / at_40_degrees);
-    return (pow(10.0, pow(10.0, walther(at_40) + slope * log10(temperature / at_40_degrees))) - 0.7) * mm2;
+double mineral_oil_viscosity(const double *temperatures, const double *viscosities, size_t count, double temperature) {
+    size_t i = 1;
+    while (i + 1 < count && temperature > temperatures[i]) i++;
+    const double low = walther(viscosities[i - 1]), high = walther(viscosities[i]);
+    const double slope = (high - low) / log10(temperatures[i] / temperatures[i - 1]);
+    return (pow(10.0, pow(10.0, low + slope * log10(temperature / temperatures[i - 1]))) - 0.7) * mm2;
 }
 
 double mineral_oil_at_100(double at_40) {
