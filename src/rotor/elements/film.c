@@ -32,6 +32,8 @@ const element_kernels ISA(film_kernels) = {.flow = flow};
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
+#include "turbulence.h"
+
 enum {
     AT,
     FROM,
@@ -39,9 +41,8 @@ enum {
     LAW,
     CLEARANCE,
     LOAD,
-    VISCOSITY,
-    KINEMATIC,
-    DENSITY,
+    OIL,
+    TURBULENCE = OIL + OIL_KEYS,
     RADIUS,
     LENGTH,
     JOURNAL_RATIO,
@@ -62,27 +63,64 @@ static const whirl_key keys[KEY_COUNT] = {
     [LOAD] = CITED_NUMBER_KEY("load", "F0", "N", OPTIONAL, WHIRL_NOT_NEGATIVE,
                               "scale F0 of the film force of one bearing, in place of viscosity, radius and length",
                               "Capone 1991"),
-    [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil"),
-    [KINEMATIC] = OIL_KINEMATIC,
-    [DENSITY] = OIL_DENSITY,
+    OIL_ROWS(OIL, "dynamic viscosity of the oil"),
+    [TURBULENCE] = CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",
+                                    "factors of one Reynolds number, of the clearance; needs density, radius, length",
+                                    "Ng, Pan 1965; Constantinescu 1962"),
     [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the bearing"),
     [JOURNAL_RATIO] = NUMBER_KEY("journal_ratio", "", "1", OPTIONAL, WHIRL_ANY,
                                  "speed of the journal over that of the rotor; that of its shaft where absent, 1"),
-    [HOUSING_RATIO] = NUMBER_KEY("housing_ratio", "", "1", DEFAULT("0"), WHIRL_ANY,
-                                 "speed at which the housing turns, over that of the rotor"),
+    [HOUSING_RATIO] = NUMBER_KEY("housing_ratio", "", "1", OPTIONAL, WHIRL_ANY,
+                                 "speed at which the housing turns, over that of the rotor; that of its shaft where "
+                                 "absent, 0 of a housing on none"),
 };
 
 static oil oil_of(const key_value *values) {
-    return (oil){&values[VISCOSITY], &values[KINEMATIC], &values[DENSITY]};
+    return (oil){&values[OIL]};
+}
+
+/// What the speeds of journal and housing make of a film, over the rotor's: their sum draws oil in, their difference
+/// shears it.
+typedef struct turning {
+    double wedge, shear;
+} turning;
+
+static whirl_status find_turning(const key_value *values, const assembly *to, turning *out) {
+    const double own =
+        values[JOURNAL_RATIO].given ? values[JOURNAL_RATIO].number : to->stations[values[AT].station[0]].ratio;
+    const bool turns = values[FROM].given && to->stations[values[FROM].station[0]].shaft != NO_SHAFT;
+    const double other = values[HOUSING_RATIO].given ? values[HOUSING_RATIO].number
+                         : turns                     ? to->stations[values[FROM].station[0]].ratio
+                                                     : 0.0;
+    *out = (turning){own + other, own - other};
+    if (out->wedge == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "draws no oil in, as its journal and housing turn against each other at one "
+                                           "speed, expected another ratio, or the element squeeze");
+    return whirl_ok();
+}
+
+/// rho |difference of speeds| R c/mu.
+static double reynolds_of(const key_value *values, double speed) {
+    const oil own = oil_of(values);
+    return oil_reynolds(&own, speed, sqrt(values[RADIUS].number * values[CLEARANCE].number));
+}
+
+/// The factors of a turbulent film; 1 of a laminar one.
+static turbulent_factors factors_of(const key_value *values, double speed) {
+    return turbulent_resistance((whirl_turbulence)values[TURBULENCE].choice, reynolds_of(values, speed));
 }
 
 static whirl_status load_scale(const key_value *values, double speed, double *load) {
     const oil own = oil_of(values);
-    const bool viscous = values[VISCOSITY].given || values[KINEMATIC].given;
+    const bool viscous = oil_given(&own);
     double viscosity = 0.0;
-    if (values[LOAD].given && (viscous || values[DENSITY].given || values[RADIUS].given || values[LENGTH].given))
+    if (values[LOAD].given &&
+        (viscous || values[OIL + OIL_DENSITY].given || values[RADIUS].given || values[LENGTH].given))
         return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
+    if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
+                                           "radius and length");
     *load = values[LOAD].number;
     if (values[LOAD].given) return whirl_ok();
     if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
@@ -94,21 +132,8 @@ static whirl_status load_scale(const key_value *values, double speed, double *lo
     return status;
 }
 
-/// The speed that draws oil in, that of the journal and the housing together, over the rotor's.
-static whirl_status wedge(const key_value *values, const assembly *to, double *speed) {
-    const double own = to->stations[values[AT].station[0]].ratio;
-    const double other = values[FROM].given ? to->stations[values[FROM].station[0]].ratio : 1.0;
-    if (other != 1.0 && !values[HOUSING_RATIO].given)
-        return whirl_fail(WHIRL_BAD_INPUT, "has a housing on a shaft of another speed, expected its housing_ratio");
-    *speed = (values[JOURNAL_RATIO].given ? values[JOURNAL_RATIO].number : own) + values[HOUSING_RATIO].number;
-    if (*speed == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT, "draws no oil in, as its journal and housing turn against each other at one "
-                                           "speed, expected another ratio, or the element squeeze");
-    return whirl_ok();
-}
-
 /// What films of finite length, and those in housings that move, have besides.
-static void build_finite(const key_value *values, const assembly *to, element *out) {
+static void build_finite(const key_value *values, const assembly *to, const turbulent_factors *by, element *out) {
     double *number = out->number;
     const double square = number[FILM_CLEARANCE_SQUARE], scale = assembly_force_scale(to, out->port[0]);
     out->type = &film_finite_type;
@@ -119,21 +144,24 @@ static void build_finite(const key_value *values, const assembly *to, element *o
     number[FILM_OVER_FOLD] = 1.0 / (square * FILM_FOLD);
     number[FILM_TURNS] = copysign(0.63661977236758134308, number[FILM_QUARTER]);
     if (out->law != FILM_OF_FINITE_LENGTH) return;
-    number[FILM_LENGTH] = values[LENGTH].number / (2.0 * values[RADIUS].number);
+    // With flows along and around divided by two factors it is a film of another length.
+    number[FILM_LENGTH] = values[LENGTH].number / (2.0 * values[RADIUS].number) * sqrt(by->along / by->around);
     film_coefficients(number[FILM_LENGTH], number + FILM_COEFFICIENT);
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    double load = 0.0, speed = 1.0;
+    double load = 0.0;
+    turning turns = {1.0, 1.0};
     whirl_status status = load_scale(values, to->speed, &load);
     out->law = values[LAW].choice == FINITE ? FILM_OF_FINITE_LENGTH : 0;
     if (status.code == WHIRL_OK && out->law && values[LOAD].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");
-    if (status.code == WHIRL_OK) status = wedge(values, to, &speed);
+    if (status.code == WHIRL_OK) status = find_turning(values, to, &turns);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;
-    const double strength = fabs(speed) * values[COUNT].number * load;
+    const turbulent_factors by = factors_of(values, fabs(to->speed * turns.shear));
+    const double speed = turns.wedge, strength = fabs(speed) * values[COUNT].number * load * by.along;
     out->number[FILM_CLEARANCE] = clearance;
     out->number[FILM_CLEARANCE_SQUARE] = square;
     out->number[FILM_STRENGTH] = FILM_STRENGTH_OF_1 * square * strength / assembly_force_scale(to, out->port[0]);
@@ -142,7 +170,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     // The structure of pair_kernel.h has films of this kernel, whose journals alone turn, with the rotor.
     // Ratios that are given may go through 1 in a sweep, whose machines have one structure.
     const bool ratios = values[JOURNAL_RATIO].given || values[HOUSING_RATIO].given || speed != 1.0;
-    if (out->law || values[FROM].given || ratios) build_finite(values, to, out);
+    if (out->law || values[FROM].given || ratios) build_finite(values, to, &by, out);
     return whirl_ok();
 }
 
@@ -153,8 +181,25 @@ static void doubt_ratio(const doubt_teller *to, double ratio) {
                     FILM_LONGEST);
 }
 
+/// What factors of one Reynolds number make a force err by, in percent, against those of the local one: Ng and Pan's,
+/// of plain films of L/D 1/4 to 1 at an eccentricity ratio of .3, .5 and .8.
+static void doubt_factors(const doubt_teller *to, double reynolds, double first_vortices) {
+    static const double rows[][4] = {
+        {500, 2, 4, 10}, {1000, 3, 7, 17}, {2000, 5, 12, 30}, {5000, 9, 20, 57}, {10000, 11, 26, 84}};
+    size_t i = 0;
+    while (i + 1 < sizeof rows / sizeof *rows && reynolds > 1.01 * rows[i][0]) i++;
+    if (reynolds < first_vortices)
+        doubt_value(to, keys[TURBULENCE].name, "is given, and the flow is laminar: Reynolds number %.3g, below %.3g",
+                    reynolds, first_vortices);
+    else
+        doubt_value(
+            to, keys[TURBULENCE].name,
+            "has factors of one Reynolds number, %.3g: the force errs by up to %g %% at an eccentricity ratio of "
+            ".3, %g %% at .5, %g %% at .8; pad_bearing has local ones",
+            reynolds, rows[i][1], rows[i][2], rows[i][3]);
+}
+
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
-    const oil own = oil_of(values);
     const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
     if (!values[RADIUS].given) return;
     if (values[LAW].choice == FINITE)
@@ -163,9 +208,11 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
         doubt_length(to, keys[LENGTH].name, values[LENGTH].number, radius, ", or use law: finite");
     doubt_clearance(to, keys[CLEARANCE].name, clearance, radius);
     // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
-    const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
-    if (reynolds > most)
-        doubt_value(to, keys[DENSITY].name,
+    const double reynolds = reynolds_of(values, speed), most = 41.2 * sqrt(radius / clearance);
+    if (values[TURBULENCE].choice)
+        doubt_factors(to, reynolds, most);
+    else if (reynolds > most)
+        doubt_value(to, keys[OIL + OIL_DENSITY].name,
                     "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
                     reynolds, most);
 }

@@ -25,7 +25,6 @@ KERNELS_OF_EVERY_ISA(pad_bearing_kernels);
 const element_type pad_bearing_element = {
     .group = {"pad_bearing", "a journal bearing of fixed pads, whose films are of finite length",
               "Reynolds 1886; Swift 1932; Stieber 1933", keys, PADS_FIXED_KEYS, NULL, NULL},
-    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
     .build = build,

@@ -20,7 +20,7 @@ const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, VISCOSITY, KINEMATIC, DENSITY, RADIUS, LENGTH, KEY_COUNT };
+enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, OIL, RADIUS = OIL + OIL_KEYS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station that it damps"),
@@ -35,15 +35,13 @@ static const whirl_key keys[KEY_COUNT] = {
                          "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
                          "Vance, Zeidan, Murphy 2010"),
     [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
-    [VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil; required without kinematic_viscosity"),
-    [KINEMATIC] = OIL_KINEMATIC,
-    [DENSITY] = OIL_DENSITY,
+    OIL_ROWS(OIL, "dynamic viscosity of the oil; required without kinematic_viscosity"),
     [RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the damper"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the film"),
 };
 
 static oil oil_of(const key_value *values) {
-    return (oil){&values[VISCOSITY], &values[KINEMATIC], &values[DENSITY]};
+    return (oil){&values[OIL]};
 }
 
 /// mu omega R L^3/c^2 or 12 mu omega L R^3/c^2, in N.
@@ -74,7 +72,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     doubt_clearance(to, keys[CLEARANCE].name, values[CLEARANCE].number, values[RADIUS].number);
     if (reynolds > most)
         doubt_value(
-            to, keys[DENSITY].name,
+            to, keys[OIL + OIL_DENSITY].name,
             "is so high that the oil's inertia counts, which the law leaves out: squeeze Reynolds number %.3g, up "
             "to %g",
             reynolds, most);

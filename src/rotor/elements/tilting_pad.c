@@ -49,7 +49,6 @@ KERNELS_OF_EVERY_ISA(tilting_pad_kernels);
 const element_type tilting_pad_element = {
     .group = {"tilting_pad", "a journal bearing of pads that tilt", "Lund 1964; Parsell, Allaire, Barrett 1983", keys,
               PADS_TILTING_KEYS, NULL, NULL},
-    .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,

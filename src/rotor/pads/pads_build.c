@@ -6,10 +6,17 @@
 
 #include "doubts.h"
 #include "elements/pads_look_up.h"
+#include "turbulence.h"
 #include "whirl/bearing.h"
 
 static oil oil_of(const key_value *values) {
-    return (oil){&values[PADS_VISCOSITY], &values[PADS_KINEMATIC], &values[PADS_DENSITY]};
+    return (oil){&values[PADS_OIL]};
+}
+
+/// rho omega R c/mu.
+static double reynolds_of(const key_value *values, double speed) {
+    const oil own = oil_of(values);
+    return oil_reynolds(&own, speed, sqrt(values[PADS_RADIUS].number * values[PADS_CLEARANCE].number));
 }
 
 /// The name of the usual bearing of a choice, in the order of the keys' tables.
@@ -25,7 +32,8 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
     const double preload = values[PADS_PRELOAD].number;
     *out = (whirl_pads){.ratio = values[PADS_LENGTH].number / (2.0 * values[PADS_RADIUS].number),
                         .tilting = tilting,
-                        .gumbel = values[PADS_CAVITATION].choice == 1};
+                        .gumbel = values[PADS_CAVITATION].choice == 1,
+                        .turbulence = (whirl_turbulence)values[PADS_TURBULENCE].choice};
     if (values[PADS_SHAPE].given == pivots->given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected a usual shape or pivots",
                           pivots->given ? "both shape and pivots" : "neither shape nor pivots");
@@ -73,6 +81,29 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, dou
     return pad_table_number(&key, &number[PAD_TABLE]);
 }
 
+/// The Reynolds number of a table: tables of turbulent films are made for one every 2 percent.
+static double nearest_table(double reynolds) {
+    const double step = log(1.02);
+    return reynolds > 0.0 ? exp(step * round(log(reynolds) / step)) : 0.0;
+}
+
+/// What films of the table's Reynolds number are to be multiplied by: the ratio of the factors around.
+static double to_the_table(const key_value *values, double reynolds, double table) {
+    const whirl_turbulence law = (whirl_turbulence)values[PADS_TURBULENCE].choice;
+    return turbulent_resistance(law, reynolds).around / turbulent_resistance(law, table).around;
+}
+
+/// The speed of the journal over the rotor's.
+static whirl_status journal_ratio(const key_value *values, const assembly *to, double *ratio) {
+    *ratio = to->stations[values[PADS_AT].station[0]].ratio;
+    if (*ratio == 0.0) return whirl_fail(WHIRL_BAD_INPUT, "has a journal that does not turn, expected one that does");
+    if (!values[PADS_FROM].given) return whirl_ok();
+    const assembly_station *housing = &to->stations[values[PADS_FROM].station[0]];
+    if (housing->shaft == NO_SHAFT || housing->ratio == 0.0) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "has its pads on a shaft that turns, expected a housing that does not; film has "
+                                       "a housing_ratio");
+}
+
 /// mu omega R L (R/c)^2 in N.
 static double strength_of(const key_value *values, double viscosity, double speed) {
     const double share = values[PADS_RADIUS].number / values[PADS_CLEARANCE].number;
@@ -89,19 +120,26 @@ static void put_tilts(const key_value *values, const assembly *to, double streng
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out) {
     const oil own = oil_of(values);
     whirl_pads bearing;
-    double viscosity;
+    double viscosity, ratio;
     whirl_status status = read_pads(values, tilting, &bearing);
     if (status.code == WHIRL_OK && !(bearing.ratio >= 0.02 && bearing.ratio <= 20.0))
         status =
             whirl_fail(WHIRL_BAD_INPUT, "is %.3g times as long as its diameter, expected 0.02 to 20", bearing.ratio);
     if (status.code == WHIRL_OK) status = oil_viscosity(&own, &viscosity);
+    if (status.code == WHIRL_OK && bearing.turbulence != WHIRL_LAMINAR && !values[PADS_OIL + OIL_DENSITY].given)
+        status = whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected the oil's density");
+    if (status.code == WHIRL_OK) status = journal_ratio(values, to, &ratio);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;
-    const double sign = copysign(1.0, to->turn), strength = strength_of(values, viscosity, fabs(to->speed));
+    const double turn = ratio * to->turn, sign = copysign(1.0, turn), speed = fabs(ratio * to->speed);
+    const double reynolds = reynolds_of(values, speed);
+    bearing.reynolds = bearing.turbulence == WHIRL_LAMINAR ? 0.0 : nearest_table(reynolds);
+    const double strength =
+        strength_of(values, viscosity, speed) * to_the_table(values, reynolds, nearest_table(reynolds));
     out->law = (int)bearing.count;
     out->states = tilting ? 2 * bearing.count : 0;
     out->number[PADS_OVER_CLEARANCE] = to->length / values[PADS_CLEARANCE].number;
-    out->number[PADS_TWICE] = 2.0 / fabs(to->turn);
+    out->number[PADS_TWICE] = 2.0 / fabs(turn);
     out->number[PADS_SIGN] = sign;
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
@@ -137,16 +175,18 @@ double pads_clearance(const element *own) {
 }
 
 void pads_doubt(const key_value *values, double speed, const doubt_teller *to) {
-    const oil own = oil_of(values);
     const double radius = values[PADS_RADIUS].number, clearance = values[PADS_CLEARANCE].number;
     const double ratio = values[PADS_LENGTH].number / (2.0 * radius);
     doubt_clearance(to, "clearance", clearance, radius);
     if (ratio < 0.1 || ratio > 2.0)
         doubt_value(to, "length", "is %.3g times the diameter, and bearings of pads have 0.1 to 2 times", ratio);
     // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
-    const double reynolds = oil_reynolds(&own, speed, sqrt(radius * clearance)), most = 41.2 * sqrt(radius / clearance);
-    if (reynolds > most)
+    const double reynolds = reynolds_of(values, speed), most = 41.2 * sqrt(radius / clearance);
+    if (reynolds > most && !values[PADS_TURBULENCE].choice)
         doubt_value(to, "density",
                     "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
                     reynolds, most);
+    if (reynolds < most && values[PADS_TURBULENCE].choice)
+        doubt_value(to, "turbulence", "is given, and the flow is laminar: Reynolds number %.3g, below %.3g", reynolds,
+                    most);
 }

@@ -17,9 +17,8 @@ enum {
     PADS_TURNED,
     PADS_CAVITATION,
     PADS_CLEARANCE,
-    PADS_VISCOSITY,
-    PADS_KINEMATIC,
-    PADS_DENSITY,
+    PADS_OIL,
+    PADS_TURBULENCE = PADS_OIL + OIL_KEYS,
     PADS_RADIUS,
     PADS_LENGTH,
     PADS_FIXED_KEYS,
@@ -54,9 +53,10 @@ enum {
                                          "Swift 1932; Stieber 1933; Guembel 1914"),                                    \
     [PADS_CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE,                                     \
                                   "radial clearance of the pads; that of the bearing is (1 - preload) of it"),         \
-    [PADS_VISCOSITY] = OIL_DYNAMIC("dynamic viscosity of the oil; required without kinematic_viscosity"),              \
-    [PADS_KINEMATIC] = OIL_KINEMATIC,                                                                                  \
-    [PADS_DENSITY] = OIL_DENSITY,                                                                                      \
+    OIL_ROWS(PADS_OIL, "dynamic viscosity of the oil; required without kinematic_viscosity"),                          \
+    [PADS_TURBULENCE] = CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",                  \
+                                         "factors by the local Reynolds number; needs density",                        \
+                                         "Ng, Pan 1965; Constantinescu 1962"),                                         \
     [PADS_RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the journal"),                 \
     [PADS_LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the bearing along the shaft")
 // clang-format on

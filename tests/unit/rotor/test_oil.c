@@ -59,16 +59,67 @@ static void kinematic_viscosity_times_density_is_the_dynamic_one(void **unused) 
     }
 }
 
+/// A grade, or the rows of a table, and the temperature: Walther's law through 46 mm2/s at 40 and 6.6 at 100 degC. By
+/// D2270's example an oil of 69.48 mm2/s at 40 degC has 8.86 at 100 where its viscosity index is 100.
+static void viscosity_follows_from_the_temperature(void **unused) {
+    (void)unused;
+    const double z40 = log10(log10(46.7)), z100 = log10(log10(7.3)), warm = 343.15;
+    const double share = log10(warm / 313.15) / log10(373.15 / 313.15);
+    const double own = (pow(10.0, pow(10.0, z40 + share * (z100 - z40))) - 0.7) * 1e-6 * 870.0;
+    const whirl_setting density = {"density", 870.0, NULL}, temperature = {"temperature", warm, NULL};
+    const struct {
+        whirl_setting more[5];
+        size_t count;
+        double expected, error;
+    } rows[] = {
+        {{{"grade", 46.0, NULL}, {"kinematic_100", 6.6e-6, NULL}, temperature, density}, 4, own, 1e-12},
+        {{{"temperatures", 0.0, "313.15, 373.15"}, {"viscosities", 0.0, "0.04002, 0.005742"}, temperature, density},
+         4,
+         own,
+         1e-12},
+        {{{"grade", 46.0, NULL}, {"temperature", 313.15, NULL}, density}, 3, 46e-6 * 870.0, 1e-12},
+        {{{"grade", 69.48, NULL}, {"temperature", 373.15, NULL}, density}, 3, 8.86e-6 * 870.0, 2e-3}};
+    const double x[4] = {3e-5, -4e-5, 1e-2, -2e-2};
+    for (size_t i = 0; i < 2; i++)
+        for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+            const whirl_setting dynamic = {"viscosity", rows[k].expected, NULL};
+            double slopes[2][4];
+            whirl_rotor *rotors[2];
+            assert_int_equal(build(kinds[i], &dynamic, 1, &rotors[0]).code, WHIRL_OK);
+            const whirl_status status = build(kinds[i], rows[k].more, rows[k].count, &rotors[1]);
+            if (status.code != WHIRL_OK) fail_msg("%s: %s", kinds[i], status.message);
+            for (size_t n = 0; n < 2; n++) {
+                assert_int_equal(whirl_rotor_rates(rotors[n], 0.0, x, slopes[n]).code, WHIRL_OK);
+                whirl_rotor_free(rotors[n]);
+            }
+            assert_true(fabs(slopes[1][2] / slopes[0][2] - 1.0) < rows[k].error);
+        }
+}
+
 static void one_way_to_give_it_is_asked_for(void **unused) {
     (void)unused;
     static const struct {
-        whirl_setting more[3];
+        whirl_setting more[4];
         size_t count;
         const char *says;
     } rows[] = {
         {{{"kinematic_viscosity", 32e-6, NULL}}, 1, "without a density"},
         {{{"kinematic_viscosity", 32e-6, NULL}, {"viscosity", 0.03, NULL}, {"density", 870.0, NULL}}, 3, "both"},
-        {{{"density", 870.0, NULL}}, 1, "expected"}};
+        {{{"density", 870.0, NULL}}, 1, "expected"},
+        {{{"grade", 46.0, NULL}, {"density", 870.0, NULL}}, 2, "has grade without a temperature"},
+        {{{"grade", 46.0, NULL}, {"temperature", 330.0, NULL}}, 2, "has a grade without a density"},
+        {{{"viscosity", 0.03, NULL}, {"temperature", 330.0, NULL}}, 2, "has a temperature and viscosity"},
+        {{{"viscosity", 0.03, NULL}, {"kinematic_100", 6e-6, NULL}}, 2, "without a grade"},
+        {{{"viscosity", 0.03, NULL}, {"viscosities", 0.0, "0.03, 0.02"}}, 2, "alone, expected both"},
+        {{{"grade", 46.0, NULL}, {"temperature", 330.0, NULL}, {"density", 870.0, NULL}, {"kinematic_100", 5e-5, NULL}},
+         4,
+         "expected less than at 40 degC, 46"},
+        {{{"temperatures", 0.0, "313.15, 373.15"},
+          {"viscosities", 0.0, "0.005, 0.04"},
+          {"temperature", 330.0, NULL},
+          {"density", 870.0, NULL}},
+         4,
+         "expected one that falls"}};
     for (size_t i = 0; i < 2; i++)
         for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
             whirl_rotor *rotor;
@@ -104,6 +155,7 @@ static void flow_beyond_the_law_is_doubted(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(kinematic_viscosity_times_density_is_the_dynamic_one),
+                                       cmocka_unit_test(viscosity_follows_from_the_temperature),
                                        cmocka_unit_test(one_way_to_give_it_is_asked_for),
                                        cmocka_unit_test(flow_beyond_the_law_is_doubted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
