@@ -38,6 +38,9 @@ typedef struct key_value {
 /// The most that one element has: coordinates that it sees, keys.
 enum { MAX_PORTS = 8, MAX_KEYS = 64 };
 
+/// Until `build` says how many states an element has.
+#define STATES_OF_TYPE ((size_t)-1)
+
 /// An element as its kernels see it. The structure (ports, law) is shared by all machines of a block, the numbers are
 /// not.
 typedef struct element {

@@ -101,12 +101,61 @@ def test_tilting_pads():
         assert found == pytest.approx(expected, rel=0.01), name
 
 
+def test_pivots_that_yield():
+    """Beside the coefficients of the bearing by itself, which are condensed: the response to unbalance, a motion; and
+    very stiff pivots beside rigid ones."""
+    load, keys = 1 / (np.pi * 0.5), "shape: tilting-5, preload: 0.5, inertia: 1e-4 kg m2"
+    pivot = {"pivot_stiffness": 2e8, "pivot_damping": 2e4, "pad_mass": 0.8}
+    study = """  unbalance: {}
+  response: {}
+  integrate: {method: rodas5p, transient: 40, record: 4}
+  analyze: [poincare, regime, spectrum]
+"""
+    said = ", ".join(f"{key}: {value}" for key, value in pivot.items())
+    mass, result = run("tilting_pad", f"{keys}, {said}", 0.5, load, study)
+    file = {"kind": "tilting-5", "preload": 0.5, "radius": RADIUS, "length": RADIUS, "pad_clearance": CLEARANCE}
+    file |= {"viscosity": VISCOSITY, "speed": SPEED, "load": mass * GRAVITY, "pad_inertia": 1e-4}
+    alone = whirl.bearing({**file, **pivot})
+    force = 1e-4 * mass * CLEARANCE * SPEED**2
+    z = np.diag(alone.stiffness[0]) + 1j * SPEED * np.diag(alone.damping[0]) - mass * SPEED**2
+    expected = np.abs(force / z) / CLEARANCE
+    for name, table in (("unbalance/amplitude", "unbalance"), ("spectrum/synchronous", "response")):
+        assert np.squeeze(result[table][name])[:2] == pytest.approx(expected, rel=0.01), name
+    rigid = np.squeeze(run("tilting_pad", keys, 0.5, load, "  unbalance: {}")[1]["unbalance"]["unbalance/amplitude"])
+    stiff = run("tilting_pad", f"{keys}, pivot_stiffness: 1e15, pad_mass: 0.8", 0.5, load, "  unbalance: {}")[1]
+    assert np.squeeze(stiff["unbalance"]["unbalance/amplitude"]) == pytest.approx(rigid, rel=1e-6)
+    assert abs(expected / rigid[:2] - 1).max() > 0.1  # and these are not rigid
+
+
+def test_turbulent_pads():
+    """Rest, and the growth of the slowest mode, beside the bearing by itself: the same local factors."""
+    load, ratio, speed, study = 0.5, 0.5, SPEED, "  modes: {}"
+    oil = ", density: 4000, turbulence: ng-pan"  # Reynolds number 628
+    mass, result = run("pad_bearing", "shape: two-groove" + oil, ratio, load, study)
+    file = {"kind": "two-groove", "radius": RADIUS, "length": 2 * RADIUS * ratio, "clearance": CLEARANCE}
+    file |= {"viscosity": VISCOSITY, "density": 4000, "speed": speed, "load": mass * GRAVITY}
+    alone, laminar = whirl.bearing({**file, "turbulence": "ng-pan"}), whirl.bearing(file)
+    rest = np.squeeze(result["modes"]["modes/rest"]) * 1e-4
+    assert rest == pytest.approx(alone.place[0], abs=2e-3 * CLEARANCE)
+    assert abs(laminar.place[0] - alone.place[0]).max() > 0.02 * CLEARANCE
+    block = [[np.zeros((2, 2)), np.eye(2)], [-alone.stiffness[0] / mass, -alone.damping[0] / mass]]
+    slowest = max(np.linalg.eigvals(np.block(block)), key=lambda root: root.real)
+    assert np.squeeze(result["modes"]["modes/stability"]) == pytest.approx(slowest.real, abs=0.01 * abs(slowest))
+
+
 def test_what_is_wrong():
     for keys, wrong in (
         ("shape: elliptical, pivots: [90 deg]", "has both shape and pivots"),
         ("preload: 0.5", "has neither shape nor pivots"),
         ("pivots: [90 deg, 270 deg]", "has pivots without arc"),
         ("shape: elliptical, arc: 100 deg", "has arc beside shape"),
+        ("shape: two-groove, turbulence: ng-pan", "expected the oil's density"),
     ):
         with pytest.raises(whirl.Error, match=wrong):
             run("pad_bearing", keys, 0.5, 0.5, "  modes: {}")
+    for keys, wrong in (
+        ("pivot_stiffness: 1e8", "has pivot_stiffness without pad_mass"),
+        ("pad_mass: 1", "has pad_mass without pivot_stiffness"),
+    ):
+        with pytest.raises(whirl.Error, match=wrong):
+            run("tilting_pad", f"shape: tilting-5, inertia: 1e-4, {keys}", 0.5, 0.5, "  modes: {}")

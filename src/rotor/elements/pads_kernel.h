@@ -4,7 +4,11 @@
 // For every pad the journal is turned into its frame, x along its middle, moved by the preload and, of one that tilts
 // by s, by -s along the pad at its pivot; all of a machine that turns clockwise is that of its mirror image. The film's
 // force on the journal acts along the pad on its tilt with the opposite sign: s'' = -force, with a spring and a damper
-// at the pivot.
+// at the pivot. With PADS_YIELD the pivot moves outwards by u, the journal before the pad by -u along its radius.
+
+#ifndef PADS_YIELD
+#define PADS_YIELD 0
+#endif
 
 #ifndef NUMBERS_DUAL
 static inline void pads_look_up_plain(const kernel_view *view, const vec *pad, vec t, vec w, vec half, vec sum[2]) {
@@ -75,6 +79,13 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
             vx = n_sub(vx, n_scale(along[0], s[2 * p + 1]));
             vy = n_sub(vy, n_scale(along[1], s[2 * p + 1]));
         }
+        const size_t yield = 2 * ((size_t)own->law + p);
+        if (PADS_YIELD) {
+            x = n_sub(x, n_scale(along[1], s[yield]));
+            y = n_add(y, n_scale(along[0], s[yield]));
+            vx = n_sub(vx, n_scale(along[1], s[yield + 1]));
+            vy = n_add(vy, n_scale(along[0], s[yield + 1]));
+        }
         KERNEL(pads_film)(view, pad, x, y, n_sub(x, n_scale(twice, vy)), n_add(y, n_scale(twice, vx)), f);
         FX = n_add(FX, n_sub(n_scale(c, f[0]), n_scale(sn, f[1])));
         FY = n_add(FY, n_add(n_scale(sn, f[0]), n_scale(c, f[1])));
@@ -84,6 +95,14 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
                                    n_scale(view->number[PADS_TILT_DAMPER * stride], s[2 * p + 1]));
             slope[2 * p] = s[2 * p + 1];
             slope[2 * p + 1] = n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_TILT_FORCE * stride], moment)));
+        }
+        if (PADS_YIELD) {
+            const num outwards = n_sub(n_scale(along[1], f[0]), n_scale(along[0], f[1]));
+            const num held = n_add(n_scale(view->number[PADS_YIELD_SPRING * stride], s[yield]),
+                                   n_scale(view->number[PADS_YIELD_DAMPER * stride], s[yield + 1]));
+            slope[yield] = s[yield + 1];
+            slope[yield + 1] =
+                n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_YIELD_FORCE * stride], outwards)));
         }
     }
     force[0] = FX;

@@ -8,8 +8,20 @@
 enum { MAX_PADS = 6 };
 
 /// Of the bearing: one over the pads' clearance in length scales; 2 over the speed of the shaft by tau, without its
-/// sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them.
-enum { PADS_OVER_CLEARANCE, PADS_TWICE, PADS_SIGN, PADS_TILT_FORCE, PADS_TILT_SPRING, PADS_TILT_DAMPER, PADS_FIRST };
+/// sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them, and of
+/// pads on pivots that yield the same along the radius.
+enum {
+    PADS_OVER_CLEARANCE,
+    PADS_TWICE,
+    PADS_SIGN,
+    PADS_TILT_FORCE,
+    PADS_TILT_SPRING,
+    PADS_TILT_DAMPER,
+    PADS_YIELD_FORCE,
+    PADS_YIELD_SPRING,
+    PADS_YIELD_DAMPER,
+    PADS_FIRST
+};
 
 /// Of every pad, from PADS_FIRST on: its middle; by what the preload moves the journal and how the pad lies at its
 /// pivot, in the frame of the middle; half the arc; the number of its table.
@@ -27,8 +39,9 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate.
-enum { PADS_STATES = 2 * MAX_PADS };
+/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate; of those on pivots that yield
+/// then of every pad how far it has moved outwards, and that rate.
+enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
 
 /// Four B-splines at u from 0 to 1 between two nodes; their derivatives by u.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {

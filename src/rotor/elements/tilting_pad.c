@@ -15,10 +15,6 @@ const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
-#include <math.h>
-
-#include "centred.h"
-
 static const whirl_key keys[PADS_TILTING_KEYS] = {
     PADS_KEYS("tilting-4|tilting-5"),
     [PADS_INERTIA] =
@@ -27,21 +23,15 @@ static const whirl_key keys[PADS_TILTING_KEYS] = {
                                "of a pivot against tilting: holds pads whose film carries nothing"),
     [PADS_DAMPER] =
         NUMBER_KEY("tilt_damping", "d", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "of a pivot against tilting"),
+    [PADS_PIVOT] = NUMBER_KEY("pivot_stiffness", "k_p", "N/m", OPTIONAL, WHIRL_POSITIVE,
+                              "of a pivot along the radius; rigid where absent"),
+    [PADS_PIVOT_DAMPER] =
+        NUMBER_KEY("pivot_damping", "d_p", "N s/m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same of its damping"),
+    [PADS_MASS] = NUMBER_KEY("pad_mass", "m_p", "kg", OPTIONAL, WHIRL_POSITIVE, "of a pad; with pivot_stiffness"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     return pads_build(values, true, to, out);
-}
-
-/// All pads lie alike before a journal in the middle.
-static void begin(const element *own, double *states) {
-    const double *pad = own->number + PADS_FIRST;
-    const pad_table_key key = pad_table_key_of(pad[PAD_TABLE]);
-    const double lead = atan2(pad[PAD_ALONG_X], pad[PAD_ALONG_Y]);
-    const whirl_pad alone = {
-        .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
-    const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
-    for (size_t p = 0; p < own->states / 2; p++) states[2 * p] = tilt;
 }
 
 KERNELS_OF_EVERY_ISA(tilting_pad_kernels);
@@ -53,7 +43,8 @@ const element_type tilting_pad_element = {
     .state_count = KERNEL_STATES,
     .kernels = kernels,
     .build = build,
-    .begin = begin,
+    .begin = pads_begin,
+    .variant = &tilting_pad_yielding_type,
     .carries = true,
     .bearing_clearance = pads_clearance,
     .note = pads_note,

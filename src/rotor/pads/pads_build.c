@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "centred.h"
 #include "doubts.h"
 #include "elements/pads_look_up.h"
 #include "turbulence.h"
@@ -117,6 +118,24 @@ static void put_tilts(const key_value *values, const assembly *to, double streng
     number[PADS_TILT_DAMPER] = values[PADS_DAMPER].number / (inertia * clock);
 }
 
+/// What pivots that yield have.
+static whirl_status put_yields(const key_value *values, const assembly *to, double strength, element *out) {
+    const bool yields = values[PADS_PIVOT].given;
+    const double mass = values[PADS_MASS].number, clock = to->clock;
+    if (!yields && (values[PADS_PIVOT_DAMPER].given || values[PADS_MASS].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s without pivot_stiffness, expected that, too",
+                          values[PADS_MASS].given ? "pad_mass" : "pivot_damping");
+    if (!yields) return whirl_ok();
+    if (!values[PADS_MASS].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has pivot_stiffness without pad_mass, expected that of a pad, too");
+    out->type = &tilting_pad_yielding_type;
+    out->states *= 2;
+    out->number[PADS_YIELD_FORCE] = strength / (values[PADS_CLEARANCE].number * mass * clock * clock);
+    out->number[PADS_YIELD_SPRING] = values[PADS_PIVOT].number / (mass * clock * clock);
+    out->number[PADS_YIELD_DAMPER] = values[PADS_PIVOT_DAMPER].number / (mass * clock);
+    return whirl_ok();
+}
+
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out) {
     const oil own = oil_of(values);
     whirl_pads bearing;
@@ -149,12 +168,23 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
         status = put_pad(&bearing, &pad, out->number + PADS_FIRST + i * PAD_NUMBERS);
     }
     if (tilting) put_tilts(values, to, strength, out->number);
+    if (tilting && status.code == WHIRL_OK) status = put_yields(values, to, strength, out);
     for (size_t port = 0; port < 4; port++)
         out->number[PADS_NUMBERS + port] =
             out->port[port] == NO_COORDINATE
                 ? 0.0
                 : values[PADS_COUNT].number * strength / assembly_force_scale(to, out->port[port]);
     return status;
+}
+
+void pads_begin(const element *own, double *states) {
+    const double *pad = own->number + PADS_FIRST;
+    const pad_table_key key = pad_table_key_of(pad[PAD_TABLE]);
+    const double lead = atan2(pad[PAD_ALONG_X], pad[PAD_ALONG_Y]);
+    const whirl_pad alone = {
+        .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
+    const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
+    for (size_t p = 0; p < (size_t)own->law; p++) states[2 * p] = tilt;
 }
 
 void pads_note(const element *own, double length, double clock, char *text, size_t size) {

@@ -5,6 +5,9 @@
 #include "element.h"
 #include "oil.h"
 
+/// Pads that tilt on pivots that yield: what tilting_pad is made then.
+extern const element_type tilting_pad_yielding_type;
+
 enum {
     PADS_AT,
     PADS_FROM,
@@ -25,6 +28,9 @@ enum {
     PADS_INERTIA = PADS_FIXED_KEYS,
     PADS_SPRING,
     PADS_DAMPER,
+    PADS_PIVOT,
+    PADS_PIVOT_DAMPER,
+    PADS_MASS,
     PADS_TILTING_KEYS
 };
 
@@ -63,6 +69,9 @@ enum {
 
 /// Ports, law (the number of pads) and numbers. WHIRL_BAD_INPUT where keys contradict each other; errors of tables.
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out);
+
+/// All pads lie alike before a journal in the middle: the states of a bearing of pads that tilt.
+void pads_begin(const element *own, double *states);
 
 /// In length scales: the circle in which the journal moves; 0 where the housing moves.
 double pads_clearance(const element *own);

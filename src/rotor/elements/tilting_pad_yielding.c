@@ -1,0 +1,35 @@
+// What tilting_pad is made where its pivots yield along the radius: as many states again.
+#define KERNEL_FILE "elements/pads_kernel.h"
+#define KERNEL_AXES 2
+#define KERNEL_STATES PADS_YIELDING_STATES
+#define KERNEL_FEWER_STATES
+#define KERNEL_NUMBERS PADS_NUMBERS
+#define KERNEL_SWITCHES 0
+#define PADS_YIELD 1
+
+#include "elements/pads_look_up.h"
+#include "generic.h"
+#include "pads_build.h"
+#include "registry.h"
+
+const element_kernels ISA(tilting_pad_yielding_kernels) = GENERIC_KERNELS;
+
+#if VECTOR_ISA == VECTOR_SCALAR
+/// Pads move on their pivots, so the circle in which the journal does is not known.
+static double no_clearance(const element *own) {
+    (void)own;
+    return 0.0;
+}
+
+KERNELS_OF_EVERY_ISA(tilting_pad_yielding_kernels);
+
+const element_type tilting_pad_yielding_type = {
+    .group = {"tilting_pad", "a journal bearing of pads that tilt on pivots that yield", "", NULL, 0, NULL, NULL},
+    .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
+    .state_count = KERNEL_STATES,
+    .kernels = kernels,
+    .begin = pads_begin,
+    .bearing_clearance = no_clearance,
+    .note = pads_note,
+};
+#endif
