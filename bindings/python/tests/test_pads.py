@@ -143,6 +143,53 @@ def test_turbulent_pads():
     assert np.squeeze(result["modes"]["modes/stability"]) == pytest.approx(slowest.real, abs=0.01 * abs(slowest))
 
 
+def test_journals_of_other_shafts():
+    """A shaft that turns twice as fast as the rotor has the films of a rotor of its speed, whichever way it turns."""
+
+    def modes(speed, ratio, shape, more=""):
+        text = f"""
+whirl: 1
+rotor:
+  speed: {speed} rad/s
+  length_scale: 0.1 mm
+  shafts: {{low: {{}}, own: {{ratio: {ratio}}}}}
+  stations:
+    slow: {{shaft: low, position: 0 m}}
+    other: {{shaft: low, position: 0.2 m}}
+    a: {{shaft: own, position: 0 m, mass: 20 kg}}
+    b: {{shaft: own, position: 0.3 m, mass: 20 kg}}
+  elements:
+    - gravity: {{}}
+    - segment: {{shaft: low, length: 0.2 m, outer: 20 mm}}
+    - segment: {{shaft: own, length: 0.3 m, outer: 80 mm}}
+    - spring: {{between: [slow, ground], stiffness: 1e8 N/m, damping: 1e4 N s/m}}
+    - spring: {{between: [other, ground], stiffness: 1e8 N/m, damping: 1e4 N s/m}}
+    - pad_bearing: {{at: a, {shape}, clearance: 0.1 mm, viscosity: 20 mPa.s, radius: 40 mm, length: 40 mm}}
+    - pad_bearing: {{at: b, {shape}, clearance: 0.1 mm, viscosity: 20 mPa.s, radius: 40 mm, length: 40 mm}}
+{more}
+study:
+  modes: {{}}
+"""
+        found = whirl.run(whirl.Case(text=text), progress=False)["modes"]
+        return np.squeeze(found["modes/rest"]), np.squeeze(found["modes/stability"])
+
+    shape = "shape: elliptical, preload: 0.3"
+    rest, growth = modes(300, 1, shape)
+    for speed, ratio in ((150, 2), (600, 0.5)):
+        own, grown = modes(speed, ratio, shape)
+        assert own == pytest.approx(rest, abs=1e-8) and grown == pytest.approx(growth, rel=1e-6)
+    back, _ = modes(150, -2, shape)  # the mirror image
+    assert np.abs(back) == pytest.approx(np.abs(rest), abs=1e-8) and not np.allclose(back, rest)
+    # Between two shafts a film has the speeds of both, and pads have none.
+    film = "    - film: {at: slow, from: a, law: finite, clearance: 1 mm, viscosity: 0.1 Pa.s, radius: 30 mm, length: 30 mm"
+    own, _ = modes(150, 2, shape, film + "}")
+    told, _ = modes(150, 2, shape, film + ", housing_ratio: 2}")
+    other, _ = modes(150, 2, shape, film + ", housing_ratio: 0}")
+    assert np.array_equal(own, told) and not np.allclose(own, other, atol=1e-6)
+    with pytest.raises(whirl.Error, match="has its pads on a shaft that turns"):
+        modes(150, 2, shape, "    - pad_bearing" + film[10:].replace("law: finite", shape) + "}")
+
+
 def test_what_is_wrong():
     for keys, wrong in (
         ("shape: elliptical, pivots: [90 deg]", "has both shape and pivots"),
