@@ -322,7 +322,8 @@ static void supplied(void **unused) {
     // Pressure lifts: of two grooves at the sides, the more the lower the journal lies.
     assert_true(whirl_pads_named("two-groove", 0.0, &bearing));
     for (size_t i = 0; i < 2; i++)
-        check_within("pads-supply", "gap between pads of 160 degrees", pi / 9.0, whirl_pads_gap(&bearing, i), 1e-12);
+        check_within("pads-supply", words("gap behind pad %zu of 160 degrees", i + 1), pi / 9.0,
+                     whirl_pads_gap(&bearing, i), 1e-12);
     bearing.tilting = true;
     assert_int_equal(whirl_pads_at(&bearing, (const double[]){0.0, 0.0}, &state).code, WHIRL_BAD_INPUT);
 }
@@ -341,6 +342,7 @@ static double complex alone(const whirl_pad *pad, double of[2][2][2], double rat
 }
 
 static void check_in_series(const whirl_pads *bearing, whirl_pads_state *state, double ratio, const char *what) {
+    static const char *const axes[] = {"xx", "xy", "yx", "yy"};
     const double complex spring =
         bearing->pivot_stiffness + I * ratio * bearing->pivot_damping - ratio * ratio * bearing->pad_mass;
     double complex sum[2][2] = {{0.0}};
@@ -352,9 +354,9 @@ static void check_in_series(const whirl_pads *bearing, whirl_pads_state *state, 
     }
     whirl_pads_reduced(bearing, state, ratio, 0.0, stiffness, damping);
     for (int k = 0; k < 4; k++) {
-        check_within("pads-pivots", words("%s: K* %d", what, k + 1), creal(sum[k / 2][k % 2]), stiffness[k / 2][k % 2],
-                     1e-9);
-        check_within("pads-pivots", words("%s: C* %d", what, k + 1), cimag(sum[k / 2][k % 2]) / ratio,
+        check_within("pads-pivots", words("%s: K* %s", what, axes[k]), creal(sum[k / 2][k % 2]),
+                     stiffness[k / 2][k % 2], 1e-9);
+        check_within("pads-pivots", words("%s: C* %s", what, axes[k]), cimag(sum[k / 2][k % 2]) / ratio,
                      damping[k / 2][k % 2], 1e-9);
     }
 }
@@ -372,7 +374,8 @@ static void pivots(void **unused) {
     whirl_pads_reduced(&bearing, &state, 1.0, 0.0, soft, damping);
     check_within("pads-pivots", "very stiff pivots: place beside rigid ones", stiff.at[1], state.at[1], 1e-6);
     for (int k = 0; k < 2; k++)
-        check_within("pads-pivots", "very stiff pivots: K* beside rigid ones", 1.0, soft[k][k] / rigid[k][k], 1e-6);
+        check_within("pads-pivots", words("very stiff pivots: K* %s beside rigid ones", k ? "yy" : "xx"), 1.0,
+                     soft[k][k] / rigid[k][k], 1e-6);
     bearing.pivot_stiffness = 4.0; // about as stiff as the films
     bearing.pivot_damping = 0.3;
     bearing.pad_mass = 0.2;
@@ -393,7 +396,8 @@ static void pivots(void **unused) {
     bearing.pivot_damping = bearing.pad_mass = 0.0;
     whirl_pads_reduced(&bearing, &state, 1.0, 0.0, soft, damping);
     for (int k = 0; k < 2; k++)
-        check_within("pads-pivots", "very soft pivots: K* over 5/2 k", 1.0, soft[k][k] / 2.5e-6, 1e-5);
+        check_within("pads-pivots", words("very soft pivots: K* %s over 5/2 k", k ? "yy" : "xx"), 1.0,
+                     soft[k][k] / 2.5e-6, 1e-5);
 }
 
 static void refused(void **unused) {

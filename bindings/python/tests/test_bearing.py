@@ -79,7 +79,7 @@ def walther(temperature, at_40, at_100):
 
 @pytest.mark.parametrize("grade, hot", [(32, 5.25), (46, 6.60)])
 def test_oils_between_two_temperatures(grade, hot):
-    """Oils of viscosity index 95 or so: their two viscosities, and Walther's law between; a table of them is the same."""
+    """Oils of viscosity index 95 or so: two viscosities, and Walther's law between; a table of them is the same."""
     oil = {**TWO_GROOVE, "viscosity": None, "density": 870, "fineness": 192, "load": 1000}
     for warm in (313.15, 343.15, 373.15):
         nu = walther(warm, grade, hot)

@@ -181,7 +181,8 @@ study:
     back, _ = modes(150, -2, shape)  # the mirror image
     assert np.abs(back) == pytest.approx(np.abs(rest), abs=1e-8) and not np.allclose(back, rest)
     # Between two shafts a film has the speeds of both, and pads have none.
-    film = "    - film: {at: slow, from: a, law: finite, clearance: 1 mm, viscosity: 0.1 Pa.s, radius: 30 mm, length: 30 mm"
+    film = "    - film: {at: slow, from: a, law: finite, clearance: 1 mm, viscosity: 0.1 Pa.s"
+    film += ", radius: 3 cm, length: 3 cm"
     own, _ = modes(150, 2, shape, film + "}")
     told, _ = modes(150, 2, shape, film + ", housing_ratio: 2}")
     other, _ = modes(150, 2, shape, film + ", housing_ratio: 0}")
