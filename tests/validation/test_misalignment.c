@@ -354,8 +354,8 @@ static void a_raised_bearing_preloads(void **unused) {
     for (int i = 0; i < 50; i++)
         y -= (k1 * y + k3 * y * y * y + stiffness * (y - raised)) / (k1 + 3.0 * k3 * y * y + stiffness);
     const double *mean = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_ORBIT_MEAN, 0);
-    check_within("Off line", "cubic spring and raised bearing in time: y at rest, mm", 1e3 * y, mean[1], 1e-9);
-    check_within("Off line", "and x", 0.0, mean[0], 1e-9);
+    check_within("Off-line", "cubic spring and raised bearing in time: y at rest, mm", 1e3 * y, mean[1], 1e-9);
+    check_within("Off-line", "and x", 0.0, mean[0], 1e-9);
     whirl_result_free(result);
     whirl_case_free(object);
 }

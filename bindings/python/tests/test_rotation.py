@@ -25,13 +25,18 @@ ANGLES = {
     "magnetic": {"angle": None},
     "gravity": {"direction": None},
     "segment": {"flats_angle": None},
+    "coupling": {"bore_angle": 0, "face_angle": 0},
+    "joint": {"direction": 0, "yoke": 0},
+    "residual_unbalance": {"angle": 0, "second_angle": None},
+    "runout": {"angle": None},
 }
 SIGNS = {
-    "bearing": ("kxy", "kyx", "cxy", "cyx", "mxy"),
+    "bearing": ("kxy", "kyx", "cxy", "cyx", "mxy", "sideways"),
+    "misaligned_coupling": ("x1", "x2"),
     "pad_bearing": ("turned",),
     "tilting_pad": ("turned",),
 }
-ALIKE = "beam coupling film floating_ring looseness mount rub seal shaft spring squeeze stage".split()
+ALIKE = "beam cubic_spring film floating_ring friction looseness mount rub seal shaft spring squeeze stage".split()
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]
 CASES += sorted((ROOT / "tests/references/motions").glob("*.yaml"))

@@ -57,10 +57,10 @@ static size_t compare_case(const char *name, whirl_case *object) {
 
 static void cases_that_ship(void **state) {
     (void)state;
-    static const char *const names[] = {"reference",      "paper",         "jeffcott-rub",   "rigid-rotor",
-                                        "cracked-rotor",  "seal-whirl",    "ball-bearings",  "squeeze-damper",
-                                        "loose-pedestal", "second-shaft",  "overhung-rotor", "compressor",
-                                        "spindle",        "bearing-fault", "magnetic-drop",  "pump"};
+    static const char *const names[] = {
+        "reference",     "paper",          "jeffcott-rub",   "rigid-rotor",  "cracked-rotor",  "seal-whirl",
+        "ball-bearings", "squeeze-damper", "loose-pedestal", "second-shaft", "overhung-rotor", "compressor",
+        "spindle",       "bearing-fault",  "magnetic-drop",  "pump",         "misalignment"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[400];
         whirl_case *object;
