@@ -32,10 +32,10 @@
     X(blade_rub)                                                                                                       \
     X(floating_ring)                                                                                                   \
     X(joint)                                                                                                           \
-    X(misaligned_coupling)                                                                                             \
+    X(coupling_load)                                                                                                   \
     X(cubic_spring)                                                                                                    \
     X(friction)                                                                                                        \
-    X(residual_unbalance)                                                                                              \
+    X(unbalance_grade)                                                                                                 \
     X(runout)
 
 #define DECLARE(name) extern const element_type name##_element;

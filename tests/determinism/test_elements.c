@@ -14,26 +14,25 @@
 #include "whirl/case.h"
 #include "whirl/ensemble.h"
 
-static const char frame[] =
-    "whirl: 1\n"
-    "rotor:\n"
-    "  speed: 9000 rpm\n"
-    "  length_scale: 0.1 mm\n"
-    "  stations:\n"
-    "    rotor:  {mass: 10 kg, diametral: 0.02, polar: 0.03, damping: 500 N.s/m, eccentricity: 40 um}\n"
-    "    stator: {mass: 2 kg, diametral: 0.01, damping: 3 kN.s/m}\n"
-    "  elements:\n"
-    "    - spring: {between: [stator, ground], stiffness: 8 MN/m}\n"
-    "    - spring: {between: [rotor, ground], stiffness: 4 MN/m}\n"
-    "    - spring: {between: [rotor, ground], along: tilts, stiffness: 3e4, damping: 9}\n"
-    "    - spring: {between: [stator, ground], along: tilts, stiffness: 3e4, damping: 9}\n"
-    "    - coupling: {between: [rotor, stator], radial: 1e5, tilt: 900, face_kink: 1 mrad, "
-    "bore_offset: 10 um}\n"
-    "    - gravity\n"
-    "    - %s\n"
-    "study: {response: {}}\n";
+static const char frame[] = "whirl: 1\n"
+                            "rotor:\n"
+                            "  speed: 9000 rpm\n"
+                            "  length_scale: 0.1 mm\n"
+                            "  stations:\n"
+                            "    rotor:  {mass: 10 kg, damping: 500 N.s/m, eccentricity: 40 um}\n"
+                            "    stator: {mass: 2 kg, damping: 3 kN.s/m}\n"
+                            "  elements:\n"
+                            "    - spring: {between: [stator, ground], stiffness: 8 MN/m}\n"
+                            "    - spring: {between: [rotor, ground], stiffness: 4 MN/m}\n"
+                            "    - gravity\n"
+                            "    - %s\n"
+                            "study: {response: {}}\n";
 
 #define STATOR "at: rotor, from: stator, gap: 60 um, stiffness: 3e9, radius: 40 mm, friction: 0.1"
+#define TILTING                                                                                                        \
+    "disc: {at: rotor, outer: 0.2 m, width: 10 mm}\n    - disc: {at: stator, outer: 0.1 m, width: 10 mm}\n"            \
+    "    - spring: {between: [rotor, ground], along: tilts, stiffness: 3e4, damping: 9}\n"                             \
+    "    - spring: {between: [stator, ground], along: tilts, stiffness: 3e4, damping: 9}\n    - "
 static const char *const elements[] = {
     "magnetic: {at: rotor, from: stator, gap: 0.5 mm, bias: 3 A, turns: 120, area: 4 cm2, max_current: 5 A, "
     "proportional: 2e4, integral: 1e5, derivative: 40, derivative_filter: 0.2 ms, numerator: [1, 60, 4e6], "
@@ -46,16 +45,17 @@ static const char *const elements[] = {
     "radius: 25 mm, length: 25 mm}",
     "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
     "radius: 25 mm, length: 25 mm, inertia: 1e-4 kg m2}",
-    "misaligned_coupling: {between: [rotor, stator], distance: 50 mm, x1: 0.1 mm, y2: 0.3 mm, torque: 200, "
-    "bending_stiffness: 150, orders: [1, 0.5, 0.25, 0.2, 0.1], phase: 0.4}",
-    "joint: {between: [rotor, stator], bend: 10 deg, torque: 500, direction: 0.3, yoke: 0.2}",
-    "spring: {between: [rotor, stator], along: tilts, stiffness: 2e4, damping: 3, gap_angle: 0.1 mrad}",
-    "cubic_spring: {between: [rotor, stator], stiffness: 1 MN/m, cubic: 1e15, damping: 300}",
-    "cubic_spring: {between: [rotor, stator], along: tilt_x, cubic: 1e9}",
-    "friction: {between: [rotor, stator], force: 60, slip_speed: 5 mm/s}",
-    "friction: {between: [rotor, stator], along: tilt_y, moment: 0.2}",
-    "residual_unbalance: {planes: [rotor, stator], grade: 40, service_speed: 900 rad/s, mass: 12 kg, to_first: 0.2 m, "
-    "to_second: 0.5 m, second_angle: 1}",
+    TILTING "coupling: {between: [rotor, stator], radial: 1e5, tilt: 900, face_kink: 1 mrad, bore_offset: 10 um}\n"
+            "    - coupling_load: {between: [rotor, stator], distance: 50 mm, x1: 0.1 mm, y2: 0.3 mm, torque: 200, "
+            "bending_stiffness: 150, orders: [1, 0.5, 0.25, 0.2, 0.1], phase: 0.4}\n"
+            "    - joint: {between: [rotor, stator], bend: 10 deg, torque: 500, direction: 0.3, yoke: 0.2}\n"
+            "    - unbalance_grade: {planes: [rotor, stator], grade: 40, service_speed: 900 rad/s, mass: 12 kg, "
+            "to_first: 0.2 m, to_second: 0.5 m, second_angle: 1}",
+    TILTING "spring: {between: [rotor, stator], along: tilts, stiffness: 2e4, damping: 3, gap_angle: 0.1 mrad}\n"
+            "    - cubic_spring: {between: [rotor, stator], stiffness: 1 MN/m, cubic: 1e15, damping: 300}\n"
+            "    - cubic_spring: {between: [rotor, stator], along: tilt_x, cubic: 1e9}\n"
+            "    - friction: {between: [rotor, stator], force: 60, slip_speed: 5 mm/s}\n"
+            "    - friction: {between: [rotor, stator], along: tilt_y, moment: 0.2}",
     "blade_rub: {at: rotor, from: stator, blades: 5, radius: 0.3 m, gap: 60 um, stiffness: 2e7, friction: 0.1, "
     "extension: [20 um, 0 m, 0 m, 5 um, 0 m]}",
     "bearing: {at: rotor, from: stator, elevation: 20 um, frequencies: [0, 200, 400, 600, 800, 1000, 1200, 1400], "

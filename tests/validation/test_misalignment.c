@@ -214,15 +214,14 @@ static void as_forces(const double *of, double *force) {
 static void the_reactions_of_gibbons(void **unused) {
     (void)unused;
     double of[6], expected[DEGREES], found[DEGREES], worst = 0.0;
-    whirl_rotor *still = make(1.0, 1.0, 1.0, "misaligned_coupling", gibbons, GIBBONS - 2);
+    whirl_rotor *still = make(1.0, 1.0, 1.0, "coupling_load", gibbons, GIBBONS - 2);
     char text[WHIRL_MESSAGE_SIZE];
     assert_true(whirl_rotor_note(still, 0, text));
-    assert_int_equal(
-        sscanf(text,
-               "misaligned_coupling at driving: reactions FX1 %lf, FY1 %lf N and against them FX2, FY2; MX1 "
-               "%lf, MY1 %lf, MX2 %lf, MY2 %lf",
-               &of[0], &of[1], &of[2], &of[3], &of[4], &of[5]),
-        6);
+    assert_int_equal(sscanf(text,
+                            "coupling_load at driving: reactions FX1 %lf, FY1 %lf N and against them FX2, FY2; MX1 "
+                            "%lf, MY1 %lf, MX2 %lf, MY2 %lf",
+                            &of[0], &of[1], &of[2], &of[3], &of[4], &of[5]),
+                     6);
     for (int i = 0; i < 6; i++) check_digits("Gibbons", reactions[i], printed[i], of[i]);
     as_forces(of, expected);
     forces_at(still, 0.7, found);
@@ -245,7 +244,7 @@ static void orders_of_reactions(void **unused) {
     const char *frame =
         "whirl: 1\nrotor:\n  speed: 1 rad/s\n  length_scale: 1 m\n  stations:\n"
         "    driving: {mass: 1 kg, diametral: 1 kg m2}\n    driven: {mass: 1 kg, diametral: 1 kg m2}\n"
-        "  elements:\n    - misaligned_coupling: {between: [driving, driven], distance: 50 mm, x1: 0.1 mm, "
+        "  elements:\n    - coupling_load: {between: [driving, driven], distance: 50 mm, x1: 0.1 mm, "
         "x2: 0.2 mm, y1: 0.05 mm, y2: -0.1 mm, bending_stiffness: 150, torque: 200, phase: 0.4, orders: "
         "[0.3, 1, 0.5, 0.25, 0.2]}\nstudy: {response: {}}\n";
     snprintf(text, sizeof text, "%s", frame);
@@ -366,7 +365,7 @@ static void jacobians(void **unused) {
     (void)unused;
     const whirl_setting joint[] = {{"between", 0.0, "driving, driven"}, {"bend", 0.2, NULL}, {"torque", 9.0, NULL}};
     whirl_rotor *rotors[] = {make(1.0, 1.0, 1.0, "joint", joint, 3),
-                             make(1.0, 1.0, 1.0, "misaligned_coupling", gibbons, GIBBONS - 2)};
+                             make(1.0, 1.0, 1.0, "coupling_load", gibbons, GIBBONS - 2)};
     for (int r = 0; r < 2; r++) {
         double x[STATE], exact[STATE * STATE], differences[STATE * STATE], worst = 0.0;
         for (int i = 0; i < STATE; i++) x[i] = 0.1 * sin(i + 1.0);

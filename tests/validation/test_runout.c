@@ -162,7 +162,7 @@ static whirl_rotor *allowed(const whirl_setting *settings, size_t count) {
     require_ok(whirl_design_new(100.0, 1e-3, &design));
     require_ok(whirl_design_station(design, "left", (whirl_setting[]){{"mass", 30.0, NULL}}, 1));
     require_ok(whirl_design_station(design, "right", (whirl_setting[]){{"mass", 20.0, NULL}}, 1));
-    require_ok(whirl_design_element(design, "residual_unbalance", settings, count));
+    require_ok(whirl_design_element(design, "unbalance_grade", settings, count));
     require_ok(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
     return rotor;
@@ -187,7 +187,7 @@ static void what_a_grade_allows(void **unused) {
         double all, slope[8], x[8] = {0};
         assert_true(whirl_rotor_note(rotor, 0, text));
         assert_int_equal(
-            sscanf(text, "residual_unbalance at left: by ISO 21940-11 (check which edition counts) %lf g mm", &all), 1);
+            sscanf(text, "unbalance_grade at left: by ISO 21940-11 (check which edition counts) %lf g mm", &all), 1);
         check_digits("Grade", "50 kg, G 2.5, 3600 rpm: g mm", "331.572798108", all);
         // Accelerations over the square of the speed are unbalance over mass and length.
         evaluate_rhs(whirl_rotor_system(rotor), 0.7, x, slope);
@@ -222,17 +222,16 @@ static void a_shaft_by_its_drawing(void **unused) {
         "    disc: {position: 0.7 m, mass: 30 kg}\n    right: {position: 1 m}\n  elements:\n"
         "    - segment: {length: 0.6 m, outer: 60 mm, elements: 3}\n"
         "    - segment: {length: 0.4 m, outer: 100 mm, elements: 2}\n"
-        "    - residual_unbalance: {planes: [right, left], grade: 6.3, service_speed: 200 rad/s, "
+        "    - unbalance_grade: {planes: [right, left], grade: 6.3, service_speed: 200 rad/s, "
         "factor: 0.5}\nstudy: {response: {}}\n";
     require_ok(whirl_case_parse(drawing, strlen(drawing), "case", NULL, &object));
     require_ok(whirl_case_rotor(object, NULL, NAN, &rotor));
     assert_true(whirl_rotor_note(rotor, 0, text));
-    assert_int_equal(
-        sscanf(text,
-               "residual_unbalance at right: by ISO 21940-11 (check which edition counts) %lf g mm in all, "
-               "%lf in the first plane, %lf",
-               &all, &first, &second),
-        3);
+    assert_int_equal(sscanf(text,
+                            "unbalance_grade at right: by ISO 21940-11 (check which edition counts) %lf g mm in all, "
+                            "%lf in the first plane, %lf",
+                            &all, &first, &second),
+                     3);
     const double expected = 1e6 * 0.5 * 6.3e-3 * mass / 200.0;
     check_within("Grade", "of a stepped shaft with a disc: half of G 6.3, g mm", expected, all, 1e-9);
     check_within("Grade", "in the first plane, by the distance of the second", expected * (centre - 0.1) / 0.9, first,
@@ -251,9 +250,9 @@ static void refusals(void **unused) {
         {"runout: {at: disc, profile: [1e-6, 2e-6]}", "has a profile of 2 heights, expected 3 to 128"},
         {"runout: {at: disc, profile: [1e-6, 2e-6, 0], order: 2}",
          "has order beside a profile, which says it, expected none"},
-        {"residual_unbalance: {planes: [disc, disc], grade: 1, service_speed: 1}",
+        {"unbalance_grade: {planes: [disc, disc], grade: 1, service_speed: 1}",
          "has both planes at one station, expected two stations"},
-        {"residual_unbalance: {planes: [disc, ring], grade: 1, service_speed: 1, mass: 1 kg}",
+        {"unbalance_grade: {planes: [disc, ring], grade: 1, service_speed: 1, mass: 1 kg}",
          "has planes that do not lie on one shaft of finite elements, expected mass, to_first and to_second as well"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         char text[1024], problems[4096] = "";

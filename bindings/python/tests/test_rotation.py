@@ -27,12 +27,12 @@ ANGLES = {
     "segment": {"flats_angle": None},
     "coupling": {"bore_angle": 0, "face_angle": 0},
     "joint": {"direction": 0, "yoke": 0},
-    "residual_unbalance": {"angle": 0, "second_angle": None},
+    "unbalance_grade": {"angle": 0, "second_angle": None},
     "runout": {"angle": None},
 }
 SIGNS = {
     "bearing": ("kxy", "kyx", "cxy", "cyx", "mxy", "sideways"),
-    "misaligned_coupling": ("x1", "x2"),
+    "coupling_load": ("x1", "x2"),
     "pad_bearing": ("turned",),
     "tilting_pad": ("turned",),
 }

@@ -1,5 +1,5 @@
 // What a flexible coupling does to the ends of two shafts that stand beside each other: reactions after Gibbons.
-#define KERNEL_FILE "elements/misaligned_coupling_kernel.h"
+#define KERNEL_FILE "elements/coupling_load_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS REACTION_NUMBERS
@@ -15,7 +15,7 @@ enum { REACTION_PARTS, REACTION_FORCES = 2 * MOST_ORDERS + 1, REACTION_NUMBERS =
 #include "generic.h"
 #include "registry.h"
 
-const element_kernels ISA(misaligned_coupling_kernels) = GENERIC_KERNELS;
+const element_kernels ISA(coupling_load_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -121,10 +121,10 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
                         fabs(values[key].number) / values[DISTANCE].number);
 }
 
-KERNELS_OF_EVERY_ISA(misaligned_coupling_kernels);
+KERNELS_OF_EVERY_ISA(coupling_load_kernels);
 
-const element_type misaligned_coupling_element = {
-    .group = {"misaligned_coupling", "reactions of a flexible coupling whose shafts stand beside each other",
+const element_type coupling_load_element = {
+    .group = {"coupling_load", "reactions of a flexible coupling whose shafts stand beside each other",
               "Gibbons 1976; Sekhar, Prabhu 1995", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,

@@ -1,5 +1,5 @@
 // The unbalance that a balance quality grade lets a rotor have, on two planes.
-#define KERNEL_FILE "elements/residual_unbalance_kernel.h"
+#define KERNEL_FILE "elements/unbalance_grade_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS RESIDUAL_NUMBERS
@@ -13,7 +13,7 @@ enum { RESIDUAL_FORCES, RESIDUAL_MOMENTS = 2 * KERNEL_AXES, RESIDUAL_NUMBERS = R
 #include "generic.h"
 #include "registry.h"
 
-const element_kernels ISA(residual_unbalance_kernels) = GENERIC_KERNELS;
+const element_kernels ISA(unbalance_grade_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -119,11 +119,11 @@ static void note(const element *own, double length, double clock, char *text, si
              1e6 * of[0], 1e6 * of[1], 1e6 * of[2]);
 }
 
-KERNELS_OF_EVERY_ISA(residual_unbalance_kernels);
+KERNELS_OF_EVERY_ISA(unbalance_grade_kernels);
 
-const element_type residual_unbalance_element = {
-    .group = {"residual_unbalance", "what a balance quality grade lets a rotor have of unbalance, on two planes",
-              STANDARD, keys, KEY_COUNT, NULL, NULL},
+const element_type unbalance_grade_element = {
+    .group = {"unbalance_grade", "what a balance quality grade lets a rotor have of unbalance, on two planes", STANDARD,
+              keys, KEY_COUNT, NULL, NULL},
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
