@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "whirl/case.h"
+#include "whirl/orbit.h"
 #include "whirl/result.h"
 #include "whirl/status.h"
 
@@ -13,27 +14,53 @@
 extern "C" {
 #endif
 
-/// The most lines of a spectrum that a claim names.
-enum { WHIRL_MAX_CLAIM_LINES = 8 };
+/// The most lines of a spectrum that a claim names, orders of whirl, and kinds of special points of branches.
+enum { WHIRL_MAX_CLAIM_LINES = 8, WHIRL_MAX_CLAIM_KINDS = 6 };
+
+/// How long there is contact.
+typedef enum whirl_claim_contact {
+    WHIRL_CONTACT_NEVER = 0, ///< at no time
+    WHIRL_CONTACT_SOME,      ///< at some time or always
+    WHIRL_CONTACT_AT_TIMES,  ///< at some time and not always: partial rub
+    WHIRL_CONTACT_ALWAYS     ///< always: full annular rub
+} whirl_claim_contact;
+
+/// Kinds of special points that a claim names.
+typedef struct whirl_claim_kinds {
+    size_t count;                              ///< of list
+    whirl_special list[WHIRL_MAX_CLAIM_KINDS]; ///< in the order of the file
+} whirl_claim_kinds;
 
 /// What somebody (a paper, a measurement) says of a point or of a range of a parameter. What is not said is not
 /// compared.
 typedef struct whirl_claim {
-    char where[WHIRL_NAME_SIZE];         ///< "Fig. 4"
-    char says[400];                      ///< in words
-    double from, to;                     ///< value or range of the parameter; from = to for one point
-    bool has_regime;                     ///< whether it says a regime
-    whirl_regime regime;                 ///< that it says
-    int period;                          ///< 0: any
-    int curves;                          ///< closed curves of a quasi-periodic section; 0: any
-    bool has_contact, contact;           ///< whether it speaks of contact, and what it says
-    size_t line_count;                   ///< of lines
-    double lines[WHIRL_MAX_CLAIM_LINES]; ///< orders that the spectrum shows
-    bool only_lines;                     ///< and no others
-    bool has_band;                       ///< whether it says a band
-    double band[2];                      ///< orders between which the large lines below the running speed lie
-    bool has_whirl;                      ///< whether it says a direction
-    char whirl[WHIRL_NAME_SIZE];         ///< "forward", "backward"
+    char where[WHIRL_NAME_SIZE];          ///< "Fig. 4"
+    char says[400];                       ///< in words
+    double from, to;                      ///< value or range of the parameter; from = to for one point
+    bool has_regime;                      ///< whether it says a regime
+    whirl_regime regime;                  ///< that it says
+    int period;                           ///< 0: any
+    int curves;                           ///< closed curves of a quasi-periodic section; 0: any
+    bool has_contact;                     ///< whether it speaks of contact
+    whirl_claim_contact contact;          ///< what it says of it
+    bool has_dry_whip, dry_whip;          ///< whether it speaks of dry whip, and what it says
+    size_t line_count;                    ///< of lines
+    double lines[WHIRL_MAX_CLAIM_LINES];  ///< orders that the spectrum shows
+    bool only_lines;                      ///< and no others
+    bool has_band;                        ///< whether it says a band
+    double band[2];                       ///< orders between which the large lines below the running speed lie
+    bool has_largest;                     ///< whether it says where the largest line lies
+    double largest[2];                    ///< orders between which it lies
+    bool has_whirl;                       ///< whether it says a direction
+    char whirl[WHIRL_NAME_SIZE];          ///< "forward", "backward"
+    whirl_claim_kinds changes;            ///< special points that branches have in the range
+    whirl_claim_kinds unchanged;          ///< and such that they have not
+    int sense;                            ///< of the first of the changes: -1 supercritical, 1 subcritical, 0 not said
+    size_t order_count;                   ///< of orders
+    double orders[WHIRL_MAX_CLAIM_LINES]; ///< of the speed, one of which the whirl has that begins there
+    int regions;                          ///< parts of one sense of the curve of Hopf points; 0: not said
+    char given[WHIRL_NAME_SIZE];          ///< a parameter of the case; "" for results of all its values
+    double given_from, given_to;          ///< values of it of which the claim speaks
 } whirl_claim;
 
 /// A list of claims with where they come from.

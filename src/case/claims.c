@@ -74,11 +74,12 @@ static void read_regime(case_reader *reader, const setting_list *item, whirl_cla
     problem_at(reader->problems, given->place, "is %s, %s", node_shown(given->place, shown), advice);
 }
 
-static void read_curves(case_reader *reader, const setting_list *item, whirl_claim *claim) {
-    const setting *given = settings_find(item, "curves");
-    if (!given || !given->good) return;
+/// 0 where it is absent.
+static int read_whole(case_reader *reader, const setting_list *item, const char *name) {
+    const setting *given = settings_find(item, name);
+    if (!given || !given->good) return 0;
     if (given->value.expression) problem_at(reader->problems, given->place, "is an expression, expected a number");
-    claim->curves = (int)given->value.number;
+    return (int)given->value.number;
 }
 
 /// Between `least` and `most` orders of the running speed.
@@ -104,6 +105,80 @@ static size_t read_orders(case_reader *reader, const setting_list *item, const c
     return count;
 }
 
+/// Two orders, the lower one first.
+static bool read_pair(case_reader *reader, const setting_list *item, const char *name, double orders[2]) {
+    const bool there = read_orders(reader, item, name, 2, 2, orders) == 2;
+    if (there && !(orders[0] < orders[1]))
+        problem_at(reader->problems, settings_find(item, name)->place, "expected the lower order first");
+    return there;
+}
+
+static whirl_claim_contact read_contact(const setting_list *item) {
+    const char *word = settings_word(item, "rub");
+    if (word && strcmp(word, "always") == 0) return WHIRL_CONTACT_ALWAYS;
+    if (word && strcmp(word, "at_times") == 0) return WHIRL_CONTACT_AT_TIMES;
+    return settings_yes(item, "rub") ? WHIRL_CONTACT_SOME : WHIRL_CONTACT_NEVER;
+}
+
+// ---------------------------------------------------------------- branches
+
+/// One of the kinds of special points.
+static bool read_kind(case_reader *reader, const file_node *where, whirl_special *kind) {
+    static const char *const names[] = {"fold", "crossing", "doubling", "neimark-sacker", "hopf", "grazing"};
+    static const whirl_special kinds[] = {WHIRL_FOLD,           WHIRL_BRANCHING, WHIRL_DOUBLING,
+                                          WHIRL_NEIMARK_SACKER, WHIRL_HOPF,      WHIRL_GRAZE};
+    char shown[SHOWN_SIZE], advice[WHY_SIZE];
+    const char *word = where->kind == NODE_TEXT ? where->text : "";
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        *kind = kinds[i];
+        if (strcmp(word, names[i]) == 0) return true;
+    }
+    describe_names(word, names, sizeof names / sizeof *names, advice);
+    problem_at(reader->problems, where, "is %s, %s", node_shown(where, shown), advice);
+    return false;
+}
+
+static void read_kinds(case_reader *reader, const setting_list *item, const char *name, whirl_claim_kinds *kinds) {
+    char shown[SHOWN_SIZE];
+    const setting *given = settings_find(item, name);
+    if (!given) return;
+    const file_node *list = given->place;
+    if (list->kind != NODE_LIST || list->count == 0 || list->count > WHIRL_MAX_CLAIM_KINDS) {
+        problem_at(reader->problems, list, "is %s, expected a list of 1 to %d kinds of special points",
+                   node_shown(list, shown), WHIRL_MAX_CLAIM_KINDS);
+        return;
+    }
+    for (const file_node *kind = list->first; kind; kind = kind->next)
+        if (read_kind(reader, kind, &kinds->list[kinds->count])) kinds->count++;
+}
+
+static void read_given(case_reader *reader, const setting_list *item, whirl_claim *claim) {
+    const bool from = settings_find(item, "given_from"), to = settings_find(item, "given_to");
+    const bool named = settings_find(item, "given") != NULL;
+    if (named != from || from != to) {
+        problem_at(reader->problems, item->place, "expected given, given_from and given_to together");
+        return;
+    }
+    if (!named) return;
+    double first = 0.0, last = 0.0;
+    settings_text(reader, item, "given", claim->given, sizeof claim->given);
+    if (!read_number(reader, item, "given_from", &first) || !read_number(reader, item, "given_to", &last)) return;
+    claim->given_from = fmin(first, last);
+    claim->given_to = fmax(first, last);
+}
+
+static void read_branches(case_reader *reader, const setting_list *item, whirl_claim *claim) {
+    const char *sense = settings_word(item, "sense");
+    read_kinds(reader, item, "changes", &claim->changes);
+    read_kinds(reader, item, "unchanged", &claim->unchanged);
+    if (sense && *sense) claim->sense = strcmp(sense, "subcritical") == 0 ? 1 : -1;
+    claim->order_count = read_orders(reader, item, "orders", 1, WHIRL_MAX_CLAIM_LINES, claim->orders);
+    claim->regions = read_whole(reader, item, "regions");
+    if (claim->sense && claim->changes.count == 0)
+        problem_at(reader->problems, item->place, "says a sense, expected changes that have it");
+    read_given(reader, item, claim);
+}
+
 static void read_claim(case_reader *reader, const file_node *where, whirl_claim *claim) {
     setting_list item;
     settings_read(reader, where, &schema_claim, &item);
@@ -112,17 +187,19 @@ static void read_claim(case_reader *reader, const file_node *where, whirl_claim 
     settings_text(reader, &item, "says", claim->says, sizeof claim->says);
     read_range(reader, &item, claim);
     read_regime(reader, &item, claim);
-    read_curves(reader, &item, claim);
+    claim->curves = read_whole(reader, &item, "curves");
     claim->has_contact = settings_find(&item, "rub") != NULL;
-    claim->contact = settings_yes(&item, "rub");
+    claim->contact = read_contact(&item);
+    claim->has_dry_whip = settings_find(&item, "dry_whip") != NULL;
+    claim->dry_whip = settings_yes(&item, "dry_whip");
     claim->line_count = read_orders(reader, &item, "lines", 1, WHIRL_MAX_CLAIM_LINES, claim->lines);
     claim->only_lines = settings_yes(&item, "only_lines");
-    claim->has_band = read_orders(reader, &item, "band", 2, 2, claim->band) == 2;
-    if (claim->has_band && !(claim->band[0] < claim->band[1]))
-        problem_at(reader->problems, settings_find(&item, "band")->place, "expected the lower order first");
+    claim->has_band = read_pair(reader, &item, "band", claim->band);
+    claim->has_largest = read_pair(reader, &item, "largest", claim->largest);
     const setting *whirl = settings_find(&item, "whirl");
     claim->has_whirl = whirl && whirl->word;
     if (claim->has_whirl) snprintf(claim->whirl, sizeof claim->whirl, "%.63s", whirl->word);
+    read_branches(reader, &item, claim);
 }
 
 static void read_items(case_reader *reader, const file_node *where, whirl_claims *claims) {

@@ -7,6 +7,7 @@
 #include "describe.h"
 #include "equations.h"
 #include "follower.h"
+#include "normal_form.h"
 #include "vanishing.h"
 
 /// A curve under way. Unknowns: those of the orbit, with the first parameter, then the second one.
@@ -100,15 +101,21 @@ static double size_of(void *context, const double *u, const double *value) {
 
 // ---------------------------------------------------------------- the walk
 
+/// Of Hopf points; of orbits it would take as many again as the curve. The derivative is that of the last point aside.
+static double criticality(walk *w, double angle) {
+    const size_t n = equations_count(&w->equations);
+    if (w->kind != WHIRL_HOPF) return NAN;
+    set_second(w, w->u[n + 1]);
+    if (!equations_evaluate(&w->equations, w->u, w->above, w->orbit_derivative)) return NAN;
+    return normal_form(w->equations.s, w->orbit, w->kind, angle);
+}
+
 static whirl_status add_point(walk *w) {
     const size_t n = equations_count(&w->equations);
-    whirl_branch_point point = {.value = w->u[n],
-                                .second = w->u[n + 1],
-                                .special = w->kind,
-                                .criticality = NAN,
-                                .touch = w->touch,
-                                .orbit = w->orbit};
+    whirl_branch_point point = {
+        .value = w->u[n], .second = w->u[n + 1], .special = w->kind, .touch = w->touch, .orbit = w->orbit};
     if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point.angle);
+    point.criticality = criticality(w, point.angle);
     const whirl_status status = branch_add(w->branch, w->options, &point);
     if (status.code == WHIRL_OK) w->orbit = NULL;
     return status;

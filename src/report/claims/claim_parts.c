@@ -33,7 +33,26 @@ static double score_contact(const claim_view *view, size_t point) {
     // A rotor without a stator does not rub.
     const double share = view->result->contact_count ? rub_share(view->table, point, view->result->contact_count) : 0.0;
     if (isnan(share)) return NAN;
-    return (share > 0.0) == view->claim->contact ? 1.0 : 0.0;
+    switch (view->claim->contact) {
+    case WHIRL_CONTACT_NEVER:
+        return share > 0.0 ? 0.0 : 1.0;
+    case WHIRL_CONTACT_AT_TIMES:
+        return share > 0.0 && share < ALWAYS ? 1.0 : 0.0;
+    case WHIRL_CONTACT_ALWAYS:
+        return share >= ALWAYS ? 1.0 : 0.0;
+    default:
+        return share > 0.0 ? 1.0 : 0.0;
+    }
+}
+
+static bool states_dry_whip(const whirl_claim *claim) {
+    return claim->has_dry_whip;
+}
+
+static double score_dry_whip(const claim_view *view, size_t point) {
+    const double found = whirl_table_number(view->table, point, WHIRL_FIELD_WINDING_DRY_WHIP, view->station);
+    if (isnan(found)) return NAN;
+    return (found > 0.0) == view->claim->dry_whip ? 1.0 : 0.0;
 }
 
 // ---------------------------------------------------------------- lines
@@ -79,6 +98,19 @@ static double score_band(const claim_view *view, size_t point) {
     return found.lines >= 3 ? 1.0 : 0.5;
 }
 
+// ---------------------------------------------------------------- largest line
+
+static bool states_largest(const whirl_claim *claim) {
+    return claim->has_largest;
+}
+
+static double score_largest(const claim_view *view, size_t point) {
+    const numbers lines = claim_lines(view, point);
+    const double *range = view->claim->largest;
+    if (lines.rows == 0) return NAN;
+    return lines.at[0] >= range[0] - LINE_TOLERANCE && lines.at[0] <= range[1] + LINE_TOLERANCE ? 1.0 : 0.0;
+}
+
 // ---------------------------------------------------------------- sense of whirl
 
 static bool states_whirl(const whirl_claim *claim) {
@@ -101,8 +133,10 @@ const claim_part *claim_parts(void) {
         {"regime", states_regime, score_regime, claim_regime_at, claim_regime_over},
         {"number of curves", states_curves, score_curves, claim_curves_at, NULL},
         {"contact", states_contact, score_contact, claim_contact_at, claim_contact_over},
+        {"dry whip", states_dry_whip, score_dry_whip, claim_dry_whip_at, claim_dry_whip_over},
         {"lines", states_lines, score_lines, claim_lines_at, NULL},
         {"band of lines", states_band, score_band, claim_band_at, NULL},
+        {"largest line", states_largest, score_largest, claim_largest_at, claim_largest_over},
         {"whirl", states_whirl, score_whirl, claim_whirl_at, claim_whirl_over},
         {NULL, NULL, NULL, NULL, NULL},
     };

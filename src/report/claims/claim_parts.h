@@ -19,8 +19,10 @@ typedef struct claim_view {
 
 /// Counts over the points of a range that are done.
 typedef struct claim_census {
-    size_t points, in_class[CLASS_COUNT], rubbing, rub_known;
-    double rub_low, rub_high; ///< values of the parameter between which there is contact
+    size_t points, in_class[CLASS_COUNT], rubbing, rub_known, always, whipping, whip_known;
+    double rub_low, rub_high;         ///< values of the parameter between which there is contact
+    double largest_low, largest_high; ///< orders of the largest lines
+    size_t largest_known;
     double backward_low, backward_high;
     size_t backward_known;
 } claim_census;
@@ -54,18 +56,25 @@ typedef struct claim_band {
 } claim_band;
 claim_band claim_band_of(const claim_view *view, size_t point);
 
+/// A contact that lasts is there for this share of the time at least.
+static const double ALWAYS = 1.0 - 1e-9;
+
 /// The lines that parts write (claim_text.c).
 void claim_regime_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_regime_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_curves_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_contact_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_contact_over(const claim_view *view, const claim_census *census, char *text, size_t size);
+void claim_dry_whip_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_dry_whip_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_lines_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_band_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_largest_at(const claim_view *view, size_t point, char *text, size_t size);
+void claim_largest_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_whirl_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 
-enum { MOST_FINDINGS = 8, FINDING_SIZE = 240 };
+enum { MOST_FINDINGS = 12, FINDING_SIZE = 240 };
 
 /// A part of a claim beside what was found.
 typedef struct claim_finding {
@@ -94,6 +103,14 @@ const whirl_table *claim_table_over(const whirl_result *result, const char *name
 claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim);
 bool claim_selected(const claim_selection *of, size_t point);
 size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX where there is none of that name
+
+/// Whether a claim says something of branches, and how that stands beside a result's: findings that are added.
+bool claim_of_branches(const whirl_claim *claim);
+void claim_compare_branches(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
+                            claim_outcome *outcome);
+
+/// Whether a claim speaks of results with this one's value of the parameter that is given; else why not.
+bool claim_is_given(const whirl_claim *claim, const whirl_result *result, char *text, size_t size);
 
 /// Where a claim that is not met in full fails, and where it is met: over a range the values at which it does not hold,
 /// for a single value the nearest of the sweep at which it does. At most `size` bytes.

@@ -22,6 +22,16 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
         census->rub_low = census->rubbing ? fmin(census->rub_low, value) : value;
         census->rub_high = census->rubbing ? fmax(census->rub_high, value) : value;
         census->rubbing++;
+        census->always += share >= ALWAYS;
+    }
+    const double whip = whirl_table_number(view->table, point, WHIRL_FIELD_WINDING_DRY_WHIP, view->station);
+    census->whip_known += !isnan(whip);
+    census->whipping += whip > 0.0;
+    const numbers lines = claim_lines(view, point);
+    if (lines.rows > 0) {
+        census->largest_low = census->largest_known ? fmin(census->largest_low, lines.at[0]) : lines.at[0];
+        census->largest_high = census->largest_known ? fmax(census->largest_high, lines.at[0]) : lines.at[0];
+        census->largest_known++;
     }
     const double backward = backward_share(view->table, point, view->station);
     if (isnan(backward)) return;
@@ -84,12 +94,31 @@ void claim_contact_at(const claim_view *view, size_t point, char *text, size_t s
 void claim_contact_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
     if (census->rubbing == 0)
         snprintf(text, size, "no rub at any of %zu points", census->points);
+    else if (census->always == census->points)
+        snprintf(text, size, "rub at all %zu points, always", census->points);
+    else if (census->rubbing == census->points && view->claim->contact >= WHIRL_CONTACT_AT_TIMES)
+        snprintf(text, size, "rub at all %zu points, always at %zu of them", census->points, census->always);
     else if (census->rubbing == census->points)
         snprintf(text, size, "rub at all %zu points", census->points);
     else
         snprintf(text, size, "rub at %.3g %% of %zu points (%s = %.4g to %.4g)",
                  100.0 * (double)census->rubbing / (double)census->points, census->points, view->table->parameter,
                  census->rub_low, census->rub_high);
+}
+
+void claim_dry_whip_at(const claim_view *view, size_t point, char *text, size_t size) {
+    const bool whips = whirl_table_number(view->table, point, WHIRL_FIELD_WINDING_DRY_WHIP, view->station) > 0.0;
+    const double turns = whirl_table_number(view->table, point, WHIRL_FIELD_WINDING_WINDING, view->station);
+    snprintf(text, size, "%s, %.4g turns of the station in a revolution", whips ? "dry whip" : "no dry whip", turns);
+}
+
+void claim_dry_whip_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
+    (void)view;
+    if (census->whipping == 0 || census->whipping == census->whip_known)
+        snprintf(text, size, "%s of %zu points", census->whipping ? "dry whip at all" : "dry whip at none",
+                 census->whip_known);
+    else
+        snprintf(text, size, "dry whip at %zu of %zu points", census->whipping, census->whip_known);
 }
 
 // ---------------------------------------------------------------- spectrum
@@ -112,6 +141,15 @@ void claim_band_at(const claim_view *view, size_t point, char *text, size_t size
              found.lines == 1 ? "" : "s", view->claim->band[0], view->claim->band[1], 100.0 * found.share);
 }
 
+void claim_largest_at(const claim_view *view, size_t point, char *text, size_t size) {
+    snprintf(text, size, "largest line %.3g X", claim_lines(view, point).at[0]);
+}
+
+void claim_largest_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
+    (void)view;
+    snprintf(text, size, "largest line %.3g to %.3g X", census->largest_low, census->largest_high);
+}
+
 // ---------------------------------------------------------------- sense of whirl
 
 void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t size) {
@@ -120,7 +158,7 @@ void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t siz
     if (verdict.regime == WHIRL_DIVERGING)
         whirl_verdict_name(&verdict, text, size);
     else
-        snprintf(text, size, "bounded; against the rotation %.2g %% of the time", 100.0 * backward);
+        snprintf(text, size, "bounded; against the rotation %.3g %% of the time", 100.0 * backward);
 }
 
 void claim_whirl_over(const claim_view *view, const claim_census *census, char *text, size_t size) {
@@ -134,7 +172,7 @@ void claim_whirl_over(const claim_view *view, const claim_census *census, char *
         used = (size_t)snprintf(text, size, "diverged at %zu of %zu points", diverged, census->points);
     if (census->backward_known == 0 || used >= size) return;
     if (high - low < 0.05)
-        snprintf(text + used, size - used, "; against the rotation %.2g %% of the time", high);
+        snprintf(text + used, size - used, "; against the rotation %.3g %% of the time", high);
     else
-        snprintf(text + used, size - used, "; against the rotation %.2g to %.2g %% of the time", low, high);
+        snprintf(text + used, size - used, "; against the rotation %.3g to %.3g %% of the time", low, high);
 }

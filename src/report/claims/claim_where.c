@@ -9,6 +9,12 @@
 
 enum { MOST_RANGES = 5 };
 
+static bool speaks_of_points(const whirl_claim *claim) {
+    for (const claim_part *part = claim_parts(); part->name; part++)
+        if (part->stated(claim)) return true;
+    return false;
+}
+
 /// The score of a point in all that the claim states: the least of its parts; NaN where one of them cannot be told.
 static double score_all(const claim_view *view, size_t point) {
     double least = 1.0;
@@ -92,7 +98,11 @@ void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, con
     const whirl_table *sweep = claim_table_over(result, "sweep", claims->parameter);
     const size_t station = claim_station(result, claims->station);
     snprintf(text, size, "not compared");
-    if (station == SIZE_MAX || of.count == 0) return;
+    if (station == SIZE_MAX || (speaks_of_points(claim) && of.count == 0)) return;
+    if (!speaks_of_points(claim)) {
+        snprintf(text, size, "along the branches");
+        return;
+    }
     const claim_view view = {claim, result, of.count > 1 ? of.table : sweep, station};
     if (of.count > 1)
         where_missed(&view, &of, claims->parameter, text, size);

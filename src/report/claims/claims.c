@@ -145,14 +145,16 @@ void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const w
         snprintf(outcome->note, sizeof outcome->note, "the result has no station %s", claims->station);
         return;
     }
-    if (of.count == 0) {
-        snprintf(outcome->note, sizeof outcome->note, "no point of the result lies there");
-        return;
-    }
+    if (!claim_is_given(claim, result, outcome->note, sizeof outcome->note)) return;
+    *outcome->note = '\0';
+    if (claim_of_branches(claim)) claim_compare_branches(claims, claim, result, outcome);
+    bool stated = false;
+    for (const claim_part *part = claim_parts(); part->name; part++) stated = stated || part->stated(claim);
+    if (stated && of.count == 0) snprintf(outcome->note, sizeof outcome->note, "no point of the result lies there");
     const claim_view view = {claim, result, of.table, station};
-    for (const claim_part *part = claim_parts(); part->name && outcome->count < MOST_FINDINGS; part++)
+    for (const claim_part *part = claim_parts(); part->name && outcome->count < MOST_FINDINGS && of.count > 0; part++)
         if (part->stated(claim)) compare_part(part, &view, &of, &outcome->findings[outcome->count++]);
-    if (of.count == 1 && !near(of.nearest, claim->from))
+    if (stated && of.count == 1 && near(claim->from, claim->to) && !near(of.nearest, claim->from))
         snprintf(outcome->note, sizeof outcome->note, "at the nearest point computed, %s = %.6g", claims->parameter,
                  of.nearest);
     outcome->agreement = all_parts(outcome);

@@ -46,6 +46,9 @@ static void write_findings(FILE *stream, const claim_outcome *of) {
 static void write_values(const page *to, const whirl_claim *of) {
     html_printf(to->stream, "%s = %.4g", to->claims->parameter, of->from);
     if (of->from != of->to) html_printf(to->stream, " to %.4g", of->to);
+    if (!*of->given) return;
+    html_printf(to->stream, ", %s = %.4g", of->given, of->given_from);
+    if (of->given_from != of->given_to) html_printf(to->stream, " to %.4g", of->given_to);
 }
 
 static void write_where(const page *to, const whirl_claim *claim) {
@@ -164,6 +167,8 @@ void page_claims(const page *to) {
           "centre (0, 0), that is x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0. An orbit beside the "
           "centre is there for about half of the time, whatever its sense. Backward whirl is met above 50&nbsp;%; "
           "\u201cdiverging\u201d where the motion leaves its bounds too.</li>\n"
+          "<li>What branches have (folds, Hopf points, ...) is looked for in the range, or within 2&nbsp;% of a single "
+          "value; the order of a whirl counts within 5&nbsp;%, and is that of the first Hopf point of the range.</li>\n"
           "</ul></details>\n",
           to->stream);
     write_counts(to);
