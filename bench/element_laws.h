@@ -1,5 +1,6 @@
-/// Laws of elements as plain C functions of one place each, the peers of whirl's kernels in lanes: angles by one sine and
-/// cosine a turn, branches where nothing touches, no division twice. All in the units of the machines in elements.c.
+/// Laws of elements as plain C functions of one place each, the peers of whirl's kernels in lanes: angles by one sine
+/// and cosine a turn, branches where nothing touches, no division twice. All in the units of the machines in
+/// elements.c.
 #ifndef BENCH_ELEMENT_LAWS_H
 #define BENCH_ELEMENT_LAWS_H
 

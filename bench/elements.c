@@ -1,7 +1,8 @@
 // Elements' kernels in lanes beside plain C functions of the same laws (element_laws.h): a machine of one element, four
 // times, at states of all kinds. Both must give the same accelerations, and slopes of states, before they are timed.
 //
-//   bench_elements SECONDS [ELEMENT]      lines: ISA or C, element; evaluations of an element a second; largest difference
+//   bench_elements SECONDS [ELEMENT]      lines: ISA or C, element; evaluations of an element a second; largest
+//   difference
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -27,8 +28,8 @@ typedef struct bench_element {
     size_t setting_count;
     element_law *law;
     const void *numbers;
-    double least, most, speed;   ///< of distances from the middle, of velocities
-    double states[2], fluid;     ///< least and most of states; a fluid's mass that the station has besides
+    double least, most, speed; ///< of distances from the middle, of velocities
+    double states[2], fluid;   ///< least and most of states; a fluid's mass that the station has besides
     size_t axes, state_count;
 } bench_element;
 
@@ -54,9 +55,19 @@ static finite_law finite_numbers(void) {
 
 static rolling_law rolling_numbers(int count, int line, int oblique, int dented) {
     const double inner = 4.0, outer = 6.0, angle = 0.5, centres = 2.0, gap = 0.05, share = inner / (inner + outer);
-    rolling_law law = {count, line, oblique, dented, 3.0, gap, share, centres, centres * cos(angle) - gap,
-                       centres * sin(angle), {{0.1, 0.5, 0.2}, {0.1, 0.6, -1.0}, {0.1, 0.7, 0.0}},
-                       {share, 1.0, 0.0, (1.0 - share) * share / (0.5 - share)}, {{0.0}}};
+    rolling_law law = {count,
+                       line,
+                       oblique,
+                       dented,
+                       3.0,
+                       gap,
+                       share,
+                       centres,
+                       centres * cos(angle) - gap,
+                       centres * sin(angle),
+                       {{0.1, 0.5, 0.2}, {0.1, 0.6, -1.0}, {0.1, 0.7, 0.0}},
+                       {share, 1.0, 0.0, (1.0 - share) * share / (0.5 - share)},
+                       {{0.0}}};
     for (int j = 0; j < count; j++) law.apart[j][0] = cos(TURN * j / count), law.apart[j][1] = sin(TURN * j / count);
     return law;
 }
@@ -77,16 +88,24 @@ static blade_law blade_numbers(double power) {
 }
 
 #define BALLS                                                                                                          \
-    {"at", 0, "disc"}, {"stiffness", 3, 0}, {"clearance", 0.05, 0}, {"inner", 4, 0}, { "outer", 6, 0 }
+    {"at", 0, "disc"}, {"stiffness", 3, 0}, {"clearance", 0.05, 0}, {"inner", 4, 0}, {                                 \
+        "outer", 6, 0                                                                                                  \
+    }
 #define DENTED                                                                                                         \
     {"inner_dent", 0.1, 0}, {"inner_dent_width", 0.5, 0}, {"inner_dent_angle", 0.2, 0}, {"outer_dent", 0.1, 0},        \
-        {"outer_dent_width", 0.6, 0}, {"outer_dent_angle", -1, 0}
+        {"outer_dent_width", 0.6, 0}, {                                                                                \
+        "outer_dent_angle", -1, 0                                                                                      \
+    }
 #define CONTACT                                                                                                        \
-    {"at", 0, "disc"}, {"gap", 1, 0}, { "stiffness", 7, 0 }
+    {"at", 0, "disc"}, {"gap", 1, 0}, {                                                                                \
+        "stiffness", 7, 0                                                                                              \
+    }
 #define RUBBING                                                                                                        \
-    {"radius", 3, 0}, { "friction", 0.2, 0 }
+    {"radius", 3, 0}, {                                                                                                \
+        "friction", 0.2, 0                                                                                             \
+    }
 #define BLADES                                                                                                         \
-    {"at", 0, "disc"}, {"blades", LAW_BLADES, 0}, {"radius", 1, 0}, {"gap", 0.1, 0}, {"stiffness", 3, 0}, {           \
+    {"at", 0, "disc"}, {"blades", LAW_BLADES, 0}, {"radius", 1, 0}, {"gap", 0.1, 0}, {"stiffness", 3, 0}, {            \
         "friction", 0.1, 0                                                                                             \
     }
 
@@ -103,58 +122,178 @@ static void measure_all(double seconds, void (*measure)(const bench_element *, d
     lankarani.excess = 0.1, lankarani.stribeck_speed = 0.7;
     lugre = lankarani, lugre.loss = 0.0, lugre.friction = RUB_LUGRE, lugre.bristle = 10.0, lugre.bristle_damping = 0.3;
     const blade_law blades = blade_numbers(1.0), hertz_blades = blade_numbers(1.5);
-    const magnet_law magnet = {0.02,        1.0, 2.0,        3.0,  cos(0.125 * TURN), sin(0.125 * TURN), TURN * 3.0,
-                               TURN * 2.0, 40, 5.0, 8.0, 1.0 / 0.05};
+    const magnet_law magnet = {0.02,       1.0, 2.0, 3.0, cos(0.125 * TURN), sin(0.125 * TURN), TURN * 3.0,
+                               TURN * 2.0, 40,  5.0, 8.0, 1.0 / 0.05};
     const bench_element all[] = {
-        {"floating_ring", "floating_ring",
+        {"floating_ring",
+         "floating_ring",
          SET({"at", 0, "disc"}, {"ring", 0, "ring"}, {"inertia", 4e5, 0}, {"clearance", 1, 0}, {"radius", 50, 0},
              {"length", 50, 0}, {"viscosity", 0.01, 0}, {"outer_clearance", 1.5, 0}, {"outer_radius", 60, 0},
              {"outer_length", 50, 0}),
-         ring_force, &ring, 0, 0.9, 1.0, {-0.3, 0.3}, 0, 4, 1},
-        {"film, finite", "film",
+         ring_force,
+         &ring,
+         0,
+         0.9,
+         1.0,
+         {-0.3, 0.3},
+         0,
+         4,
+         1},
+        {"film, finite",
+         "film",
          SET({"at", 0, "disc"}, {"law", 0, "finite"}, {"clearance", 1, 0}, {"radius", 50, 0}, {"length", 80, 0},
              {"viscosity", 0.01, 0}),
-         finite_force, &finite, 0, 0.95, 1.0, {0, 0}, 0, 2, 0},
-        {"ball_bearing, 8 balls", "ball_bearing", SET(BALLS, {"balls", 8, 0}), rolling_force, &balls, 0, 1, 1,
-         {0, TURN}, 0, 2, 1},
-        {"ball_bearing, oblique", "ball_bearing",
-         SET(BALLS, {"balls", 8, 0}, {"contact_angle", 0.5, 0}, {"centres", 2, 0}), rolling_force, &oblique, 0, 1, 1,
-         {0, TURN}, 0, 2, 1},
-        {"ball_bearing, dents in races and a ball", "ball_bearing",
-         SET(BALLS, {"balls", 8, 0}, DENTED, {"ball_dent", 0.1, 0}, {"ball_dent_width", 0.7, 0}), rolling_force, &dents,
-         0, 1, 1, {0, TURN}, 0, 2, 4},
-        {"roller_bearing, 12 rollers", "roller_bearing", SET(BALLS, {"rollers", 12, 0}), rolling_force, &rollers, 0, 1,
-         1, {0, TURN}, 0, 2, 1},
-        {"seal, black", "seal",
+         finite_force,
+         &finite,
+         0,
+         0.95,
+         1.0,
+         {0, 0},
+         0,
+         2,
+         0},
+        {"ball_bearing, 8 balls",
+         "ball_bearing",
+         SET(BALLS, {"balls", 8, 0}),
+         rolling_force,
+         &balls,
+         0,
+         1,
+         1,
+         {0, TURN},
+         0,
+         2,
+         1},
+        {"ball_bearing, oblique",
+         "ball_bearing",
+         SET(BALLS, {"balls", 8, 0}, {"contact_angle", 0.5, 0}, {"centres", 2, 0}),
+         rolling_force,
+         &oblique,
+         0,
+         1,
+         1,
+         {0, TURN},
+         0,
+         2,
+         1},
+        {"ball_bearing, dents in races and a ball",
+         "ball_bearing",
+         SET(BALLS, {"balls", 8, 0}, DENTED, {"ball_dent", 0.1, 0}, {"ball_dent_width", 0.7, 0}),
+         rolling_force,
+         &dents,
+         0,
+         1,
+         1,
+         {0, TURN},
+         0,
+         2,
+         4},
+        {"roller_bearing, 12 rollers",
+         "roller_bearing",
+         SET(BALLS, {"rollers", 12, 0}),
+         rolling_force,
+         &rollers,
+         0,
+         1,
+         1,
+         {0, TURN},
+         0,
+         2,
+         1},
+        {"seal, black",
+         "seal",
          SET({"at", 0, "disc"}, {"law", 0, "black"}, {"clearance", 0.01, 0}, {"radius", 1, 0}, {"length", 0.5, 0},
              {"density", 1000, 0}, {"viscosity", 1e-3, 0}, {"pressure", 50, 0}),
-         seal_force, &black, 0, 0.008, 0.01, {0, 0}, black.mass, 2, 0},
-        {"seal, muszynska", "seal",
+         seal_force,
+         &black,
+         0,
+         0.008,
+         0.01,
+         {0, 0},
+         black.mass,
+         2,
+         0},
+        {"seal, muszynska",
+         "seal",
          SET({"at", 0, "disc"}, {"clearance", 0.01, 0}, {"stiffness", 3, 0}, {"damping", 2, 0}, {"mass", 0.25, 0},
              {"ratio", 0.45, 0}, {"growth", 2, 0}, {"slowing", 0.5, 0}),
-         seal_force, &muszynska, 0, 0.009, 0.01, {0, 0}, 0.25, 2, 0},
+         seal_force,
+         &muszynska,
+         0,
+         0.009,
+         0.01,
+         {0, 0},
+         0.25,
+         2,
+         0},
         {"contact, Hertz", "contact", SET(CONTACT), contact_force, &hertz, 1, 1.5, 1, {0, 0}, 0, 2, 0},
         {"contact, Hertz, open", "contact", SET(CONTACT), contact_force, &hertz, 0, 1, 1, {0, 0}, 0, 2, 0},
-        {"contact, Hunt-Crossley, smooth friction", "contact",
-         SET(CONTACT, RUBBING, {"law", 0, "hunt_crossley"}, {"loss", 0.3, 0}, {"slip_speed", 0.5, 0}), contact_force,
-         &hunt, 1, 1.5, 1, {0, 0}, 0, 2, 0},
-        {"contact, Lankarani-Nikravesh, Stribeck", "contact",
+        {"contact, Hunt-Crossley, smooth friction",
+         "contact",
+         SET(CONTACT, RUBBING, {"law", 0, "hunt_crossley"}, {"loss", 0.3, 0}, {"slip_speed", 0.5, 0}),
+         contact_force,
+         &hunt,
+         1,
+         1.5,
+         1,
+         {0, 0},
+         0,
+         2,
+         0},
+        {"contact, Lankarani-Nikravesh, Stribeck",
+         "contact",
          SET(CONTACT, RUBBING, {"law", 0, "lankarani_nikravesh"}, {"restitution", 0.8, 0}, {"impact_speed", 2, 0},
              {"friction_law", 0, "stribeck"}, {"static_friction", 0.3, 0}, {"stribeck_speed", 0.7, 0},
              {"slip_speed", 0.5, 0}),
-         contact_force, &lankarani, 1, 1.5, 2, {0, 0}, 0, 2, 0},
-        {"contact, Hertz, LuGre", "contact",
+         contact_force,
+         &lankarani,
+         1,
+         1.5,
+         2,
+         {0, 0},
+         0,
+         2,
+         0},
+        {"contact, Hertz, LuGre",
+         "contact",
          SET(CONTACT, RUBBING, {"friction_law", 0, "lugre"}, {"static_friction", 0.3, 0}, {"stribeck_speed", 0.7, 0},
              {"bristle_stiffness", 10, 0}, {"bristle_damping", 0.3, 0}),
-         contact_force, &lugre, 1, 1.5, 2, {-0.02, 0.02}, 0, 2, 1},
+         contact_force,
+         &lugre,
+         1,
+         1.5,
+         2,
+         {-0.02, 0.02},
+         0,
+         2,
+         1},
         {"blade_rub, 12 blades", "blade_rub", SET(BLADES), blade_force, &blades, 0, 0.3, 1, {0, TURN}, 0, 2, 1},
-        {"blade_rub, 12 blades, power 3/2", "blade_rub", SET(BLADES, {"power", 1.5, 0}), blade_force, &hertz_blades, 0,
-         0.3, 1, {0, TURN}, 0, 2, 1},
-        {"magnetic, PID", "magnetic",
+        {"blade_rub, 12 blades, power 3/2",
+         "blade_rub",
+         SET(BLADES, {"power", 1.5, 0}),
+         blade_force,
+         &hertz_blades,
+         0,
+         0.3,
+         1,
+         {0, TURN},
+         0,
+         2,
+         1},
+        {"magnetic, PID",
+         "magnetic",
          SET({"at", 0, "disc"}, {"gap", 1, 0}, {"bias", 2, 0}, {"constant", 0.02, 0}, {"pole_angle", 0, 0},
              {"max_current", 3, 0}, {"proportional", 40, 0}, {"integral", 5, 0}, {"derivative", 8, 0},
              {"derivative_filter", 0.05, 0}, {"sensor_bandwidth", 3, 0}, {"amplifier_bandwidth", 2, 0}),
-         magnet_force, &magnet, 0, 0.6, 1, {-2, 2}, 0, 2, 8},
+         magnet_force,
+         &magnet,
+         0,
+         0.6,
+         1,
+         {-2, 2},
+         0,
+         2,
+         8},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) measure(&all[i], seconds);
 }
@@ -197,10 +336,10 @@ typedef struct bench {
     const whirl_lanes *lanes;
     lanes_view view[BLOCKS];
     const isa *on;
-    size_t width, count;   ///< lanes of a block, states of all
-    size_t degrees, rows;  ///< rows of the velocities, with the states
-    double *a, *rates;     ///< of the last block; of the last single state
-    state *states;         ///< [count]
+    size_t width, count;  ///< lanes of a block, states of all
+    size_t degrees, rows; ///< rows of the velocities, with the states
+    double *a, *rates;    ///< of the last block; of the last single state
+    state *states;        ///< [count]
 } bench;
 
 static double *aligned(size_t count) {
@@ -252,7 +391,8 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
                 at->w[a] = v[a * b.width + lane] - v[(a + 2) * b.width + lane];
             }
         }
-        b.view[block] = (lanes_view){rotor, VECTORS, VECTORS, numbers, b.lanes->places, forcing, NULL, 0, q, v, b.a, NULL};
+        b.view[block] =
+            (lanes_view){rotor, VECTORS, VECTORS, numbers, b.lanes->places, forcing, NULL, 0, q, v, b.a, NULL};
     }
     free(own);
     return b;

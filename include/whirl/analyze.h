@@ -196,6 +196,8 @@ typedef struct whirl_record {
     whirl_step_quality steps; ///< of a fixed-step method
     whirl_record_orbit orbit; ///< unsought where the options do not ask for it
     whirl_record_rest rest;   ///< not found where the motion moves, the system has phases that turn or no Jacobian
+
+    const whirl_system *system; ///< whose motion it is; borrowed. NULL: that of a machine that was measured
 } whirl_record;
 
 /// Called after every revolution of a motion; false asks for a stop.
@@ -606,6 +608,9 @@ whirl_analysis_set whirl_analysis_usual(void);
 
 /// Name of the analysis whose fields hold the verdict.
 const char *whirl_analysis_of_verdicts(void);
+
+/// Name of the analysis of the ranges of laws, which every choice of motions or rests has.
+const char *whirl_analysis_of_ranges(void);
 
 /// The choice with all analyses of kept waveforms where some are kept, and without them where none are.
 whirl_analysis_set whirl_analysis_fit(whirl_analysis_set set, const whirl_record_options *options);

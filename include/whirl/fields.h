@@ -17,7 +17,13 @@
 #define WHIRL_FIELD_RUB_SHARE "rub/share"
 #define WHIRL_FIELD_RUB_NUMBER "rub/number"
 #define WHIRL_FIELD_RUB_MAX_FORCE "rub/max_force"
+#define WHIRL_FIELD_RUB_TORQUE "rub/torque"
+#define WHIRL_FIELD_RUB_MAX_TORQUE "rub/max_torque"
+#define WHIRL_FIELD_RUB_POWER "rub/power"
 #define WHIRL_FIELD_RUB_CONTACT "rub/contact"
+
+#define WHIRL_FIELD_RANGES_LEFT "ranges/left"
+#define WHIRL_FIELD_RANGES_REACHED "ranges/reached"
 
 #define WHIRL_FIELD_WAVEFORM_SAMPLES "waveform/samples"
 
@@ -139,6 +145,7 @@
 #define WHIRL_FIELD_STATICS_SHEAR "statics/shear"
 #define WHIRL_FIELD_STATICS_MASS "statics/mass"
 #define WHIRL_FIELD_STATICS_ELEVATION "statics/elevation"
+#define WHIRL_FIELD_STATICS_SEAL "statics/seal"
 #define WHIRL_FIELD_STATICS_ECCENTRICITY "statics/eccentricity"
 #define WHIRL_FIELD_STATICS_ATTITUDE "statics/attitude"
 #define WHIRL_FIELD_STATICS_FILM "statics/film"

@@ -166,6 +166,15 @@ typedef struct whirl_doubt {
 /// Why motions of a table are undetermined, doubts [WHIRL_REMEDIES], in the order of the remedies; gives how many.
 size_t whirl_table_doubts(const whirl_table *table, whirl_doubt doubts[WHIRL_REMEDIES]);
 
+/// Points of a table that left the range of a law.
+typedef struct whirl_left {
+    size_t points, first; ///< how many there are, and the first of them
+    double reached, most; ///< of the one that went furthest, in the range's unit, and where the range ended there
+} whirl_left;
+
+/// Points of a table that left range `index` (whirl_result_law_range); gives how many.
+size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out);
+
 /// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
 whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
 
@@ -294,6 +303,10 @@ const char *whirl_result_warning(const whirl_result *result, size_t index);
 /// What stands in time for a bearing's table over the frequency of whirl, with its error, by index from 0. "" past the
 /// last. Borrowed.
 const char *whirl_result_fit(const whirl_result *result, size_t index);
+
+/// A range of a law of the machine, by index from 0, as the rows of WHIRL_FIELD_RANGES_REACHED: "film at journal:
+/// eccentricity ratio up to 0.95, to which its coefficients were found". "" past the last. Borrowed.
+const char *whirl_result_law_range(const whirl_result *result, size_t index);
 
 /// Appends the facts of this build and host: version, revision, compiler, flags, libraries, host, processor,
 /// instruction set.

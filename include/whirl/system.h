@@ -75,6 +75,22 @@ typedef struct whirl_named_order {
     size_t probe;                   ///< where that is
 } whirl_named_order;
 
+/// What a motion, or a place of rest, came to.
+typedef struct whirl_extremes {
+    const double *low, *high; ///< [dimension] of coordinates at any instant
+    const double *max_radius; ///< [probe_count] largest distances from the centre
+} whirl_extremes;
+
+/// A quantity of a part, and how far the part's law is for: beyond it the motion is not that of such a part.
+typedef struct whirl_law_range {
+    char part[2 * WHIRL_NAME_SIZE]; ///< "film at journal"
+    const char *quantity, *unit;    ///< "eccentricity ratio", "1"
+    const char *limit;              ///< what ends there: "that its coefficients are known for"
+    double most;                    ///< the law is for up to that
+    double reached;                 ///< the most that it came to; NaN where the extremes do not tell
+    size_t probe;                   ///< where the part is
+} whirl_law_range;
+
 /// The form of a system that runs in vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
 
@@ -143,6 +159,10 @@ typedef struct whirl_system {
     /// Writes these forces [contact_count].
     void (*contacts)(const void *model, const double *x, double *normal_force);
 
+    /// Optional: what the friction of contacts does, [contact_count][2]: the torque on the shaft against its rotation,
+    /// N m, and the power that it takes, W; not a number of those whose radius is not known.
+    void (*friction)(const void *model, const double *x, double *friction);
+
     /// Of a machine with coefficients that depend on the frequency of whirl: rad/s, rising, at which these are known.
     /// It is the machine at one frequency, whose linear analyses alone mean anything. 0: there are none.
     size_t frequency_count;
@@ -169,6 +189,10 @@ typedef struct whirl_system {
     /// Of loop `index` at x: what a signal that is added to its sensor's adds to the slope, by that signal, input
     /// [dimension], and the sensor's own signal by the state, sensed [dimension].
     void (*loop)(const void *model, const double *x, size_t index, double *input, double *sensed);
+
+    /// Optional: range number `index` of a law of the machine, from 0 on, as many for all machines of a structure;
+    /// false beyond the last. `seen` NULL: nothing is reached.
+    bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

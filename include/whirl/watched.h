@@ -34,7 +34,13 @@ typedef enum whirl_fold {
       "share of the time in contact")                                                                                  \
     X(contact_number, WHIRL_PER_CONTACT, 1, WHIRL_SUM, false, WHIRL_FIELD_RUB_NUMBER, "1", "times that contact began") \
     X(contact_force, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, WHIRL_FIELD_RUB_MAX_FORCE, "force",                   \
-      "largest normal force (at any instant)")
+      "largest normal force (at any instant)")                                                                         \
+    X(contact_torque, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_TORQUE, "N m",                          \
+      "mean torque of the friction on the shaft, against its rotation (missing where the radius is not known)")        \
+    X(contact_most, WHIRL_PER_CONTACT, 1, WHIRL_LARGEST, false, WHIRL_FIELD_RUB_MAX_TORQUE, "N m",                     \
+      "largest torque of the friction (at any instant)")                                                               \
+    X(contact_power, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_POWER, "W",                              \
+      "mean power that the friction takes")
 /// All of both.
 #define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
 

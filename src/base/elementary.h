@@ -151,8 +151,8 @@ static inline vec v_ninth_root(vec a) {
     const vec q = v_fma(k, v_set(-0x1.c71c71c71c71cp-4), v_fma(m, curve, v_set(0x1.782d7405aa1f9p-3)));
     const vec whole = v_round(q), f = v_sub(q, whole), f2 = v_mul(f, f);
     const vec rise = v_fma(f, v_set(0x1.62e2d1675f711p-1), v_set(0x1.fff61c8d247ecp-1));
-    const vec z = v_mul(v_fma(f2, v_fma(f, v_set(0x1.c96d5de3cd482p-5), v_set(0x1.f0ecf78898eebp-3)), rise),
-                        v_power_of_2(whole));
+    const vec z =
+        v_mul(v_fma(f2, v_fma(f, v_set(0x1.c96d5de3cd482p-5), v_set(0x1.f0ecf78898eebp-3)), rise), v_power_of_2(whole));
     const vec z2 = v_mul(z, z), z4 = v_mul(z2, z2), root = v_mul(a, v_mul(z4, z4)), e = v_fnma(root, z, v_set(1.0));
     const vec e2 = v_mul(e, e), s12 = v_fma(e, v_set(0x1.add3c0ca4587ep-1), v_set(0x1.c71c71c71c71cp-1));
     const vec s34 = v_fma(e, v_set(0x1.926902fa78ee6p-1), v_set(0x1.9de85ad5be370p-1));
@@ -162,7 +162,8 @@ static inline vec v_ninth_root(vec a) {
 }
 
 /// a^b for normal a > 0 up to 2^1023; not a number for others. The rounding of b ln a makes for its error of
-/// up to 2 (1 + |b ln a|) units in the last place; roots, b = 1/2, are rounded once, and quick where all lanes take one.
+/// up to 2 (1 + |b ln a|) units in the last place; roots, b = 1/2, are rounded once, and quick where all lanes take
+/// one.
 static inline vec v_pow(vec a, vec b) {
     const vec_mask other = v_less(v_set(0.0), v_abs(v_sub(b, v_set(0.5)))), above = v_less(v_set(0.0), a);
     const vec root = v_select(above, v_sqrt(a), v_set(NAN));

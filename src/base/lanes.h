@@ -34,8 +34,9 @@ typedef void lanes_switches(const lanes_view *view, void *values, void *rates);
 /// Writes the values that depend on time alone: forcing [forcing_count] at the times t.
 typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, const void *t, void *forcing);
 
-/// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force.
-typedef void lanes_contacts(const lanes_view *view, void *normal_force);
+/// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force; and unless NULL what
+/// the friction does, [contact_count][2] as whirl_system.friction has it.
+typedef void lanes_contacts(const lanes_view *view, void *normal_force, void *friction);
 
 enum { INSTANCE_LAWS = 2 };
 
@@ -70,6 +71,7 @@ struct whirl_lanes {
     bool jumps;     ///< accelerations may jump at a switch
     bool damped;    ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
                     ///< closed
+    bool rubs;      ///< friction takes power, of which `contacts` tells
     /// One for every instruction set of vector.h; NULL where it is not built.
     lanes_flow *const *flow;
     lanes_switches *const *switches;

@@ -30,6 +30,21 @@ static whirl_status describe_parameters(const case_content *content, whirl_resul
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the parameters of a result");
 }
 
+/// "range 1" is "film at journal: eccentricity ratio up to 0.95, to which its coefficients were found".
+static whirl_status describe_ranges(const whirl_system *system, whirl_result *result) {
+    whirl_status status = whirl_ok();
+    whirl_law_range range;
+    for (size_t i = 0; status.code == WHIRL_OK && system->range(system->model, i, NULL, &range); i++) {
+        char name[WHIRL_NAME_SIZE], text[8 * WHIRL_NAME_SIZE];
+        const char *const unit = strcmp(range.unit, "1") == 0 ? "" : range.unit;
+        snprintf(name, sizeof name, "range %zu", i + 1);
+        snprintf(text, sizeof text, "%s: %s up to %.4g%s%s, %s", range.part, range.quantity, range.most,
+                 *unit ? " " : "", unit, range.limit);
+        status = whirl_result_add_fact(result, name, text);
+    }
+    return status;
+}
+
 static whirl_status describe_rotor(const whirl_case *object, whirl_result *result) {
     whirl_rotor *rotor;
     const whirl_status status = whirl_case_rotor(object, NULL, 0.0, &rotor);
@@ -56,6 +71,7 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
         known = whirl_result_add_fact(result, "keyphasor", whirl_rotor_keyphasor(rotor));
         if (known.code == WHIRL_OK) known = whirl_result_add_fact(result, "keyphasor rate", rate);
     }
+    if (known.code == WHIRL_OK) known = describe_ranges(system, result);
     whirl_rotor_free(rotor);
     return known;
 }

@@ -6,8 +6,9 @@
 #include "content.h"
 
 /// Adds a fact to the result, "fit 1", ..., for every such function of the machine with these parameters [count], where
-/// it is not there yet. `doubt` is what to warn of: modes that functions and tables take for stable and for unstable, ""
-/// where there are none. Machines without such tables, and what cannot be built, are left out: WHIRL_NO_MEMORY alone.
+/// it is not there yet. `doubt` is what to warn of: modes that functions and tables take for stable and for unstable,
+/// "" where there are none. Machines without such tables, and what cannot be built, are left out: WHIRL_NO_MEMORY
+/// alone.
 whirl_status case_tell_fits(const case_content *content, const whirl_given *given, size_t count, whirl_result *result,
                             char doubt[WHIRL_MESSAGE_SIZE]);
 

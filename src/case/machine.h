@@ -29,8 +29,8 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 /// formula_settle of all its settings.
 void machine_settle(valuation *v, machine_parts *machine);
 
-/// Builds a rotor with the values of `valuation`, which turns at the speed of the case; in_time: as whirl_design_in_time
-/// does.
+/// Builds a rotor with the values of `valuation`, which turns at the speed of the case; in_time: as
+/// whirl_design_in_time does.
 whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor);
 
 /// What a machine has in the place of its own.

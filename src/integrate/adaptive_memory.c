@@ -67,7 +67,8 @@ static size_t lay_out(adaptive_lanes *lanes, double *block) {
         {&lanes->observe.high, lanes->dimension},
         {&lanes->observe.gap, contacts},
         {&lanes->observe.touching, contacts},
-        {&lanes->observe.force, lanes->observe.normal_force ? contacts : 0},
+        {&lanes->observe.force, lanes->observe.contacts ? contacts : 0},
+        {&lanes->observe.friction, lanes->observe.contacts ? 2 * contacts : 0},
         // clang-format off
         WHIRL_WATCHED(PART)
         // clang-format on
@@ -135,8 +136,10 @@ adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *
                             .groups = form->groups,
                             .observe = {.probe_count = system->probe_count,
                                         .probes = system->probes,
-                                        .contact_count = form->contact_count}};
-    if (form->damped) shape.observe.normal_force = form->contacts[set->number];
+                                        .contact_count = form->contact_count,
+                                        .by_force = form->damped,
+                                        .rubs = form->rubs}};
+    if (form->damped || form->rubs) shape.observe.contacts = form->contacts[set->number];
     shape.instance = shape.stride == INSTANCE_STRIDE && followed == 0 ? form->instance : NULL;
     // Loops of a structure's own are made for a whole group; without them, no vector need be idle.
     while (!shape.instance && lane_count > 0 && (shape.stride - 1) * set->lanes >= lane_count) shape.stride--;

@@ -40,7 +40,7 @@ struct whirl_ensemble {
 
 /// Whether normal forces tell of contacts, and not the gap alone.
 static bool by_force(const whirl_ensemble *e) {
-    return e->alone || e->lanes.observe.normal_force;
+    return e->alone || e->lanes.observe.by_force;
 }
 
 bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_options *options) {
@@ -60,7 +60,7 @@ bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_op
 /// Rows of the block, and where each array begins.
 static size_t lay_out(whirl_ensemble *e, double *block) {
     const size_t degrees = e->lanes.degrees, probes = e->system->probe_count, contacts = e->contact_count;
-    const size_t forces = by_force(e) ? contacts : 0;
+    const size_t forces = e->alone || e->lanes.observe.contacts ? contacts : 0;
     const size_t rates = e->lanes.rates, fixed = e->adaptive || e->alone ? 0 : 1,
                  located = e->lanes.located.switches ? 1 : 0;
     const size_t switches = e->lanes.located.switch_count, followed = e->lanes.perturbations;
@@ -100,6 +100,7 @@ static size_t lay_out(whirl_ensemble *e, double *block) {
         {&e->lanes.observe.gap, contacts},
         {&e->lanes.observe.touching, contacts},
         {&e->lanes.observe.force, forces},
+        {&e->lanes.observe.friction, 2 * forces},
         // clang-format off
         WHIRL_WATCHED(PART)
         // clang-format on
@@ -170,7 +171,9 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     lanes->stop = options->stop;
     lanes->step = system->period / options->steps_per_revolution;
     lanes->note = note_lengths;
-    if (system->lanes->damped) lanes->observe.normal_force = system->lanes->contacts[e->isa->number];
+    lanes->observe.by_force = system->lanes->damped;
+    lanes->observe.rubs = system->lanes->rubs;
+    if (system->lanes->damped || system->lanes->rubs) lanes->observe.contacts = system->lanes->contacts[e->isa->number];
 }
 
 /// An adaptive method, with the stepper that looks at lanes near switches, and what both need for perturbations.

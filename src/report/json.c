@@ -358,6 +358,18 @@ static json_t *whole_field(bool *well, const whirl_table *table, size_t point, c
     return array;
 }
 
+/// How far it went in the ranges of laws: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...]}, as "law" names them.
+static void put_ranges(bool *well, json_t *object, const whirl_table *table, size_t point) {
+    const whirl_field *const field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
+    if (!field) return;
+    const double *const reached = whirl_table_field(table, point, field->name, 0);
+    json_t *ranges = json_object(), *rows = json_array();
+    document_put(well, ranges, "left", document_number(whirl_table_number(table, point, WHIRL_FIELD_RANGES_LEFT, 0)));
+    for (size_t i = 0; i < field->rows; i++) document_append(well, rows, numbers_array(well, reached + 2 * i, 2));
+    document_put(well, ranges, "reached", rows);
+    document_put(well, object, "ranges", ranges);
+}
+
 /// All of a machine at rest: "modes": {"frequency": [...], ..., "stations": {"disc": {"shape": [...]}}}.
 static void put_rest(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t i = 0; i < table->layout.field_count; ++i) {
@@ -366,6 +378,7 @@ static void put_rest(bool *well, json_t *object, const whirl_result *result, con
         if (!name) continue;
         char analysis[WHIRL_NAME_SIZE];
         snprintf(analysis, sizeof analysis, "%.*s", (int)(name - field->name), field->name);
+        if (strcmp(analysis, whirl_analysis_of_ranges()) == 0) continue;
         json_t *const part = member(well, object, analysis);
         if (field->extent == WHIRL_PER_POINT)
             document_put(well, part, name + 1, whole_field(well, table, point, field, 0));
@@ -392,12 +405,14 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     }
     if (!whirl_analysis_kind(table->analyses)->moves) {
         put_rest(well, object, result, table, point);
+        put_ranges(well, object, table, point);
         return object;
     }
     if (table->refine > 0)
         document_put(well, object, "width",
                      document_number(whirl_table_number(table, point, WHIRL_FIELD_MAP_WIDTH, 0)));
     put_verdict(well, object, table, point);
+    put_ranges(well, object, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
     put_exponents(well, object, table, point);
@@ -650,6 +665,27 @@ static bool dump_fits(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "fits", fits, stream) && well;
 }
 
+/// Ranges of laws that points have left.
+static bool dump_beyond(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *all = json_array();
+    whirl_left left;
+    for (size_t t = 0; t < result->table_count; t++)
+        for (size_t i = 0; *whirl_result_law_range(result, i); i++) {
+            const whirl_table *table = &result->tables[t];
+            if (whirl_table_left(table, i, &left) == 0) continue;
+            json_t *one = json_object();
+            document_put(&well, one, "table", document_text(table->name));
+            document_put(&well, one, "law", document_text(whirl_result_law_range(result, i)));
+            document_put(&well, one, "reached", document_number(left.reached));
+            document_put(&well, one, "most", document_number(left.most));
+            document_put(&well, one, "points", document_number((double)left.points));
+            document_put(&well, one, "first", document_number((double)left.first + 1.0));
+            document_append(&well, all, one);
+        }
+    return dump_member(",\n", "beyond", all, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -661,17 +697,17 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
-           dump_fits(result, stream) &&
+           dump_fits(result, stream) && dump_beyond(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {
-        "whirl",      "title",   "case",       "speed",   "length_scale", "force_scale", "partial",
-        "table",      "points",  "parameters", "jumps",   "integrated",   "keyphasor",   "keyphasor_rate",
-        "attractors", "refined", "warnings",   "margins", "fits"};
+    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
+                                        "force_scale", "partial",    "table",     "points",         "parameters",
+                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
+                                        "refined",     "warnings",   "margins",   "beyond",         "fits"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

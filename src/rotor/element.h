@@ -67,6 +67,20 @@ typedef struct doubt_teller {
     size_t element;
 } doubt_teller;
 
+/// What a motion came to where an element is: extremes of the places of its ports, in length scales (0 of the ground),
+/// and of its states; the largest distance from a housing that stands, else NaN.
+typedef struct element_seen {
+    double low[MAX_PORTS], high[MAX_PORTS];
+    const double *state_low, *state_high;
+    double radius;
+} element_seen;
+
+/// A range of its law: as whirl_law_range.
+typedef struct element_range {
+    const char *quantity, *unit, *limit;
+    double most, reached;
+} element_range;
+
 /// What an element does in lanes; one for every instruction set. NULL for what it has not.
 typedef struct element_kernels {
     /// Adds the accelerations of `count` elements of one type, one after the other, those of the perturbations by their
@@ -76,8 +90,9 @@ typedef struct element_kernels {
     /// Writes its switching functions and, unless NULL, their derivatives by time: rows of the block's stride.
     void (*switches)(const element *own, const struct block *b, void *values, void *rates);
 
-    /// Writes the normal force of its contact in newtons.
-    void (*contact)(const element *own, const struct block *b, void *force);
+    /// Writes the normal force of its contact in newtons and, unless NULL, what its friction does: two rows of the
+    /// block's stride, as whirl_system.friction has it.
+    void (*contact)(const element *own, const struct block *b, void *force, void *friction);
 } element_kernels;
 
 /// The table `kernels` of those that the file has been compiled to, for its element_type.
@@ -131,6 +146,9 @@ typedef struct whirl_element_type {
     /// For unilateral contacts: the gap in length scales around its station; 0 where the stator moves.
     double (*contact_gap)(const element *own);
 
+    /// Whether its friction takes power, which its contact's kernel tells of; -1: it does, but its radius is not known.
+    int (*rubs)(const element *own);
+
     /// Whether more than the gap tells of contact: a force that depends on the velocity, which jumps where `jumps` does
     /// not say otherwise, a stator that moves or is not all around.
     bool (*contact_damped)(const element *own);
@@ -151,6 +169,9 @@ typedef struct whirl_element_type {
     /// Optional: the order, from number 0 on, at which it may show in spectra, and its name; false beyond the last.
     /// What it has of another order too (a dent that is hit twice in a turn) follows from multiples.
     bool (*named_order)(const element *own, size_t index, double *order, const char **name);
+
+    /// Optional: range `index` of its law, from 0 on, with what a motion reached of it; false beyond the last.
+    bool (*range)(const element *own, size_t index, const element_seen *seen, element_range *out);
 
     /// Optional: what its numbers come to, in SI; "": nothing. Of the machine the length scale and the clock.
     void (*note)(const element *own, double length, double clock, char *text, size_t size);

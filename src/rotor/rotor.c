@@ -200,6 +200,8 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     const double gap = own->type->contact_gap(own);
     whirl_probe *probe = &rotor->probes[own->station];
     if (own->type->contact_damped(own)) rotor->lanes.damped = true;
+    if (own->type->rubs(own) > 0) rotor->lanes.rubs = true;
+    if (own->type->rubs(own) < 0) rotor->mute = true;
     if (own->type->contact_damped(own) && !own->type->jumps) rotor->lanes.jumps = true;
     if (gap > 0.0 && (probe->gap == 0.0 || gap < probe->gap)) probe->gap = gap;
     rotor->contacts[k] = index;

@@ -1,4 +1,5 @@
 // A rotor as a system: by the one-lane build of its kernels.
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -46,7 +47,13 @@ static void switches(const void *model, double t, const double *x, double *value
 
 static void contacts(const void *model, const double *x, double *normal_force) {
     const lanes_view view = view_at(model, NULL, NULL, x);
-    machine_contacts_scalar(&view, normal_force);
+    machine_contacts_scalar(&view, normal_force, NULL);
+}
+
+static void friction(const void *model, const double *x, double *friction) {
+    const lanes_view view = view_at(model, NULL, NULL, x);
+    double normal_force[WHIRL_MAX_CONTACTS];
+    machine_contacts_scalar(&view, normal_force, friction);
 }
 
 /// The state and as many perturbations as there is room for, positions apart from the rest as lanes want them.
@@ -178,6 +185,46 @@ static bool named_order(const void *model, size_t index, whirl_named_order *out)
     return false;
 }
 
+/// Extremes as an element sees them; of what none are told of, NaN.
+static element_seen see_extremes(const whirl_rotor *rotor, const element *own, const whirl_extremes *of) {
+    const size_t first = rotor->lanes.degrees + own->state;
+    const whirl_probe *probe = &rotor->probes[own->station];
+    element_seen seen = {.radius = NAN, .state_low = of->low + first, .state_high = of->high + first};
+    bool grounded = true;
+    for (size_t p = 0; p < MAX_PORTS; p++) {
+        if (own->port[p] == NO_COORDINATE) continue;
+        seen.low[p] = of->low[own->port[p]];
+        seen.high[p] = of->high[own->port[p]];
+        grounded = grounded && (own->port[p] == probe->x || own->port[p] == probe->y);
+    }
+    if (grounded) seen.radius = of->max_radius[own->station];
+    return seen;
+}
+
+static bool range(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
+    static const double none[MAX_OWN_STATES];
+    const whirl_rotor *rotor = model;
+    const element_seen nothing = {.radius = NAN, .state_low = none, .state_high = none};
+    element_range found;
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        const element_seen at = seen ? see_extremes(rotor, own, seen) : nothing;
+        for (size_t k = 0; own->type->range; k++) {
+            if (!own->type->range(own, k, &at, &found)) break;
+            if (index-- > 0) continue;
+            *out = (whirl_law_range){.quantity = found.quantity,
+                                     .unit = found.unit,
+                                     .limit = found.limit,
+                                     .most = found.most,
+                                     .reached = seen ? found.reached : NAN,
+                                     .probe = own->station};
+            snprintf(out->part, sizeof out->part, "%s at %s", own->type->group.name, rotor->probes[own->station].name);
+            return true;
+        }
+    }
+    return false;
+}
+
 static size_t count_loops(const whirl_rotor *rotor) {
     size_t count = 0;
     for (size_t i = 0; i < rotor->element_count; i++) count += rotor->elements[i].type->loops;
@@ -225,12 +272,14 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .named_order = named_order,
                                    .contact_count = rotor->contact_count,
                                    .contacts = contacts,
+                                   .friction = rotor->lanes.rubs || !rotor->mute ? friction : NULL,
                                    .frequency_count = rotor->frequency_count,
                                    .frequencies = rotor->frequencies,
                                    .probe_count = rotor->station_count,
                                    .probes = rotor->probes,
                                    .loop_count = count_loops(rotor),
                                    .loop = loop,
+                                   .range = range,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

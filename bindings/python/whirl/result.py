@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import errors
+from .fields import FIELD
 from .table import Table
 
 if TYPE_CHECKING:
@@ -134,6 +135,26 @@ class Result:
     def partial(self) -> bool:
         """Whether the run was stopped before its end."""
         return self._source.partial
+
+    @property
+    def beyond(self) -> list[str]:
+        """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
+        table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
+        told = []
+        for name, table in self.tables.items():
+            if FIELD.RANGES_REACHED not in table:
+                continue
+            every = np.asarray(table[FIELD.RANGES_REACHED]).reshape(len(table.values), -1, 2)
+            for i in range(every.shape[1]):
+                reached, most = every[:, i].T
+                left = reached > most * (1 + 1e-9)
+                if left.any():
+                    worst = np.nanmax(reached[left])
+                    told.append(
+                        f"{name}: {self.facts[f'range {i + 1}']}; reached {worst:.4g} "
+                        f"({left.sum()} of {len(left)} points)"
+                    )
+        return told
 
     @property
     def parameters(self) -> dict[str, Parameter]:

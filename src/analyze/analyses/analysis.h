@@ -11,7 +11,7 @@ enum { MAX_ANALYSIS_FIELDS = 40 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {
-    size_t dimension, station_count, contact_count, touch_count;
+    size_t dimension, station_count, contact_count, touch_count, range_count;
     size_t runout_count; ///< of all probes
     size_t samples_per_revolution;
     const whirl_record_options *options;
@@ -84,7 +84,7 @@ block_view view_of(const analysis_plan *plan, const whirl_layout *layout, double
 extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, waveform_analysis, spectrum_analysis,
     lyapunov_analysis, exponents_analysis, regime_analysis, winding_analysis, evidence_analysis, modes_analysis,
     unbalance_analysis, critical_speeds_analysis, stability_analysis, statics_analysis, floquet_analysis,
-    trace_analysis, torus_analysis;
+    trace_analysis, torus_analysis, ranges_analysis;
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];

@@ -60,6 +60,13 @@ static whirl_status add_field(whirl_layout *layout, const field_plan *plan, cons
     return whirl_ok();
 }
 
+static size_t range_count(const whirl_system *system) {
+    whirl_law_range range;
+    size_t count = 0;
+    while (system->range && system->range(system->model, count, NULL, &range)) count++;
+    return count;
+}
+
 whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_options *integrate,
                               const whirl_record_options *options, whirl_analysis_set set, whirl_layout *layout) {
     *layout = (whirl_layout){0};
@@ -73,6 +80,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .station_count = system->probe_count,
         .contact_count = system->contact_count,
         .touch_count = whirl_touch_count(system),
+        .range_count = range_count(system),
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .options = options,
     };
@@ -89,12 +97,18 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     return status;
 }
 
+/// Two, so that their rows are not taken for one.
+static bool two_ranges(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
+    (void)model, (void)seen, (void)out;
+    return index < 2;
+}
+
 whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
     const whirl_probe probes[2] = {{.runout_count = 1, .runout = &runout}}; // one of two, so that rows of which there
                                                                             // is one a station are not taken for one
     const whirl_system system = {
-        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 1, .probes = probes};
+        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 1, .probes = probes, .range = two_ranges};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;

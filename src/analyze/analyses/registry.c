@@ -39,6 +39,7 @@ static const whirl_kind torus = {.name = "torus",
 #define ON_DEMAND false, false, &motion
 #define USUAL true, false, &motion
 #define KEPT false, true, &motion
+#define ALWAYS true, false, &motion
 #define TURNING false, false, &rest
 #define STILL false, false, &still
 #define TRACED false, false, &branch
@@ -73,7 +74,9 @@ static const whirl_kind torus = {.name = "torus",
              "Keller 1977; Kuznetsov 2004; docs/theory.md", TRACED)                                                    \
     analysis(torus, "quasi-periodic motions past Neimark-Sacker points: rotation numbers, bounds, exponents",          \
              "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", OF_TORI)                                       \
-    WHIRL_STUDIES_AT_REST(analysis)
+    WHIRL_STUDIES_AT_REST(analysis)                                                                                    \
+    analysis(ranges, "how far it goes in the ranges of laws that have them; of machines at rest as well; always there",\
+             "docs/theory.md", ALWAYS)
 // clang-format on
 
 #define ABOUT(name, meaning, source, ...) {#name, meaning, source, __VA_ARGS__},

@@ -1,4 +1,6 @@
 // Rub: what the unilateral contacts did over the record.
+#include <math.h>
+
 #include "analysis.h"
 
 enum { WHIRL_WATCHED_OF_CONTACTS(WATCHED_INDEX) CONTACT, FIELD_COUNT };
@@ -10,12 +12,24 @@ static const field_plan fields[FIELD_COUNT] = {
     // clang-format on
 };
 
+/// Without friction nothing was folded; and what no system tells of is missing.
+static void settle_friction(const whirl_record *record, size_t which, const block_view *view) {
+    const double torque = record->contact_torque[which];
+    const bool told = record->system && record->system->friction;
+    if (told && isfinite(record->contact_most[which]) && isfinite(torque)) return;
+    const double number = told && torque == 0.0 ? 0.0 : NAN;
+    *view_numbers(view, WATCHED_contact_torque, which) = number;
+    *view_numbers(view, WATCHED_contact_most, which) = number;
+    *view_numbers(view, WATCHED_contact_power, which) = number;
+}
+
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
     bool touched = false;
     for (size_t which = 0; which < record->contact_count; which++) {
         touched = touched || record->contact_force[which] > 0.0;
         WHIRL_WATCHED_OF_CONTACTS(WATCHED_FILL)
+        settle_friction(record, which, view);
     }
     *view_numbers(view, CONTACT, 0) = touched ? 1.0 : 0.0;
     return whirl_ok();

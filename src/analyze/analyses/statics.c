@@ -4,7 +4,21 @@
 
 #include "analysis.h"
 
-enum { LOAD, DEFLECTION, SLOPE, MOMENT, SHEAR, MASS, ELEVATION, INFLUENCE, ECCENTRICITY, ATTITUDE, FILM, FIELD_COUNT };
+enum {
+    LOAD,
+    DEFLECTION,
+    SLOPE,
+    MOMENT,
+    SHEAR,
+    MASS,
+    ELEVATION,
+    INFLUENCE,
+    ECCENTRICITY,
+    ATTITUDE,
+    FILM,
+    SEAL,
+    FIELD_COUNT
+};
 
 static size_t every_station(const block_shape *shape) {
     return shape->station_count;
@@ -34,9 +48,12 @@ static const field_plan fields[FIELD_COUNT] = {
                   NULL},
     [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest", WHIRL_PER_STATION, 1,
               NULL},
+    [SEAL] = {WHIRL_FIELD_STATICS_SEAL, "1", "1 where this film is that of a seal, which carries nothing, else 0",
+              WHIRL_PER_STATION, 1, NULL},
 };
 
-/// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2].
+/// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2]; NaN
+/// where no bearing has a film.
 static whirl_status forces_at(const whirl_resting *point, const double *at, double *force) {
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, point->speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
@@ -51,7 +68,9 @@ static whirl_status forces_at(const whirl_resting *point, const double *at, doub
     }
     if (x) status = whirl_rest_slope(system, x, slope, slope + d);
     for (size_t p = 0; p < system->probe_count && x; p++)
-        for (size_t c = 0; c < 2; c++) force[2 * p + c] = whirl_probe_value(&system->probes[p], slope, 2 + c);
+        for (size_t c = 0; c < 2; c++)
+            force[2 * p + c] =
+                system->probes[p].clearance > 0.0 ? whirl_probe_value(&system->probes[p], slope, 2 + c) : NAN;
     free(x);
     if (alone.release) alone.release(alone.owner);
     return status;
@@ -63,6 +82,7 @@ static void fill_film(const whirl_probe *probe, size_t which, const double *at, 
     const double along = -force[0] * at[0] - force[1] * at[1];
     *view_numbers(view, ECCENTRICITY, which) = radius / probe->clearance;
     *view_numbers(view, FILM, which) = probe->clearance - radius;
+    *view_numbers(view, SEAL, which) = isnan(force[0]) ? 1.0 : 0.0;
     // The load is what the film pushes against.
     if (hypot(force[0], force[1]) * radius > 0.0)
         *view_numbers(view, ATTITUDE, which) =

@@ -86,6 +86,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     record->angles = system->angles;
     record->repeats = system->repeats;
     record->period = system->period;
+    record->system = system;
     record->steps = (whirl_step_quality){(double)NAN, (double)NAN, 1.0};
     record->record_count = (size_t)options->record;
     if (options->waveform)

@@ -120,7 +120,19 @@ static void observe_probes(const rk4_lanes *lanes, bool speeds) {
         }
 }
 
-/// Normal forces by the machine itself.
+/// What friction did.
+static void observe_friction(const rk4_lanes *lanes) {
+    const lanes_observe *w = &lanes->observe;
+    for (size_t c = 0; c < w->contact_count; c++)
+        for (size_t k = 0; k < lanes->vectors; k++) {
+            const size_t at = c * lanes->stride + k;
+            const vec *rubbing = (const vec *)w->friction + 2 * c * lanes->stride + k;
+            watch_friction(rubbing[0], rubbing[lanes->stride], (vec *)w->contact_torque + at,
+                           (vec *)w->contact_most + at, (vec *)w->contact_power + at);
+        }
+}
+
+/// Normal forces and friction by the machine itself.
 static void observe_forces(const rk4_lanes *lanes) {
     const lanes_observe *w = &lanes->observe;
     const lanes_view view = {.model = lanes->model,
@@ -129,8 +141,9 @@ static void observe_forces(const rk4_lanes *lanes) {
                              .numbers = lanes->numbers,
                              .q = lanes->q,
                              .v = lanes->v};
-    w->normal_force(&view, w->force);
-    for (size_t c = 0; c < w->contact_count; c++)
+    w->contacts(&view, w->force, w->rubs ? w->friction : NULL);
+    if (w->rubs) observe_friction(lanes);
+    for (size_t c = 0; w->by_force && c < w->contact_count; c++)
         for (size_t at = c * lanes->stride, last = at + lanes->vectors; at < last; at++)
             ((vec *)w->contact_force)[at] = v_max(((const vec *)w->force)[at], ((const vec *)w->contact_force)[at]);
 }
@@ -139,7 +152,7 @@ static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
     const lanes_observe *w = &lanes->observe;
     const whirl_probe *probe = &w->probes[w->contact_probe[c]];
     const size_t at = c * lanes->stride + k;
-    if (w->normal_force) return v_less(v_set(0.0), ((const vec *)w->force)[at]);
+    if (w->by_force) return v_less(v_set(0.0), ((const vec *)w->force)[at]);
     const vec x = ((const vec *)lanes->q)[probe->x * lanes->stride + k];
     const vec y = ((const vec *)lanes->q)[probe->y * lanes->stride + k];
     const vec gap = ((const vec *)w->gap)[at];
@@ -154,7 +167,7 @@ static inline void count_contact(vec_mask touching, vec *before, vec *share, vec
 
 static void observe_contacts(const rk4_lanes *lanes) {
     const lanes_observe *w = &lanes->observe;
-    if (w->normal_force) observe_forces(lanes);
+    if (w->contacts) observe_forces(lanes);
     for (size_t c = 0; c < w->contact_count; c++)
         for (size_t k = 0; k < lanes->vectors; k++) {
             const size_t at = c * lanes->stride + k;

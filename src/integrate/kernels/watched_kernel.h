@@ -39,4 +39,11 @@ VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *s
     *before = now;
 }
 
+/// What the friction of a contact did at an instant.
+VECTOR_INLINE void watch_friction(vec torque, vec power, vec *sum, vec *most, vec *powers) {
+    *sum = v_add(*sum, torque);
+    *most = v_max(v_abs(torque), *most);
+    *powers = v_add(*powers, power);
+}
+
 #endif

@@ -17,9 +17,12 @@ typedef struct lanes_observe {
     double *low, *high;          ///< [degrees + rates]
     WHIRL_WATCHED_ARRAYS
     double *gap, *touching; ///< [contact_count]
-    /// Of contacts whose force depends on velocities; NULL where the gap alone tells.
-    lanes_contacts *normal_force;
-    double *force; ///< [contact_count]
+    /// NULL where the gap alone tells of contacts, and no friction is told of.
+    lanes_contacts *contacts;
+    bool by_force;    ///< normal forces tell of contact
+    bool rubs;        ///< friction is told of
+    double *force;    ///< [contact_count]
+    double *friction; ///< [contact_count][2]
 } lanes_observe;
 
 /// What it takes to locate contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.

@@ -23,7 +23,7 @@ static row row_of(const whirl_result *result, const whirl_table *table, size_t p
         .mass = {whirl_table_number(table, point, WHIRL_FIELD_STATICS_MASS, station), mass ? mass[1] : (double)NAN}};
 }
 
-/// Where the journal rests in its film.
+/// Where the shaft rests in its film or stands in its seal.
 static void print_film(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point,
                        size_t station) {
     const whirl_result *result = units->result;
@@ -31,7 +31,9 @@ static void print_film(FILE *out, const whirl_shown_units *units, const whirl_ta
     const double film = whirl_table_number(table, point, WHIRL_FIELD_STATICS_FILM, station);
     const double attitude = whirl_table_number(table, point, WHIRL_FIELD_STATICS_ATTITUDE, station);
     if (!isfinite(film)) return;
-    fprintf(out, "    %s: rests in its film at eccentricity ratio %.4g", result->stations[station].name,
+    const bool seal = whirl_table_number(table, point, WHIRL_FIELD_STATICS_SEAL, station) == 1.0;
+    fprintf(out, "    %s: %s at eccentricity ratio %.4g", result->stations[station].name,
+            seal ? "stands in its seal" : "rests in its film",
             whirl_table_number(table, point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
     if (isfinite(attitude)) fprintf(out, ", attitude %.4g deg", attitude);
     fprintf(out, ", least thickness %.4g %s\n", whirl_result_length_scale(result, table, point) / length.size * film,
@@ -59,7 +61,7 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
     summary_ends(out, units, table, print_point);
 }
 
-/// Where journals rest in their films, if there are any.
+/// Where shafts rest in their films and seals, if there are any.
 static void write_films(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_unit length = summary_length_unit(&to->units[index]);
@@ -69,16 +71,17 @@ static void write_films(const page *to, size_t index, const whirl_table *table) 
         const double film = whirl_table_number(table, 0, WHIRL_FIELD_STATICS_FILM, station);
         if (!isfinite(film)) continue;
         if (count++ == 0) {
-            html_table(to->stream, "Journals at rest in their films", "");
-            fprintf(
-                to->stream,
-                "<thead><tr><th>station</th><th class=\"number\">eccentricity ratio</th><th class=\"number\">attitude "
-                "(deg)</th><th class=\"number\">least thickness (%s)</th></tr></thead>\n<tbody>\n",
-                length.name);
+            html_table(to->stream, "Shafts at rest in films and seals", "");
+            fprintf(to->stream,
+                    "<thead><tr><th>station</th><th>in</th><th class=\"number\">eccentricity ratio</th><th "
+                    "class=\"number\">attitude "
+                    "(deg)</th><th class=\"number\">least thickness (%s)</th></tr></thead>\n<tbody>\n",
+                    length.name);
         }
         fputs("<tr><th>", to->stream);
         html_text(to->stream, result->stations[station].name);
-        fputs("</th>", to->stream);
+        const bool seal = whirl_table_number(table, 0, WHIRL_FIELD_STATICS_SEAL, station) == 1.0;
+        fputs(seal ? "</th><td>seal</td>" : "</th><td>film</td>", to->stream);
         html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
         html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ATTITUDE, station));
         html_number(to->stream, scale * film);

@@ -143,6 +143,7 @@ static void write_machine(const page *to) {
             html_text(to->stream, whirl_result_warning(result, i));
             fputs("</p>\n", to->stream);
         }
+        page_ranges(to, r);
         write_shafts(to, machine);
         write_stations(to, result);
         page_parameters(to, r);

@@ -54,6 +54,7 @@ void page_claims(const page *to);               ///< the table of claims and wha
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
+void page_ranges(const page *to, size_t result);   ///< laws that points have gone beyond
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);          ///< regimes along the sweep
 void page_jumps(const page *to, size_t result);              ///< where neighbours of one regime differ

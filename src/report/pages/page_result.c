@@ -5,6 +5,7 @@
 #include "html.h"
 #include "page.h"
 #include "quantities.h"
+#include "ranges_told.h"
 
 static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("<dt>", stream);
@@ -173,6 +174,20 @@ static void append_gap(const whirl_shown_units *units, const whirl_probe *statio
     snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
 }
 
+void page_ranges(const page *to, size_t index) {
+    const whirl_result *result = to->results[index];
+    char text[RANGES_TOLD_SIZE];
+    for (size_t t = 0; t < result->table_count; t++)
+        for (size_t i = 0; *whirl_result_law_range(result, i); i++) {
+            if (!ranges_told(&to->units[index], &result->tables[t], i, text)) continue;
+            fputs("<p><strong>Beyond its law:</strong> ", to->stream);
+            html_text(to->stream, result->tables[t].name);
+            fputs(", ", to->stream);
+            html_text(to->stream, text);
+            fputs("</p>\n", to->stream);
+        }
+}
+
 void page_computed(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[1024];
@@ -194,6 +209,7 @@ void page_computed(const page *to, size_t index) {
         html_text(to->stream, whirl_result_warning(result, i));
         fputs("</p>\n", to->stream);
     }
+    page_ranges(to, index);
     fputs("<dl>\n", to->stream);
     if (*result->case_name) write_row(to->stream, "Case", result->case_name);
     snprintf(text, sizeof text, "%.6g rad/s (%.6g revolutions a minute)", result->speed,

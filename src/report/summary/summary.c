@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "motions_told.h"
+#include "ranges_told.h"
 #include "shown_kinds.h"
 #include "whirl/report.h"
 
@@ -56,6 +57,12 @@ static void print_told(FILE *out, const whirl_shown_units *units, const whirl_ta
     fprintf(out, "  %s\n", text);
 }
 
+static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    char text[RANGES_TOLD_SIZE];
+    for (size_t i = 0; *whirl_result_law_range(units->result, i); i++)
+        if (ranges_told(units, table, i, text)) fprintf(out, "  beyond its law: %s\n", text);
+}
+
 static whirl_status print_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
@@ -96,8 +103,10 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     if (status.code != WHIRL_OK) return status;
     whirl_shown_units units;
     whirl_result_shown_units(view, NULL, &units); // what a file says that is no unit chooses nothing
-    for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++)
+    for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {
         status = print_table(out, &units, &view->tables[i]);
+        print_ranges(out, &units, &view->tables[i]);
+    }
     whirl_result_view_free(view);
     return status;
 }

@@ -11,8 +11,8 @@
 /// Of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
-/// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the table's
-/// frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
+/// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the
+/// table's frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
 enum {
     MOST_PAIRS = 4,
     BEARING_SIDEWAYS = 0,

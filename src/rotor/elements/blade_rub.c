@@ -8,8 +8,9 @@
 enum { MOST_BLADES = 128 };
 
 /// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
-/// sine of the angle between blades; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is
-/// the number of blades and whether a key names the power, which else is 1.
+/// sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a length scale
+/// by tau; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is the number of blades and
+/// whether a key names the power, which else is 1.
 enum {
     BLADE_CASING,
     BLADE_POWER,
@@ -18,6 +19,8 @@ enum {
     BLADE_START,
     BLADE_APART_COS,
     BLADE_APART_SIN,
+    BLADE_METRES,
+    BLADE_WATTS,
     BLADE_STIFFNESSES,
     BLADE_LENGTHS = BLADE_STIFFNESSES + MOST_BLADES,
     BLADE_NUMBERS = BLADE_LENGTHS + MOST_BLADES
@@ -34,14 +37,15 @@ static inline int blades_of(const element *own) {
 #include "generic.h"
 #include "registry.h"
 
-static void contact(const element *own, const block *b, void *force) {
-    vec *out = force;
+static void contact(const element *own, const block *b, void *force, void *friction) {
+    vec *out = force, *rubbing = friction;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
         kernel_inputs in;
         inputs_of(own, b, 0, k, false, &in);
         vec sum[2];
         blades_plain(own, &view, in.d, in.s, sum, &out[k]);
+        if (rubbing) rubbing_plain(own, &view, in.d, in.w, in.s, rubbing + k);
     }
 }
 
@@ -109,6 +113,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[BLADE_START] = values[ANGLE].number;
     out->number[BLADE_APART_COS] = cos(apart);
     out->number[BLADE_APART_SIN] = copysign(sin(apart), to->turn); // numbered along the rotation
+    out->number[BLADE_METRES] = copysign(length, to->turn);
+    out->number[BLADE_WATTS] = to->clock * length;
     for (int j = 0; j < blades_of(out); j++) {
         const double own = values[RADIUS].number + of_blade(&values[EXTENSION], j);
         if (!(own > 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "has a blade of %g m, expected one above 0", own);
@@ -122,6 +128,10 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 static double contact_gap(const element *own) {
     (void)own;
     return 0.0;
+}
+
+static int takes_power(const element *own) {
+    return own->number[BLADE_FRICTION] != 0.0;
 }
 
 /// Where blades stand tells of contact, too.
@@ -164,6 +174,7 @@ const element_type blade_rub_element = {
     .build = build,
     .jumps = jumps,
     .contact_gap = contact_gap,
+    .rubs = takes_power,
     .contact_damped = contact_damped,
     .doubt = doubt,
 };

@@ -44,3 +44,33 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     force[0] = n_sub(n_scale(friction, sum[1]), sum[0]);
     force[1] = n_sub(n_set(0.0), n_add(n_scale(friction, sum[0]), sum[1]));
 }
+
+#ifndef NUMBERS_DUAL
+/// What friction does, two rows: of tips that move with the disc and around it.
+static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, const vec *d, const vec *w,
+                                   const vec *s, vec *out) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride], zero = v_set(0.0);
+    vec x, y, torque = zero, power = zero;
+    n_sincos(v_add(s[0], number[BLADE_START * stride]), &y, &x);
+    for (int j = 0; j < own->law; j++) {
+        const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
+        const vec tip[2] = {v_fma(length, x, d[0]), v_fma(length, y, d[1])};
+        const vec far = v_sqrt(v_fma(tip[0], tip[0], v_mul(tip[1], tip[1])));
+        const vec depth = v_max(v_sub(far, number[BLADE_CASING * stride]), zero), least = v_set(0x1p-800);
+        const vec power_of = v_pow(v_max(depth, least), number[BLADE_POWER * stride]);
+        const vec push = v_div(v_mul(number[(size_t)(BLADE_STIFFNESSES + j) * stride], v_mul(depth, power_of)), far);
+        const vec lever = v_mul(length, v_fma(x, tip[0], v_mul(y, tip[1]))); // along the casing, times `far`
+        const vec moving = v_fma(number[BLADE_RATE * stride], lever, v_fms(tip[0], w[1], v_mul(tip[1], w[0])));
+        torque = v_fma(push, lever, torque);
+        power = v_fma(push, moving, power);
+        const vec next = v_fms(c, x, v_mul(sine, y));
+        y = v_fma(sine, x, v_mul(c, y));
+        x = next;
+    }
+    const vec friction = number[BLADE_FRICTION * stride];
+    out[0] = v_mul(v_mul(friction, number[BLADE_METRES * stride]), torque);
+    out[stride] = v_mul(v_mul(friction, number[BLADE_WATTS * stride]), power);
+}
+#endif

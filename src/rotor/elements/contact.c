@@ -23,7 +23,7 @@ enum {
 
 /// Gap; K in newtons by length scales to the power n; n - 1; chi; R (the surface's speed by tau); f_k; f_s - f_k;
 /// 1/v_s; v_0; s_2; s_0; s_1; s_0/s_1; all in length scales by tau. Direction of the arc's middle, cosine of half of
-/// it.
+/// it. R with the sign of the rotation; a length scale in metres; W of 1 N by the slip.
 enum {
     CONTACT_GAP,
     CONTACT_STIFFNESS,
@@ -41,15 +41,19 @@ enum {
     CONTACT_ARC_X,
     CONTACT_ARC_Y,
     CONTACT_ARC_HALF,
+    CONTACT_LEVER,
+    CONTACT_METRES,
+    CONTACT_WATTS,
     CONTACT_NUMBERS
 };
 
+#include "contact_range.h"
 #include "generic.h"
 #include "registry.h"
 #include "rub_switch.h"
 
-static void contact(const element *own, const block *b, void *force) {
-    vec *out = force;
+static void contact(const element *own, const block *b, void *force, void *friction) {
+    vec *out = force, *rubbing = friction;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
         kernel_inputs in;
@@ -58,6 +62,7 @@ static void contact(const element *own, const block *b, void *force) {
         vec_mask touching;
         const vec r = distance_plain(in.d, &over);
         out[k] = normal_plain(own, &view, in.d, in.w, r, over, &touching);
+        if (rubbing) rubbing_plain(own, &view, out[k], in.d, in.w, in.s, rubbing + k);
     }
 }
 
@@ -228,6 +233,9 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     number[CONTACT_ARC_X] = cos(values[ARC_MIDDLE].number);
     number[CONTACT_ARC_Y] = sin(values[ARC_MIDDLE].number);
     number[CONTACT_ARC_HALF] = cos(half);
+    number[CONTACT_LEVER] = copysign(values[RADIUS].number / length, to->turn);
+    number[CONTACT_METRES] = length;
+    number[CONTACT_WATTS] = fast;
     generic_scale(out, to, 1.0);
     return whirl_ok();
 }
@@ -274,6 +282,10 @@ static double contact_gap(const element *own) {
 }
 
 /// The gap around the origin does not tell of contact.
+static int takes_power(const element *own) {
+    return own->law & CONTACT_SLIPS ? 1 : 0;
+}
+
 static bool contact_damped(const element *own) {
     (void)own;
     return true;
@@ -309,6 +321,10 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
                     passive, surface);
 }
 
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    return contact_range(own->number[CONTACT_GAP], fabs(own->number[CONTACT_LEVER]), index, seen, out);
+}
+
 KERNELS_OF_EVERY_ISA(contact_kernels);
 
 const element_type contact_element = {
@@ -324,7 +340,9 @@ const element_type contact_element = {
     .slides = slides,
     .jumps = jumps,
     .contact_gap = contact_gap,
+    .rubs = takes_power,
     .contact_damped = contact_damped,
+    .range = range,
     .doubt = doubt,
 };
 #endif

@@ -116,3 +116,20 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     force[0] = n_mul(push, n_sub(n_mul(share, d[1]), d[0]));
     force[1] = n_sub(none, n_mul(push, n_fma(share, d[0], d[1])));
 }
+
+#ifndef NUMBERS_DUAL
+/// What friction does under a normal force, two rows.
+static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, vec normal, const vec *d, const vec *w,
+                                   const vec *s, vec *out) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    vec over;
+    (void)KERNEL(distance)(d, &over);
+    const vec slip = v_fma(v_fms(d[0], w[1], v_mul(d[1], w[0])), over, number[CONTACT_SURFACE * stride]);
+    vec rate = v_set(0.0), f = rate;
+    if (own->law & CONTACT_SLIPS) f = KERNEL(friction)(own, view, slip, own->states ? s[0] : rate, slip, &rate);
+    const vec force = v_mul(f, normal);
+    out[0] = v_mul(force, v_mul(number[CONTACT_METRES * stride], number[CONTACT_LEVER * stride]));
+    out[stride] = v_mul(force, v_mul(number[CONTACT_WATTS * stride], slip));
+}
+#endif

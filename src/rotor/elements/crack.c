@@ -76,6 +76,20 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// Its weight alone decides where it is open: of a place that the ground holds.
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    double sag[KERNEL_AXES], swing[KERNEL_AXES];
+    (void)own;
+    for (int a = 0; a < KERNEL_AXES; a++) {
+        sag[a] = 0.5 * (seen->low[a] + seen->high[a] + seen->low[KERNEL_AXES + a] + seen->high[KERNEL_AXES + a]);
+        swing[a] = 0.5 * (seen->high[a] - seen->low[a] + seen->high[KERNEL_AXES + a] - seen->low[KERNEL_AXES + a]);
+    }
+    const double reached = hypot(swing[0], swing[1]) / hypot(sag[0], sag[1]);
+    *out = (element_range){"vibration over sag", "1", "at which it no longer opens by its weight alone", 1.0, reached};
+    if (isnan(seen->radius)) out->reached = NAN;
+    return index == 0;
+}
+
 KERNELS_OF_EVERY_ISA(crack_kernels);
 
 const element_type crack_element = {
@@ -86,5 +100,6 @@ const element_type crack_element = {
     .modulated = true,
     .kernels = kernels,
     .build = build,
+    .range = range,
 };
 #endif

@@ -178,6 +178,14 @@ static void note(const element *own, double scale, double clock, char *text, siz
              length, fmax(more[1], less[1]), fmax(more[2], less[2]));
 }
 
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    const char *const limit = "to which its coefficients were found";
+    *out = (element_range){"eccentricity ratio", "1", limit, sqrt(1.0 - FILM_FOLD), NAN};
+    if (index > 0 || own->law != FILM_OF_FINITE_LENGTH) return false;
+    out->reached = seen->radius / own->number[FILM_CLEARANCE];
+    return true;
+}
+
 KERNELS_OF_EVERY_ISA(film_finite_kernels);
 
 const element_type film_finite_type = {
@@ -186,6 +194,7 @@ const element_type film_finite_type = {
     .number_count = FILM_ALL_NUMBERS,
     .kernels = kernels,
     .bearing_clearance = bearing_clearance,
+    .range = range,
     .note = note,
 };
 #endif

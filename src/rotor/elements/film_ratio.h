@@ -112,8 +112,7 @@ typedef struct film_direction {
 } film_direction;
 
 VECTOR_INLINE film_direction film_direction_of(const film_state *f, size_t stride, const vec *number) {
-    const vec CC = v_fma(f->A, f->A, v_fma(f->B, f->B, v_set(0x1p-600))),
-              over_C = v_over_root(CC);
+    const vec CC = v_fma(f->A, f->A, v_fma(f->B, f->B, v_set(0x1p-600))), over_C = v_over_root(CC);
     const vec U = v_fma(f->x, f->A, v_mul(f->y, f->B));
     const vec q = v_fnma(f->y, f->y, v_fnma(f->x, f->x, number[FILM_CLEARANCE_SQUARE * stride]));
     const vec over = number[FILM_OVER_FOLD * stride], one = v_set(1.0), most = v_set(1.0 - FILM_BACK);

@@ -319,6 +319,39 @@ static void loop(const element *own, const double *q, const double *states, size
     }
 }
 
+/// Of a loop whose last part lags, which the current is a state of: by which factor the current is that state, and how
+/// many states of the loop are before it; 0: it is none.
+static double current_by_state(const element *own, size_t *before) {
+    double factor = -1.0;
+    *before = (size_t)loop_order(own);
+    for (int part = AMPLIFIER; part >= SENSOR; part--) {
+        const int order = block_order(own, part);
+        const double last = own->number[MAGNETIC_BLOCKS + part * BLOCK_NUMBERS + order];
+        *before -= (size_t)order;
+        if (order > 0) return last == 0.0 ? factor : 0.0;
+        factor *= last;
+    }
+    return 0.0;
+}
+
+/// Currents of coils are limited, and so is the room between magnets.
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    const double *number = own->number, bias = number[MAGNETIC_BIAS];
+    size_t before;
+    const double factor = current_by_state(own, &before);
+    if (own->law & MAGNETIC_LINEAR) return false;
+    if (index == 0) {
+        *out = (element_range){"distance over air gap", "1", "at which the rotor touches a magnet", 1.0, NAN};
+        out->reached = seen->radius / number[MAGNETIC_GAP];
+        return true;
+    }
+    *out = (element_range){"control current", "A", "at which a coil is at its limit", bias, 0.0};
+    out->most = fmin(bias, number[MAGNETIC_MOST] - bias);
+    for (size_t at = before; at < 2 * (size_t)loop_order(own) && factor != 0.0; at += (size_t)loop_order(own))
+        out->reached = fmax(out->reached, fabs(factor) * fmax(seen->state_high[at], 0.0 - seen->state_low[at]));
+    return index == 1 && factor != 0.0;
+}
+
 /// Iron saturates: B = mu_0 N i/(2 s_0) of a magnet whose N turns are on both poles.
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 1.6;
@@ -343,6 +376,7 @@ const element_type magnetic_element = {
     .loops = KERNEL_AXES,
     .loop = loop,
     .carries = true,
+    .range = range,
     .doubt = doubt,
 };
 #endif

@@ -13,7 +13,8 @@ enum { DENT_INNER, DENT_OUTER, DENT_BALL, DENTS };
 /// exceeds A^2, all with the shaft in the middle. By tau: the slopes of the states, which are the cage's and where
 /// there is a dent that of what it is in; and the speeds themselves of inner race, outer race and a rolling element
 /// about its own axis, seen from the cage (0: not known). Of dents: depths in length scales, 2 pi over the widths, the
-/// cosine of half a width; where those of the races stand at the start.
+/// cosine of half a width; where those of the races stand at the start. How far a rolling element is pressed in where
+/// it or its races begin to yield, 0 where sizes are not known.
 enum {
     ROLLING_STIFFNESS,
     ROLLING_GAP,
@@ -30,7 +31,8 @@ enum {
     ROLLING_OVER_WIDTH = ROLLING_DEPTH + DENTS,
     ROLLING_EDGE = ROLLING_OVER_WIDTH + DENTS,
     ROLLING_DENT_START = ROLLING_EDGE + DENTS,
-    ROLLING_NUMBERS = ROLLING_DENT_START + DENT_BALL
+    ROLLING_YIELD = ROLLING_DENT_START + DENT_BALL,
+    ROLLING_NUMBERS
 };
 
 /// Its law: how many rolling elements pass in a turn of the cage, and what else decides the structure.

@@ -8,6 +8,7 @@
 #define KERNEL_SWITCHES 0
 
 #include "generic.h"
+#include "hertz.h"
 #include "registry.h"
 
 const element_kernels ISA(rolling_bearing_kernels) = GENERIC_KERNELS;
@@ -272,6 +273,24 @@ static void note(const element *own, double length, double clock, char *text, si
         used += (size_t)snprintf(text + used, size - used, "%s%s %.4gX", i ? ", " : "", name, order);
 }
 
+/// How far the rolling element under the load is pressed in.
+static double depth_at(const element *own, double radius) {
+    const double *number = own->number;
+    const double reach = radius + number[ROLLING_RADIAL];
+    return own->law & ROLLING_OBLIQUE ? sqrt(reach * reach + number[ROLLING_AXIAL_SQUARE]) - number[ROLLING_CENTRES]
+                                      : radius - number[ROLLING_GAP];
+}
+
+/// The pressure goes with the load to the power 1/3, of rollers 1/2.
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    const bool line = own->law & ROLLING_LINE;
+    const double most = line ? HERTZ_MOST_ROLLER : HERTZ_MOST_BALL, yield = own->number[ROLLING_YIELD];
+    const double share = depth_at(own, seen->radius) / yield, power = line ? 5.0 / 9.0 : 0.5;
+    *out = (element_range){"Hertz pressure", "Pa", "to which contacts are elastic", most, NAN};
+    out->reached = share < 0.0 ? 0.0 : most * pow(share, power);
+    return index == 0 && yield > 0.0;
+}
+
 KERNELS_OF_EVERY_ISA(rolling_bearing_kernels);
 
 static void doubt_sizes(const key_value *values, const whirl_key *keys, const doubt_teller *to) {
@@ -309,7 +328,7 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
         .group = {name, text, source, keys, sizeof keys / sizeof *keys, NULL, NULL},                                   \
         .number_count = KERNEL_NUMBERS + KERNEL_PORTS, .state_count = states, .turning = states, .rounds = rounds_of,  \
         .kinked = true, .kernels = own_kernels, .build = own_build, .carries = true, .named_order = named_order,       \
-        .note = note, .doubt = own_doubt,                                                                              \
+        .range = range, .note = note, .doubt = own_doubt,                                                              \
     }
 #define BALL_TYPE(states, own_kernels, own_build)                                                                      \
     ROLLING_TYPE("ball_bearing",                                                                                       \
@@ -322,6 +341,16 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
 
 static const element_type dented_balls = BALL_TYPE(DENTED_STATES, dented_kernels, NULL);
 static const element_type dented_rollers = ROLLER_TYPE(DENTED_STATES, dented_kernels, NULL);
+
+/// In metres. Grooves follow from the distance of their centres.
+static double yield_depth(const key_value *values, bool line) {
+    const double race = values[INNER].number, diameter = values[OUTER].number - race,
+                 stiffness = values[STIFFNESS].number;
+    const double groove = !line && values[CENTRES].given ? 0.5 * (values[CENTRES].number / diameter + 1.0) : 0.52;
+    if (!values[INNER].given || !(groove > 0.5)) return 0.0;
+    return line ? pow(hertz_roller_load(diameter, race, stiffness) / stiffness, 0.9)
+                : pow(hertz_ball_load(diameter, race, groove) / stiffness, 2.0 / 3.0);
+}
 
 /// Of one kind, by its table of keys and its law.
 static whirl_status build(const key_value *values, const whirl_key *keys, int law, assembly *to, element *out) {
@@ -345,6 +374,7 @@ static whirl_status build(const key_value *values, const whirl_key *keys, int la
                                 (line ? length * pow(length, 1.0 / 9.0) : length * sqrt(length));
     number[ROLLING_GAP] = values[CLEARANCE].number / length;
     number[ROLLING_START] = values[ANGLE].number;
+    number[ROLLING_YIELD] = yield_depth(values, line) / length;
     number[ROLLING_APART_COS] = cos(apart);
     number[ROLLING_APART_SIN] = sin(apart);
     generic_scale(out, to, 1.0);

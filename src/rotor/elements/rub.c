@@ -1,5 +1,6 @@
 // A rub: its passes over vectors, its keys and the numbers of its kernel.
 #include "block.h"
+#include "contact_range.h"
 #include "registry.h"
 #include "rub_switch.h"
 #include "rub_tangent.h"
@@ -26,10 +27,13 @@ static void switches(const element *own, const block *b, void *values, void *rat
                      rate ? rate + k : NULL);
 }
 
-static void contact(const element *own, const block *b, void *force) {
-    vec *out = force;
-    for (size_t k = 0; k < b->vectors; k++)
-        out[k] = rub_normal(own, b->stride, numbers_of(b, own) + k, b->q + k, b->v + k);
+static void contact(const element *own, const block *b, void *force, void *friction) {
+    vec *out = force, *rubbing = friction;
+    for (size_t k = 0; k < b->vectors; k++) {
+        const vec *number = numbers_of(b, own) + k;
+        out[k] = rub_normal(own, b->stride, number, b->q + k, b->v + k);
+        if (rubbing) rub_rubbing(own, b->stride, number, b->q + k, b->v + k, rubbing + k);
+    }
 }
 
 const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .contact = contact};
@@ -51,7 +55,8 @@ static const whirl_key keys[KEY_COUNT] = {
         "paper: friction always against the rotation; slip: against the sliding, which backward whirl can reverse",
         "rub-impact paper 2015, eq. (3); Black 1968"),
     [RADIUS] = NUMBER_KEY("radius", "R_d", "m", OPTIONAL, WHIRL_POSITIVE,
-                          "radius of the rotor's surface that rubs; law slip needs it"),
+                          "radius of the rotor's surface that rubs, by which torque and power of the friction are "
+                          "told; law slip needs it"),
     [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal"),
 };
@@ -61,10 +66,9 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (slip && !values[RADIUS].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has no radius, expected one: law slip needs the radius of the surface that rubs");
-    if (!slip && (values[RADIUS].given || values[SLIP_SPEED].given))
-        return whirl_fail(WHIRL_BAD_INPUT, "has a %s, which only law slip uses, expected law: slip, or no %s",
-                          values[RADIUS].given ? "radius" : "slip_speed",
-                          values[RADIUS].given ? "radius" : "slip_speed");
+    if (!slip && values[SLIP_SPEED].given)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has a slip_speed, which only law slip uses, expected law: slip, or no slip_speed");
     out->station = values[AT].station[0];
     const whirl_status status = assembly_find_plane(to, out->station, out->port);
     if (status.code != WHIRL_OK) return status;
@@ -76,9 +80,12 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[RUB_STIFFNESS] = values[STIFFNESS].number / assembly_stiffness_scale(to, out->station);
     out->number[RUB_DAMPING] = values[DAMPING].number / (assembly_inertia(to, out->station) * to->clock);
     out->number[RUB_FRICTION] = slip ? values[FRICTION].number : copysign(values[FRICTION].number, to->turn);
-    out->number[RUB_SURFACE] = slip ? values[RADIUS].number / to->length * to->turn : 0.0;
+    out->number[RUB_SURFACE] = values[RADIUS].number / to->length * to->turn;
     out->number[RUB_SLIP_SPEED] = values[SLIP_SPEED].number / (to->clock * to->length);
     out->number[RUB_GAP_SQUARE] = out->number[RUB_GAP] * out->number[RUB_GAP];
+    out->number[RUB_LEVER] = copysign(values[RADIUS].number / to->length, to->turn);
+    out->number[RUB_METRES] = to->length;
+    out->number[RUB_WATTS] = to->clock * to->length;
     out->number[RUB_NEWTONS] = assembly_stiffness_scale(to, out->station) * to->length;
     return whirl_ok();
 }
@@ -95,8 +102,17 @@ static double contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
+static int takes_power(const element *own) {
+    if (own->number[RUB_FRICTION] == 0.0) return 0;
+    return own->number[RUB_LEVER] == 0.0 ? -1 : 1;
+}
+
 static bool contact_damped(const element *own) {
     return rub_damped(own);
+}
+
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    return contact_range(own->number[RUB_GAP], fabs(own->number[RUB_LEVER]), index, seen, out);
 }
 
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
@@ -120,7 +136,9 @@ const element_type rub_element = {
     .switch_curvature = rub_switch_curvature,
     .slides = slides,
     .contact_gap = contact_gap,
+    .rubs = takes_power,
     .contact_damped = contact_damped,
+    .range = range,
     .doubt = doubt,
 };
 #endif

@@ -18,7 +18,8 @@
 #include "vector.h"
 
 /// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of
-/// N; the square of the gap.
+/// N; the square of the gap; R with the sign of the rotation, 0 where it is not known; a length scale
+/// in metres; W of 1 N by the slip.
 enum {
     RUB_GAP,
     RUB_STIFFNESS,
@@ -28,6 +29,9 @@ enum {
     RUB_SLIP_SPEED,
     RUB_NEWTONS,
     RUB_GAP_SQUARE,
+    RUB_LEVER,
+    RUB_METRES,
+    RUB_WATTS,
     RUB_NUMBERS
 };
 
@@ -120,6 +124,20 @@ static inline vec rub_normal(const element *rub, size_t stride, const vec *numbe
     rub_place p;
     if (!rub_meet(rub, stride, number, NULL, q, v, &p)) return v_set(0.0);
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
+}
+
+/// What friction does, two rows of `out`: not a number where the radius is not known.
+static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
+                               vec *out) {
+    const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);
+    rub_place p;
+    out[0] = out[stride] = zero;
+    if (!rub_meet(rub, stride, number, NULL, q, v, &p)) return;
+    const vec normal = v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
+    const vec force = v_mul(normal, rub_friction(rub, stride, number, NULL, &p));
+    const vec_mask known = v_less(zero, v_abs(lever));
+    out[0] = v_select(known, v_mul(force, v_mul(number[RUB_METRES * stride], lever)), none);
+    out[stride] = v_select(known, v_mul(force, v_mul(number[RUB_WATTS * stride], rub_slip(&p, stride, number))), none);
 }
 
 /// The switching functions and, unless `rates` is NULL, their derivatives by time along (v, a). The slip is taken times

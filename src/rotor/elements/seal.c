@@ -191,6 +191,16 @@ static double bearing_clearance(const element *own) {
     return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]) : 0.0;
 }
 
+/// Coefficients of the middle hold to about half the clearance: Childs 1993.
+static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+    const bool grows = own->number[SEAL_GROWTH] > 0.0;
+    const char *const limit =
+        grows ? "at which the rotor touches the seal" : "to which coefficients of the middle hold";
+    *out = (element_range){"eccentricity ratio", "1", limit, grows ? 1.0 : 0.5, 0.0};
+    out->reached = seen->radius * sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
+    return index == 0;
+}
+
 KERNELS_OF_EVERY_ISA(seal_kernels);
 
 const element_type seal_element = {
@@ -203,6 +213,7 @@ const element_type seal_element = {
     .build = build,
     .drags = true,
     .bearing_clearance = bearing_clearance,
+    .range = range,
     .note = note,
     .doubt = doubt,
 };

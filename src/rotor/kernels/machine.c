@@ -185,12 +185,13 @@ void ISA(machine_switches)(const lanes_view *view, void *values, void *rates) {
     }
 }
 
-void ISA(machine_contacts)(const lanes_view *view, void *normal_force) {
+void ISA(machine_contacts)(const lanes_view *view, void *normal_force, void *friction) {
     const whirl_rotor *rotor = view->model;
     const block b = block_of(view);
     for (size_t c = 0; c < rotor->contact_count; c++) {
         const element *own = &rotor->elements[rotor->contacts[c]];
-        kernels_of(own)->contact(own, &b, (vec *)normal_force + c * b.stride);
+        vec *rubbing = friction ? (vec *)friction + 2 * c * b.stride : NULL;
+        kernels_of(own)->contact(own, &b, (vec *)normal_force + c * b.stride, rubbing);
     }
 }
 

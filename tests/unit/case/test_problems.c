@@ -375,9 +375,6 @@ static void structure(void **state) {
                    "t:22:38: study.keep.highest_order: is 8.5, expected at most 8, half the samples per revolution "
                    "(keep.samples)");
     whirl_case_free(parse_edited("  analyze:", "  keep: {samples: 16, highest_order: 8}\n  analyze:"));
-    expect_problem("friction: 0.1", "radius: 1 m",
-                   "t:16:7: rotor.elements[3].rub: rub has a radius, which only law slip uses, expected law: slip, or "
-                   "no radius");
     expect_problem("friction: 0.1", "slip_speed: 1, law: paper",
                    "t:16:7: rotor.elements[3].rub: rub has a slip_speed, which only law slip uses, expected law: slip, "
                    "or no slip_speed");

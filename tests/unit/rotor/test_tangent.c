@@ -484,7 +484,7 @@ static void run_lanes(const whirl_system *system, int set, size_t lanes, int sid
     system->lanes->forcing[set](system->model, vectors, vectors, b->t, b->forcing);
     system->lanes->flow[set](&view);
     system->lanes->switches[set](&view, b->values, b->rates);
-    system->lanes->contacts[set](&view, b->normal);
+    system->lanes->contacts[set](&view, b->normal, NULL);
 }
 
 /// Collects x [DIMENSION] of state or perturbation k of a lane.

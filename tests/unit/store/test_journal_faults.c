@@ -215,7 +215,8 @@ static bool soaking(void) {
     return getenv("WHIRL_SOAK") != NULL;
 }
 
-/// From one call that fails to the next; under the sanitizers, where nothing but memory is looked at, every third fails.
+/// From one call that fails to the next; under the sanitizers, where nothing but memory is looked at, every third
+/// fails.
 static int stride(void) {
     return getenv("WHIRL_SANITIZED") ? 3 : 1;
 }

@@ -1,0 +1,65 @@
+// Ranges: how far a motion, or a machine at rest, goes in what its laws are for.
+#include <math.h>
+#include <stdlib.h>
+
+#include "analysis.h"
+
+enum { LEFT, REACHED, FIELD_COUNT };
+
+static size_t every_range(const block_shape *shape) {
+    return shape->range_count;
+}
+
+static size_t one_where_any(const block_shape *shape) {
+    return shape->range_count > 0;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
+    [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
+                 every_range},
+};
+
+static void fill(const whirl_system *system, const whirl_extremes *seen, const block_view *view) {
+    whirl_law_range range;
+    double left = 0.0;
+    if (!view->fields[LEFT]) return;
+    for (size_t i = 0; system->range(system->model, i, seen, &range); i++) {
+        double *out = view_numbers(view, REACHED, 0) + 2 * i;
+        out[0] = range.reached;
+        out[1] = range.most;
+        left += range.reached > range.most * (1.0 + 1e-9);
+    }
+    *view_numbers(view, LEFT, 0) = left;
+}
+
+static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+    (void)options;
+    fill(record->system, &(whirl_extremes){record->low, record->high, record->max_radius}, view);
+    return whirl_ok();
+}
+
+/// Where it rests, if it does.
+static whirl_status compute_resting(const whirl_resting *point, const whirl_record_options *options,
+                                    const block_view *view) {
+    const whirl_system *system = point->system;
+    const size_t d = system->dimension, probes = system->probe_count;
+    (void)options;
+    if (!view->fields[LEFT]) return whirl_ok();
+    double *x = malloc((d + probes + 1) * sizeof *x), *radius = x ? x + d : NULL;
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ranges of laws");
+    memcpy(x, point->start, d * sizeof *x);
+    const whirl_status status = whirl_equilibrium(system, x);
+    for (size_t p = 0; p < probes; p++)
+        radius[p] = hypot(whirl_probe_value(&system->probes[p], x, 0), whirl_probe_value(&system->probes[p], x, 1));
+    if (status.code == WHIRL_OK) fill(system, &(whirl_extremes){x, x, radius}, view);
+    free(x);
+    return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+}
+
+const analysis_plan ranges_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .compute = compute, .compute_resting = compute_resting};
+
+const char *whirl_analysis_of_ranges(void) {
+    return "ranges";
+}

@@ -1,0 +1,17 @@
+/// The range of laws of contact, which are of small contacts.
+#ifndef ROTOR_CONTACT_RANGE_H
+#define ROTOR_CONTACT_RANGE_H
+
+#include "element.h"
+
+/// Of a stator at `gap` around a surface of that radius, 0 where it is not known, when there is no range. By Hertz a
+/// contact is sqrt(depth/radius) of the radius wide: a tenth at the limit.
+static inline bool contact_range(double gap, double radius, size_t index, const element_seen *seen,
+                                 element_range *out) {
+    const double depth = seen->radius - gap;
+    *out = (element_range){"depth over radius", "1", "to which a contact is small", 0.01, 0.0};
+    out->reached = depth < 0.0 ? 0.0 : depth / radius;
+    return index == 0 && radius > 0.0;
+}
+
+#endif

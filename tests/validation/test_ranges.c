@@ -1,0 +1,162 @@
+// Ranges of laws, and what friction takes: motions and rests whose numbers are known.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_study.h"
+#include "whirl/case.h"
+#include "whirl/result.h"
+
+/// p of 1 N, Pa: of a ball of 10 mm on a race of 15 mm with a groove of 5.2 mm, by the elliptic integrals themselves.
+static const double hertz_of_1_n = 2.25656085e8;
+
+/// Agreement to within a part of what is expected.
+static void check_relative(const char *what, double obtained, double expected, double tolerance) {
+    check_within("RA", what, expected, obtained, tolerance * fabs(expected));
+}
+
+static whirl_result *run(const char *text) {
+    whirl_case *object;
+    whirl_result *result;
+    whirl_problems problems = {0};
+    if (whirl_case_parse(text, strlen(text), "case", &problems, &object).code != WHIRL_OK)
+        fail_msg("%s", problems.count ? problems.items[0].message : "no case");
+    const whirl_status status = whirl_case_run(object, &(whirl_run_options){0}, &result);
+    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
+    whirl_case_free(object);
+    return result;
+}
+
+// ---------------------------------------------------------------- friction
+
+/// A rotor that goes round in a circle of radius r, pressed to its stator all around: T = f N R, P = f N omega (R + r).
+static void annular_rub_takes_its_power(void **state) {
+    static const char *const stators[] = {"rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0.02, law: slip",
+                                          "rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0.02, damping: 9",
+                                          "contact: {at: disc, gap: 0.2 mm, stiffness: 2e6, power: 1, friction: 0.02"};
+    static const char *const methods[] = {"rk4", "dop853", "rodas5p"};
+    static const char *const rotations[] = {"counter-clockwise", "clockwise"};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        char text[2048];
+        snprintf(text, sizeof text,
+                 "whirl: 1\nrotor:\n  speed: 200 rad/s\n  rotation: %s\n  length_scale: 1 mm\n  stations:\n"
+                 "    disc: {mass: 10 kg, damping: 600 N.s/m, eccentricity: 0.4 mm}\n  elements:\n"
+                 "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n    - %s, radius: 50 mm}\n"
+                 "study:\n  response: {}\n  integrate: {method: %s, steps_per_revolution: 256, transient: 400, "
+                 "record: 20}\n  analyze: [orbit, rub]\n",
+                 rotations[i % 2], stators[i], methods[i]);
+        whirl_result *result = run(text);
+        const whirl_table *table = &result->tables[0];
+        const double force = table_number(table, 0, WHIRL_FIELD_RUB_MAX_FORCE, 0);
+        const double radius = 1e-3 * table_number(table, 0, WHIRL_FIELD_ORBIT_MAX_RADIUS, 0), f = 0.02, R = 0.05;
+        check_relative("share of the time in contact", table_number(table, 0, WHIRL_FIELD_RUB_SHARE, 0), 1.0, 1e-9);
+        check_relative("normal force", force, 2e6 * (radius - 0.2e-3), 1e-6);
+        check_relative("mean torque", table_number(table, 0, WHIRL_FIELD_RUB_TORQUE, 0), f * force * R, 1e-7);
+        check_relative("largest torque", table_number(table, 0, WHIRL_FIELD_RUB_MAX_TORQUE, 0), f * force * R, 1e-7);
+        check_relative("mean power", table_number(table, 0, WHIRL_FIELD_RUB_POWER, 0), f * force * 200.0 * (R + radius),
+                       1e-7);
+        assert_true(table_number(table, 0, WHIRL_FIELD_RANGES_LEFT, 0) == 0.0);
+        check_relative("depth over radius", table_number(table, 0, WHIRL_FIELD_RANGES_REACHED, 0),
+                       (radius - 0.2e-3) / R, 1e-9);
+        whirl_result_free(result);
+    }
+}
+
+/// Blades longer than the gap in the middle of their casing: each is pressed in by what it is longer.
+static void blades_take_their_power(void **state) {
+    (void)state;
+    whirl_result *result =
+        run("whirl: 1\nrotor:\n  speed: 300 rad/s\n  length_scale: 1 mm\n  stations:\n    disc: {mass: 10 kg}\n"
+            "  elements:\n    - spring: {between: [disc, ground], stiffness: 4 MN/m, damping: 2000 N.s/m}\n"
+            "    - blade_rub: {at: disc, blades: 5, radius: 200 mm, gap: 0.5 mm, extension: 0.6 mm, stiffness: 1e6, "
+            "friction: 0.2}\nstudy:\n  response: {}\n  integrate: {method: dop853, transient: 3, record: 5}\n"
+            "  analyze: [orbit, rub]\n");
+    const double torque = 5 * 0.2 * 1e6 * 0.1e-3 * 0.2006;
+    check_relative("torque", table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_TORQUE, 0), torque, 1e-9);
+    check_relative("power", table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_POWER, 0), torque * 300.0, 1e-9);
+    whirl_result_free(result);
+}
+
+/// Friction whose radius is not known is missing, and 0 where there is none.
+static void unknown_friction_is_missing(void **state) {
+    (void)state;
+    for (int frictions = 0; frictions < 2; frictions++) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "whirl: 1\nrotor:\n  speed: 200 rad/s\n  length_scale: 1 mm\n  stations:\n"
+                 "    disc: {mass: 10 kg, damping: 600 N.s/m, eccentricity: 0.4 mm}\n  elements:\n"
+                 "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n"
+                 "    - rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: %g}\nstudy:\n  response: {}\n"
+                 "  integrate: {method: rk4, transient: 10, record: 5}\n  analyze: [rub]\n",
+                 0.02 * frictions);
+        whirl_result *result = run(text);
+        const double *torque = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUB_MAX_TORQUE, 0);
+        const double *power = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUB_POWER, 0);
+        assert_true(frictions ? isnan(*torque) && isnan(*power) : *torque == 0.0 && *power == 0.0);
+        whirl_result_free(result);
+    }
+}
+
+// ---------------------------------------------------------------- ranges
+
+static void expect_left(const whirl_result *result, size_t table, const char *begin, size_t points, double reached,
+                        double tolerance) {
+    whirl_left left;
+    assert_int_equal(whirl_table_left(&result->tables[table], 0, &left), points);
+    assert_true(strncmp(whirl_result_law_range(result, 0), begin, strlen(begin)) == 0);
+    check_relative("reached", left.reached, reached, tolerance);
+}
+
+/// A journal under loads to the wall: the very eccentricity of motion and rest.
+static void films_tell_where_they_end(void **state) {
+    (void)state;
+    whirl_result *result =
+        run("whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 3000 rpm\n  length_scale: 0.1 mm\n  stations:\n"
+            "    journal: {mass: 20 kg, eccentricity: 1 um}\n  elements:\n"
+            "    - film: {at: journal, law: finite, clearance: 0.1 mm, viscosity: 18 mPa.s, radius: 25 mm, length: 25 "
+            "mm}\n    - gravity: = load\nstudy:\n  sweep: {parameter: load, values: [10, 2000]}\n"
+            "  modes: {parameter: load, values: [10, 2000]}\n  integrate: {method: dop853, transient: 30, record: 5}\n"
+            "  analyze: [orbit]\n");
+    for (size_t t = 0; t < 2; t++) {
+        const whirl_table *table = &result->tables[t];
+        assert_true(table_number(table, 0, WHIRL_FIELD_RANGES_LEFT, 0) == 0.0);
+        assert_true(table_number(table, 1, WHIRL_FIELD_RANGES_LEFT, 0) == 1.0);
+    }
+    expect_left(result, 0, "film at journal: eccentricity ratio up to 0.95", 1,
+                table_number(&result->tables[0], 1, WHIRL_FIELD_ORBIT_MAX_RADIUS, 0), 1e-15);
+    const double *rest = whirl_table_field(&result->tables[1], 1, WHIRL_FIELD_MODES_REST, 0);
+    expect_left(result, 1, "film at journal: ", 1, hypot(rest[0], rest[1]), 1e-9);
+    whirl_result_free(result);
+}
+
+/// The pressure of a ball under the whole load, by Hertz's integrals themselves (to five digits); the fit of the
+/// ellipse errs by less than 1 % of the pressure.
+static void balls_tell_their_pressure(void **state) {
+    (void)state;
+    whirl_result *result =
+        run("whirl: 1\nrotor:\n  speed: 0.001 rad/s\n  length_scale: 0.1 mm\n  stations:\n    hub: {mass: 1000 kg}\n"
+            "  elements:\n    - ball_bearing: {at: hub, balls: 9, stiffness: 1e10, inner: 15 mm, outer: 25 mm, angle: "
+            "-90 deg, clearance: -5 um}\n    - gravity: 10 m/s2\nstudy:\n  modes: {}\n");
+    const double *rest = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_REST, 0);
+    const double depth = 5e-6 + 1e-4 * hypot(rest[0], rest[1]), load = 1e10 * depth * sqrt(depth);
+    check_relative("pressure", table_number(&result->tables[0], 0, WHIRL_FIELD_RANGES_REACHED, 0),
+                   hertz_of_1_n * cbrt(load), 0.01);
+    whirl_result_free(result);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(annular_rub_takes_its_power), cmocka_unit_test(blades_take_their_power),
+        cmocka_unit_test(unknown_friction_is_missing), cmocka_unit_test(films_tell_where_they_end),
+        cmocka_unit_test(balls_tell_their_pressure),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
