@@ -54,7 +54,7 @@ static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, 
     const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride], zero = v_set(0.0);
     vec x, y, torque = zero, power = zero;
     n_sincos(v_add(s[0], number[BLADE_START * stride]), &y, &x);
-    for (int j = 0; j < own->law; j++) {
+    for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const vec tip[2] = {v_fma(length, x, d[0]), v_fma(length, y, d[1])};
         const vec far = v_sqrt(v_fma(tip[0], tip[0], v_mul(tip[1], tip[1])));
