@@ -333,6 +333,81 @@ static void tangent(void **state) {
     whirl_rotor_free(fitted);
 }
 
+// ---------------------------------------------------------------- over the speed as well
+
+enum { SPEEDS = 5 };
+
+/// A fluid whose poles, and whose drive along the whirl, go with the speed.
+static matrix turning(double complex s, double speed) {
+    const double p = 0.8 * speed, drive = 2e3 * speed;
+    const double complex slow = p / (s + p), place = 6e6 + 3e3 * speed - 2e6 * slow + 3e3 * s;
+    return (matrix){{{place, drive * slow}, {-0.9 * drive * slow, place + 5e5 * slow}}};
+}
+
+/// The disc in time, or for linear studies, at a speed.
+static whirl_rotor *at_speed(double speed, bool in_time) {
+    static char lists[COEFFICIENTS][SPEEDS * TEXT], speeds[TEXT], frequencies[TEXT];
+    static bool written;
+    whirl_design *design;
+    whirl_rotor *rotor;
+    for (size_t r = 0; r < SPEEDS && !written; r++) {
+        const double own = 300.0 + 100.0 * (double)r;
+        append(speeds, r, own);
+        for (size_t i = 0; i < POINTS; i++) {
+            const double w = 1200.0 * (double)i / (POINTS - 1), slow = w > 0.0 ? w : 0.1;
+            const matrix here = turning(I * w, own), near = turning(I * slow, own);
+            if (r == 0) append(frequencies, i, w);
+            for (size_t k = 0; k < COEFFICIENTS; k++) {
+                const size_t e = k % 4, used = strlen(lists[k]);
+                const double number = k < 4 ? creal(here.m[e / 2][e % 2]) : cimag(near.m[e / 2][e % 2]) / slow;
+                snprintf(lists[k] + used, sizeof lists[k] - used, "%s%.17g", i > 0 ? ", " : r > 0 ? "; " : "", number);
+            }
+        }
+    }
+    written = true;
+    const whirl_setting station[] = {{"mass", 10.0, NULL}, {"eccentricity", 2e-5, NULL}};
+    whirl_setting settings[COEFFICIENTS + 3] = {
+        {"at", 0, "disc"}, {"speeds", 0, speeds}, {"frequencies", 0, frequencies}};
+    for (size_t k = 0; k < COEFFICIENTS; k++) settings[3 + k] = (whirl_setting){names[k], 0, lists[k]};
+    require_ok(whirl_design_new(speed, 1e-3, &design));
+    require_ok(whirl_design_station(design, "disc", station, 2));
+    require_ok(whirl_design_element(design, "bearing", settings, COEFFICIENTS + 3));
+    if (in_time) whirl_design_in_time(design);
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// Machines of a sweep have the same poles, and numbers that go smoothly with the speed.
+static void over_speeds(void **state) {
+    const double forcing[WHIRL_MAX_FORCING] = {1.0};
+    double worst = 0.0, jump = 0.0, x[MOST], slopes[2][MOST];
+    (void)state;
+    for (size_t i = 0; i < MOST; i++) x[i] = cos((double)i);
+    for (int k = 0; k <= 40; k++) {
+        const double speed = 300.0 + 9.99 * k;
+        double complex responses[2][2] = {{0.0}};
+        whirl_rotor *linear = at_speed(speed, false);
+        respond(linear, responses[1]);
+        for (int i = 0; i < 2; i++) {
+            whirl_rotor *fitted = at_speed(speed + 1e-5 * i, true);
+            const whirl_system *system = whirl_rotor_system(fitted);
+            system->rhs(system->model, 0.0, forcing, x, slopes[i]);
+            if (i == 0) respond(fitted, responses[0]);
+            whirl_rotor_free(fitted);
+        }
+        worst = fmax(worst, apart(responses[0], responses[1]));
+        for (size_t i = 0; i < 12; i++)
+            jump = fmax(jump, fabs(slopes[1][i] - slopes[0][i]) / (1.0 + fabs(slopes[0][i])));
+        whirl_rotor_free(linear);
+    }
+    check_within("Whirl in time",
+                 "poles that go with the speed: part by which 41 responses differ from the linear study's", 0.0, worst,
+                 3e-3);
+    check_within("Whirl in time", "the same: part by which the right-hand side changes between speeds 1e-5 rad/s apart",
+                 0.0, jump, 1e-6);
+}
+
 // ---------------------------------------------------------------- no frequency in it
 
 /// A table that is the same at all frequencies has the bits of one over the speed alone, and no states.
@@ -431,9 +506,14 @@ static void warned_of(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),        cmocka_unit_test(response_at_speeds),
-                                       cmocka_unit_test(free_decay), cmocka_unit_test(at_rest),
-                                       cmocka_unit_test(tangent),    cmocka_unit_test(without_frequency),
-                                       cmocka_unit_test(refused),    cmocka_unit_test(warned_of)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),
+                                       cmocka_unit_test(response_at_speeds),
+                                       cmocka_unit_test(free_decay),
+                                       cmocka_unit_test(at_rest),
+                                       cmocka_unit_test(tangent),
+                                       cmocka_unit_test(over_speeds),
+                                       cmocka_unit_test(without_frequency),
+                                       cmocka_unit_test(refused),
+                                       cmocka_unit_test(warned_of)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,9 +6,13 @@
 
 #include "matrix.h"
 
-/// A set of so many samples has two rows, real and imaginary, for each; columns of a fit of all poles and, beside it,
-/// of what moves them.
-enum { MOST_POLES = 2 * RATIONAL_MOST_PAIRS, MOST_ROWS = 2 * RATIONAL_MOST_SAMPLES, MOST_COLUMNS = 2 * MOST_POLES + 4 };
+/// A set of so many samples has two rows, real and imaginary, for each; columns are functions of all poles, 1 and s
+/// and, for each entry, those by which poles move.
+enum {
+    MOST_POLES = 2 * RATIONAL_MOST_PAIRS,
+    MOST_ROWS = 2 * RATIONAL_MOST_SAMPLES,
+    MOST_COLUMNS = MOST_POLES + 2 + RATIONAL_ENTRIES * (MOST_POLES + 1)
+};
 
 /// Poles in units of the highest frequency; of a complex pair both stand together, that above the axis first.
 typedef struct pole_set {
@@ -18,11 +22,11 @@ typedef struct pole_set {
 
 /// What is fitted, with frequencies in units of the highest one.
 typedef struct fitting {
-    size_t count;
+    size_t sets, count;
     double top, least; ///< rad/s; modulus of the slowest pole
-    double w[RATIONAL_MOST_SAMPLES], weight[RATIONAL_MOST_SAMPLES];
-    rational_sample samples[RATIONAL_MOST_SAMPLES];
-    bool sloped; ///< there is a slope to find
+    double w[RATIONAL_MOST_SAMPLES];
+    const rational_sample *samples; ///< [sets][count]
+    double weight[RATIONAL_MOST_SETS][RATIONAL_MOST_SAMPLES];
 } fitting;
 
 double rational_size(const rational_sample *of) {
@@ -32,8 +36,8 @@ double rational_size(const rational_sample *of) {
     return sqrt(sum);
 }
 
-static double complex entry_of(const fitting *f, size_t k, int e) {
-    return f->samples[k].entry[e][0] + f->samples[k].entry[e][1] * I;
+static double complex entry_of(const rational_sample *of, int e) {
+    return of->entry[e][0] + of->entry[e][1] * I;
 }
 
 /// 1/z in one way, which compilers' own division is not.
@@ -44,22 +48,21 @@ static double complex inverse(double complex z) {
 
 // ---------------------------------------------------------------- least squares
 
-/// Householder's reflections of a [rows][stride], which leave a triangle of its first `columns` (Golub, Van Loan 2013,
-/// 5.2).
-static void triangularize(size_t rows, size_t columns, size_t stride, double *a) {
-    for (size_t c = 0; c < columns && c < rows; c++) {
-        double size = 0.0;
+/// Householder's reflections of a [rows][stride], which make a triangle of `count` columns from `first` on, in the rows
+/// from there on, and take all columns up to `columns` along (Golub, Van Loan 2013, 5.2).
+static void triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride, double *a) {
+    for (size_t c = first; c < first + count && c < rows; c++) {
+        double size = 0.0, sum[MOST_COLUMNS] = {0.0};
         for (size_t r = c; r < rows; r++) size += a[r * stride + c] * a[r * stride + c];
         size = a[c * stride + c] > 0.0 ? -sqrt(size) : sqrt(size);
-        const double first = a[c * stride + c] - size, scale = size * first; // -|v|^2/2
+        const double head = a[c * stride + c] - size, scale = size * head; // -|v|^2/2
         if (scale == 0.0) continue;
-        for (size_t k = c + 1; k < columns; k++) {
-            double sum = first * a[c * stride + k];
-            for (size_t r = c + 1; r < rows; r++) sum += a[r * stride + c] * a[r * stride + k];
-            sum /= scale;
-            a[c * stride + k] += first * sum;
-            for (size_t r = c + 1; r < rows; r++) a[r * stride + k] += a[r * stride + c] * sum;
-        }
+        a[c * stride + c] = head;
+        for (size_t r = c; r < rows; r++)
+            for (size_t k = c + 1; k < columns; k++) sum[k] += a[r * stride + c] * a[r * stride + k];
+        for (size_t k = c + 1; k < columns; k++) sum[k] /= scale;
+        for (size_t r = c; r < rows; r++)
+            for (size_t k = c + 1; k < columns; k++) a[r * stride + k] += a[r * stride + c] * sum[k];
         a[c * stride + c] = size;
         for (size_t r = c + 1; r < rows; r++) a[r * stride + c] = 0.0;
     }
@@ -68,12 +71,12 @@ static void triangularize(size_t rows, size_t columns, size_t stride, double *a)
 /// The shortest x [n] whose a x comes nearest to the last column of a [rows][n + 1].
 static bool solve_nearest(size_t rows, size_t n, double *a, double *x) {
     double square[(MOST_POLES + 2) * (MOST_POLES + 2)];
-    triangularize(rows, n + 1, n + 1, a);
+    triangularize(rows, 0, n, n + 1, n + 1, a);
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < n; k++) square[i * n + k] = a[i * (n + 1) + k];
         x[i] = a[i * (n + 1) + n];
     }
-    return matrix_solve_shortest(n, square, 1e-14, x, NULL);
+    return matrix_solve_shortest(n, square, 1e-12, x, NULL);
 }
 
 static void put_row(double *a, size_t stride, size_t k, size_t column, double complex value) {
@@ -119,37 +122,54 @@ static void pair_up(const pole_set *poles, rational_fit *out) {
         out->pairs[out->pair_count++] = (rational_pair){.w = sqrt(real[k] * real[k + 1]), .g = real[k] + real[k + 1]};
 }
 
-/// The best function with these poles, in units of the highest frequency; *error is the root of the sum of its squares.
-static bool fit_with(const fitting *f, const pole_set *poles, rational_fit *out, double *error) {
+/// The functions of pairs, and 1, as columns.
+static void put_functions(const fitting *f, const rational_fit *of, size_t k, double weight, size_t stride, double *a) {
+    for (size_t j = 0; j < 2 * of->pair_count; j++)
+        put_row(a, stride, k, j, weight * of_pair(&of->pairs[j / 2], f->w[k], (int)(j % 2)));
+    put_row(a, stride, k, 2 * of->pair_count, weight);
+}
+
+/// The best function of the only set with the pairs of io, in units of the highest frequency, and with its slope where
+/// that is `held`.
+static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
     double a[MOST_ROWS * MOST_COLUMNS], x[MOST_POLES + 2];
-    *out = (rational_fit){.pair_count = 0};
-    *error = 0.0;
-    pair_up(poles, out);
-    const size_t n = 2 * out->pair_count + (f->sloped ? 2 : 1), stride = n + 1;
+    const size_t n = 2 * io->pair_count + (held ? 1 : 2), stride = n + 1;
     for (int e = 0; e < RATIONAL_ENTRIES; e++) {
         for (size_t k = 0; k < f->count; k++) {
-            size_t column = 0;
-            for (size_t j = 0; j < out->pair_count; j++)
-                for (int which = 0; which < 2; which++)
-                    put_row(a, stride, k, column++, f->weight[k] * of_pair(&out->pairs[j], f->w[k], which));
-            put_row(a, stride, k, column++, f->weight[k]);
-            if (f->sloped) put_row(a, stride, k, column++, I * f->w[k] * f->weight[k]);
-            put_row(a, stride, k, column, f->weight[k] * entry_of(f, k, e));
+            const double weight = f->weight[0][k];
+            const double complex slope = I * (f->w[k] * weight), own = weight * entry_of(&f->samples[k], e);
+            put_functions(f, io, k, weight, stride, a);
+            if (!held) put_row(a, stride, k, n - 1, slope);
+            put_row(a, stride, k, n, held ? own - slope * io->slope[e] : own);
         }
         if (!solve_nearest(2 * f->count, n, a, x)) return false;
-        for (size_t j = 0; j < out->pair_count; j++) {
-            out->pairs[j].place[e] = x[2 * j];
-            out->pairs[j].rate[e] = x[2 * j + 1];
+        for (size_t j = 0; j < io->pair_count; j++) {
+            io->pairs[j].place[e] = x[2 * j];
+            io->pairs[j].rate[e] = x[2 * j + 1];
         }
-        out->constant[e] = x[2 * out->pair_count];
-        out->slope[e] = f->sloped ? x[n - 1] : 0.0;
+        io->constant[e] = x[2 * io->pair_count];
+        if (!held) io->slope[e] = x[n - 1];
     }
-    for (size_t k = 0; k < f->count; k++) {
-        rational_sample apart = rational_fit_value(out, f->w[k]);
-        for (int e = 0; e < RATIONAL_ENTRIES; e++)
-            for (int part = 0; part < 2; part++) apart.entry[e][part] -= f->samples[k].entry[e][part];
-        const double own = f->weight[k] * rational_size(&apart);
-        *error += own * own;
+    return true;
+}
+
+/// What is left of all sets with these poles: the root of the sum of squares.
+static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pairs, double *error) {
+    double a[MOST_ROWS * MOST_COLUMNS];
+    *pairs = (rational_fit){.pair_count = 0};
+    *error = 0.0;
+    pair_up(poles, pairs);
+    const size_t n = 2 * pairs->pair_count + 2, stride = n + RATIONAL_ENTRIES;
+    for (size_t set = 0; set < f->sets; set++) {
+        for (size_t k = 0; k < f->count; k++) {
+            put_functions(f, pairs, k, f->weight[set][k], stride, a);
+            put_row(a, stride, k, n - 1, I * (f->w[k] * f->weight[set][k]));
+            for (size_t e = 0; e < RATIONAL_ENTRIES; e++)
+                put_row(a, stride, k, n + e, f->weight[set][k] * entry_of(&f->samples[set * f->count + k], (int)e));
+        }
+        triangularize(2 * f->count, 0, n, stride, stride, a);
+        for (size_t r = n; r < 2 * f->count; r++)
+            for (size_t c = n; c < stride; c++) *error += a[r * stride + c] * a[r * stride + c];
     }
     *error = sqrt(*error);
     return isfinite(*error);
@@ -186,34 +206,43 @@ static void tidy(const fitting *f, pole_set *poles) {
     }
 }
 
-/// What the scaling function that all entries share tells of the poles: rows [poles + 1] of one entry.
-static void rows_of_entry(const fitting *f, const pole_set *poles, int e, double *out) {
-    double a[MOST_ROWS * MOST_COLUMNS];
-    const size_t n = poles->count, own = n + (f->sloped ? 2 : 1), stride = own + n + 1;
+/// What the scaling function that all entries share tells of the poles: rows [entries][poles + 1] of one set. What
+/// stands before it, the functions of the poles, 1 and s, is the same for all entries.
+static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, double *out) {
+    double a[MOST_ROWS * MOST_COLUMNS], own[MOST_ROWS * (MOST_POLES + 1)];
+    const size_t n = poles->count, before = n + 2, stride = before + RATIONAL_ENTRIES * (n + 1);
+    const size_t rows = 2 * f->count - before;
     for (size_t k = 0; k < f->count; k++) {
-        const double complex z = entry_of(f, k, e);
-        for (size_t j = 0; j < n; j++) {
-            const double complex value = f->weight[k] * partial(poles, j, f->w[k]);
+        const double weight = f->weight[set][k];
+        for (size_t j = 0; j <= n; j++) {
+            const double complex value = j < n ? weight * partial(poles, j, f->w[k]) : weight;
             put_row(a, stride, k, j, value);
-            put_row(a, stride, k, own + j, -z * value);
+            for (size_t e = 0; e < RATIONAL_ENTRIES; e++)
+                put_row(a, stride, k, before + e * (n + 1) + j,
+                        -entry_of(&f->samples[set * f->count + k], (int)e) * value);
         }
-        put_row(a, stride, k, n, f->weight[k]);
-        if (f->sloped) put_row(a, stride, k, n + 1, I * f->w[k] * f->weight[k]);
-        put_row(a, stride, k, own + n, -z * f->weight[k]);
+        put_row(a, stride, k, n + 1, I * (f->w[k] * weight));
     }
-    triangularize(2 * f->count, stride, stride, a);
-    for (size_t i = 0; i <= n; i++) {
-        for (size_t j = 0; j <= n; j++) out[i * (n + 2) + j] = a[(own + i) * stride + own + j];
-        out[i * (n + 2) + n + 1] = 0.0;
+    triangularize(2 * f->count, 0, before, stride, stride, a);
+    for (size_t e = 0; e < RATIONAL_ENTRIES; e++, out += (n + 1) * (n + 2)) {
+        for (size_t r = 0; r < rows; r++)
+            for (size_t j = 0; j <= n; j++) own[r * (n + 1) + j] = a[(before + r) * stride + before + e * (n + 1) + j];
+        triangularize(rows, 0, n + 1, n + 1, n + 1, own);
+        for (size_t i = 0; i <= n; i++) {
+            for (size_t j = 0; j <= n; j++) out[i * (n + 2) + j] = i < rows ? own[i * (n + 1) + j] : 0.0;
+            out[i * (n + 2) + n + 1] = 0.0;
+        }
     }
 }
 
 /// The zeros of the scaling function are the next poles.
 static bool relocate(const fitting *f, pole_set *poles) {
-    double a[(RATIONAL_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)], x[MOST_POLES + 2];
+    enum { MOST_ENTRIES = RATIONAL_MOST_SETS * RATIONAL_ENTRIES };
+    double a[(MOST_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)], x[MOST_POLES + 2];
     double matrix[MOST_POLES * MOST_POLES] = {0.0};
-    const size_t n = poles->count, rows = RATIONAL_ENTRIES * (n + 1) + 1;
-    for (int e = 0; e < RATIONAL_ENTRIES; e++) rows_of_entry(f, poles, e, a + (size_t)e * (n + 1) * (n + 2));
+    const size_t n = poles->count, rows = f->sets * RATIONAL_ENTRIES * (n + 1) + 1;
+    for (size_t set = 0; set < f->sets; set++)
+        rows_of_set(f, poles, set, a + set * RATIONAL_ENTRIES * (n + 1) * (n + 2));
     double *last = a + (rows - 1) * (n + 2); // its mean is 1
     for (size_t j = 0; j < n; j++) {
         last[j] = 0.0;
@@ -247,20 +276,42 @@ static pole_set first_poles(const fitting *f, size_t pair_count) {
     return out;
 }
 
-/// The best of all that the poles come by.
-static bool fit(const fitting *f, size_t pair_count, rational_fit *best) {
+static fitting begin(size_t sets, size_t count, const double *w, const rational_sample *samples) {
+    fitting f = {.sets = sets, .count = count, .top = w[count - 1], .samples = samples};
+    double largest = 0.0;
+    for (size_t i = 0; i < sets * count; i++) largest = fmax(largest, rational_size(&samples[i]));
+    for (size_t k = 0; k < count; k++) {
+        f.w[k] = w[k] / f.top;
+        if (f.least == 0.0) f.least = 1e-2 * f.w[k];
+        for (size_t set = 0; set < sets; set++) {
+            const double size = fmax(rational_size(&samples[set * count + k]), 1e-9 * largest);
+            f.weight[set][k] = size > 0.0 ? 1.0 / size : 1.0;
+        }
+    }
+    return f;
+}
+
+bool rational_fit_poles(size_t sets, size_t count, const double *w, const rational_sample *samples, size_t pair_count,
+                        rational_fit *out) {
     enum { MOST_STEPS = 40 };
-    pole_set poles = first_poles(f, pair_count);
-    double least;
-    if (!fit_with(f, &poles, best, &least)) return false;
+    const fitting f = begin(sets, count, w, samples);
+    pole_set poles = first_poles(&f, pair_count);
+    double least, last;
+    if (!error_of(&f, &poles, out, &least)) return false;
+    last = least;
+    // The best of all that they come by, until steps tell no more.
     for (int step = 0; step < MOST_STEPS && pair_count > 0 && least > 1e-14; step++) {
         rational_fit next;
         double error;
-        if (!relocate(f, &poles)) return false;
-        if (!fit_with(f, &poles, &next, &error)) return false;
-        if (error < least) *best = next;
-        if (fabs(error - least) <= 1e-9 * least) break;
+        if (!relocate(&f, &poles) || !error_of(&f, &poles, &next, &error)) return false;
+        if (error < least) *out = next;
+        if (fabs(error - last) <= 1e-3 * last) break;
         least = fmin(least, error);
+        last = error;
+    }
+    for (size_t j = 0; j < out->pair_count; j++) {
+        out->pairs[j].w *= f.top;
+        out->pairs[j].g *= f.top;
     }
     return true;
 }
@@ -303,37 +354,18 @@ static bool raise_slope(double slope[RATIONAL_ENTRIES], double least) {
     return true;
 }
 
-static fitting begin(size_t count, const double *w, const rational_sample *samples) {
-    fitting f = {.count = count, .top = w[count - 1], .sloped = true};
-    double largest = 0.0;
-    memcpy(f.samples, samples, count * sizeof *samples);
-    for (size_t k = 0; k < count; k++) largest = fmax(largest, rational_size(&samples[k]));
-    for (size_t k = 0; k < count; k++) {
-        const double size = fmax(rational_size(&samples[k]), 1e-9 * largest);
-        f.w[k] = w[k] / f.top;
-        f.weight[k] = size > 0.0 ? 1.0 / size : 1.0;
-        if (f.least == 0.0) f.least = 1e-2 * f.w[k];
+bool rational_fit_numbers(size_t count, const double *w, const rational_sample *samples, rational_fit *io) {
+    const fitting f = begin(1, count, w, samples);
+    for (size_t j = 0; j < io->pair_count; j++) {
+        io->pairs[j].w /= f.top;
+        io->pairs[j].g /= f.top;
     }
-    return f;
-}
-
-bool rational_fit_make(size_t count, const double *w, const rational_sample *samples, size_t pair_count,
-                       rational_fit *out) {
-    fitting f = begin(count, w, samples);
-    if (!fit(&f, pair_count, out)) return false;
-    double slope[RATIONAL_ENTRIES];
-    memcpy(slope, out->slope, sizeof slope);
-    if (raise_slope(slope, least_damping(&f))) {
-        f.sloped = false;
-        for (size_t k = 0; k < count; k++)
-            for (int e = 0; e < RATIONAL_ENTRIES; e++) f.samples[k].entry[e][1] -= f.w[k] * slope[e];
-        if (!fit(&f, pair_count, out)) return false;
-        memcpy(out->slope, slope, sizeof slope);
+    bool good = fit_numbers(&f, false, io);
+    if (good && raise_slope(io->slope, least_damping(&f))) good = fit_numbers(&f, true, io);
+    for (int e = 0; e < RATIONAL_ENTRIES; e++) io->slope[e] /= f.top;
+    for (size_t j = 0; j < io->pair_count; j++) {
+        io->pairs[j].w *= f.top;
+        io->pairs[j].g *= f.top;
     }
-    for (int e = 0; e < RATIONAL_ENTRIES; e++) out->slope[e] /= f.top;
-    for (size_t j = 0; j < out->pair_count; j++) {
-        out->pairs[j].w *= f.top;
-        out->pairs[j].g *= f.top;
-    }
-    return true;
+    return good;
 }

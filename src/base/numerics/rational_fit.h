@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { RATIONAL_MOST_PAIRS = 4, RATIONAL_MOST_SAMPLES = 32, RATIONAL_ENTRIES = 4 };
+enum { RATIONAL_MOST_PAIRS = 4, RATIONAL_MOST_SAMPLES = 32, RATIONAL_MOST_SETS = 5, RATIONAL_ENTRIES = 4 };
 
 typedef struct rational_pair {
     double w, g; ///< rad/s
@@ -29,12 +29,16 @@ typedef struct rational_sample {
     double entry[RATIONAL_ENTRIES][2];
 } rational_sample;
 
-/// Samples [count] at frequencies w [count], rad/s, rising, not below 0, each weighed by its own size. At negative
-/// frequencies the function is conjugate. Its slope drives no motion that no sample drives: the symmetric part is kept
-/// as large as the least one of the samples' imaginary parts over w, or not below 0. pair_count: at most (count - 2)/2.
-/// False where a number is not finite, or without memory.
-bool rational_fit_make(size_t count, const double *w, const rational_sample *samples, size_t pair_count,
-                       rational_fit *out);
+/// Finds the poles that are best for all of several sets of samples [sets][count] at the same frequencies w [count],
+/// rad/s, rising, not below 0, each weighed by its own size: pairs' w and g of out. At negative frequencies functions
+/// are conjugate. pair_count: at most (count - 2)/2. False where a number is not finite, or without memory.
+bool rational_fit_poles(size_t sets, size_t count, const double *w, const rational_sample *samples, size_t pair_count,
+                        rational_fit *out);
+
+/// The function with the poles of io that comes nearest to samples [count]. It is as smooth a function of these as
+/// their sizes are. Its slope drives no motion that no sample drives: the symmetric part is kept as large as the least
+/// one of the samples' imaginary parts over w, or not below 0.
+bool rational_fit_numbers(size_t count, const double *w, const rational_sample *samples, rational_fit *io);
 
 /// The function at i w.
 rational_sample rational_fit_value(const rational_fit *of, double w);

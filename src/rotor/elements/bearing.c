@@ -297,6 +297,15 @@ static whirl_status mean_inertia(const key_value *values, double speed, double m
     return status;
 }
 
+/// At all frequencies, out [frequencies].
+static whirl_status sample_all(const key_value *values, double speed, double inertia[3], rational_sample *out) {
+    const key_value *frequencies = &values[FREQUENCIES];
+    whirl_status status = mean_inertia(values, speed, inertia);
+    for (size_t i = 0; i < frequencies->count && status.code == WHIRL_OK; i++)
+        status = sample(values, speed, frequencies->list[i], inertia, &out[i]);
+    return status;
+}
+
 /// The part by which the function differs from the table, at its frequencies and half way between them.
 static whirl_status compare(const key_value *values, double speed, const rational_fit *fit, const double inertia[3],
                             double *number) {
@@ -346,26 +355,39 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
         100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
 }
 
+/// Poles are those of the table as a whole, of some of its speeds, so that the function is as smooth over the speed as
+/// the table; its numbers those of the machine's own speed.
+static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
+    rational_sample samples[RATIONAL_MOST_SETS * RATIONAL_MOST_SAMPLES];
+    const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
+    const size_t pairs = pair_count(values), most = speeds->given ? speeds->count : 1;
+    const size_t sets = most < RATIONAL_MOST_SETS ? most : RATIONAL_MOST_SETS, count = frequencies->count;
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < sets && status.code == WHIRL_OK; i++)
+        status = sample_all(values, speeds->given ? speeds->list[i * (most - 1) / (sets > 1 ? sets - 1 : 1)] : speed,
+                            inertia, samples + i * count);
+    if (status.code != WHIRL_OK) return status;
+    bool found = rational_fit_poles(sets, count, frequencies->list, samples, pairs, fit);
+    status = sample_all(values, speed, inertia, samples);
+    if (status.code == WHIRL_OK && found) found = rational_fit_numbers(count, frequencies->list, samples, fit);
+    if (status.code != WHIRL_OK || found) return status;
+    return whirl_fail(WHIRL_BAD_INPUT, "has a table that no rational function of %zu poles comes near", 2 * pairs);
+}
+
 static whirl_status make_fit(const key_value *values, const assembly *to, coefficients *rest, rational_fit *fit,
                              element *out) {
-    rational_sample samples[WHIRL_MAX_LIST];
-    const key_value *frequencies = &values[FREQUENCIES];
-    const size_t pairs = pair_count(values);
     double *number = out->number;
     whirl_status status = check_top(values, to);
-    if (status.code == WHIRL_OK) status = mean_inertia(values, to->speed, rest->inertia);
-    for (size_t i = 0; i < frequencies->count && status.code == WHIRL_OK; i++)
-        status = sample(values, to->speed, frequencies->list[i], rest->inertia, &samples[i]);
-    if (status.code != WHIRL_OK) return status;
-    if (!rational_fit_make(frequencies->count, frequencies->list, samples, pairs, fit))
-        return whirl_fail(WHIRL_BAD_INPUT, "has a table that no rational function of %zu poles comes near", 2 * pairs);
-    status = compare(values, to->speed, fit, rest->inertia, number);
-    for (size_t e = 0; e < RATIONAL_ENTRIES; e++) {
+    if (status.code == WHIRL_OK) status = find_function(values, to->speed, rest->inertia, fit);
+    if (status.code == WHIRL_OK) status = compare(values, to->speed, fit, rest->inertia, number);
+    if (status.code == WHIRL_OK)
+        status = check_error(values, fit->pair_count, number[BEARING_ERROR], number[BEARING_WORST]);
+    for (size_t e = 0; e < RATIONAL_ENTRIES && status.code == WHIRL_OK; e++) {
         rest->stiffness[e / 2][e % 2] = number[BEARING_REST + e] = fit->constant[e];
         rest->damping[e / 2][e % 2] = fit->slope[e];
         for (size_t j = 0; j < fit->pair_count; j++) number[BEARING_REST + e] += fit->pairs[j].place[e];
     }
-    return status.code == WHIRL_OK ? check_error(values, pairs, number[BEARING_ERROR], number[BEARING_WORST]) : status;
+    return status;
 }
 
 /// Constant and slope are coefficients as any; pairs of poles have states of their own.
