@@ -71,13 +71,12 @@ static void note_in_time(note_list *notes, const whirl_imported *made, const cha
     static const char study[] = "\nstudy:\n", response[] = "  response: {}\n";
     const char *const place = strstr(made->text, study);
     if (!place) return;
-    const size_t kept = (size_t)(place - made->text) + strlen(study);
-    char *const moving = malloc(kept + sizeof response);
+    const int kept = (int)(place - made->text) + (int)strlen(study);
+    char *const moving = malloc((size_t)kept + sizeof response);
     notes->no_memory = notes->no_memory || !moving;
     if (!moving) return;
-    memcpy(moving, made->text, kept);
-    memcpy(moving + kept, response, sizeof response);
-    note_machine(notes, moving, kept + strlen(response), file);
+    sprintf(moving, "%.*s%s", kept, made->text, response);
+    note_machine(notes, moving, strlen(moving), file);
     free(moving);
 }
 

@@ -408,6 +408,39 @@ static void over_speeds(void **state) {
                  0.0, jump, 1e-6);
 }
 
+/// A list of an inertia that is one number is that number.
+static void inertia(void **state) {
+    static table of;
+    char list[TEXT] = "";
+    double complex response[2][2];
+    (void)state;
+    tabulate(solid, 1000.0, &of);
+    for (size_t i = 0; i < POINTS; i++) append(list, i, 2.5);
+    for (int listed = 0; listed < 2; listed++) {
+        whirl_design *design;
+        whirl_rotor *rotor;
+        const whirl_setting station[] = {{"mass", 10.0, NULL}, {"eccentricity", 2e-5, NULL}};
+        const whirl_setting settings[] = {{"at", 0, "disc"},
+                                          {"frequencies", 0, of.frequencies},
+                                          {"kxx", 0, of.list[0]},
+                                          {"cxx", 0, of.list[4]},
+                                          {"mxx", listed ? 0 : 2.5, listed ? list : NULL}};
+        require_ok(whirl_design_new(250.0, 1e-3, &design));
+        require_ok(whirl_design_station(design, "disc", station, 2));
+        require_ok(whirl_design_element(design, "bearing", settings, 5));
+        whirl_design_in_time(design);
+        require_ok(whirl_rotor_new(design, &rotor));
+        whirl_design_free(design);
+        respond(rotor, response[listed]);
+        whirl_rotor_free(rotor);
+    }
+    const double w = 250.0, impedance = cabs(solid(I * w).m[0][0] - 12.5 * w * w);
+    check_within("Whirl in time", "inertia in a list: part by which the response differs from that of a number", 0.0,
+                 apart(response[1], response[0]), 1e-12);
+    relative("inertia of 2.5 kg beside 10 kg: response along x, m", 10.0 * 2e-5 * w * w / impedance,
+             1e-3 * cabs(response[0][0]), 1e-12);
+}
+
 // ---------------------------------------------------------------- no frequency in it
 
 /// A table that is the same at all frequencies has the bits of one over the speed alone, and no states.
@@ -506,14 +539,10 @@ static void warned_of(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),
-                                       cmocka_unit_test(response_at_speeds),
-                                       cmocka_unit_test(free_decay),
-                                       cmocka_unit_test(at_rest),
-                                       cmocka_unit_test(tangent),
-                                       cmocka_unit_test(over_speeds),
-                                       cmocka_unit_test(without_frequency),
-                                       cmocka_unit_test(refused),
-                                       cmocka_unit_test(warned_of)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),        cmocka_unit_test(response_at_speeds),
+                                       cmocka_unit_test(free_decay), cmocka_unit_test(at_rest),
+                                       cmocka_unit_test(tangent),    cmocka_unit_test(over_speeds),
+                                       cmocka_unit_test(inertia),    cmocka_unit_test(without_frequency),
+                                       cmocka_unit_test(refused),    cmocka_unit_test(warned_of)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -132,7 +132,7 @@ static void put_functions(const fitting *f, const rational_fit *of, size_t k, do
 /// The best function of the only set with the pairs of io, in units of the highest frequency, and with its slope where
 /// that is `held`.
 static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
-    double a[MOST_ROWS * MOST_COLUMNS], x[MOST_POLES + 2];
+    double a[MOST_ROWS * (MOST_POLES + 3)] = {0.0}, x[MOST_POLES + 2];
     const size_t n = 2 * io->pair_count + (held ? 1 : 2), stride = n + 1;
     for (int e = 0; e < RATIONAL_ENTRIES; e++) {
         for (size_t k = 0; k < f->count; k++) {
@@ -238,7 +238,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
 /// The zeros of the scaling function are the next poles.
 static bool relocate(const fitting *f, pole_set *poles) {
     enum { MOST_ENTRIES = RATIONAL_MOST_SETS * RATIONAL_ENTRIES };
-    double a[(MOST_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)], x[MOST_POLES + 2];
+    double a[(MOST_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)] = {0.0}, x[MOST_POLES + 2];
     double matrix[MOST_POLES * MOST_POLES] = {0.0};
     const size_t n = poles->count, rows = f->sets * RATIONAL_ENTRIES * (n + 1) + 1;
     for (size_t set = 0; set < f->sets; set++)

@@ -3,7 +3,7 @@
 // function stands.
 #define KERNEL_FILE "elements/bearing_kernel.h"
 #define KERNEL_AXES 2
-#define KERNEL_STATES (2 * KERNEL_AXES * MOST_PAIRS)
+#define KERNEL_STATES 16 // two for each axis and pair
 #define KERNEL_FEWER_STATES
 #define KERNEL_NUMBERS BEARING_NUMBERS
 #define KERNEL_SWITCHES 0
@@ -320,7 +320,8 @@ static whirl_status compare(const key_value *values, double speed, const rationa
         if (status.code != WHIRL_OK) break;
         for (int e = 0; e < RATIONAL_ENTRIES; e++)
             for (int part = 0; part < 2; part++) apart.entry[e][part] -= table.entry[e][part];
-        const double size = rational_size(&table), own = size > 0.0 ? rational_size(&apart) / size : 0.0;
+        const double size = rational_size(&table), part = size > 0.0 ? rational_size(&apart) / size : 0.0;
+        const double own = isfinite(part) ? part : INFINITY;
         if (own > number[BEARING_ERROR]) number[BEARING_WORST] = w;
         number[BEARING_ERROR] = fmax(number[BEARING_ERROR], own);
         if (i % 2 == 0) number[BEARING_ERROR_AT] = fmax(number[BEARING_ERROR_AT], own);
@@ -358,7 +359,7 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
 /// Poles are those of the table as a whole, of some of its speeds, so that the function is as smooth over the speed as
 /// the table; its numbers those of the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
-    rational_sample samples[RATIONAL_MOST_SETS * RATIONAL_MOST_SAMPLES];
+    rational_sample samples[(size_t)RATIONAL_MOST_SETS * RATIONAL_MOST_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
     const size_t pairs = pair_count(values), most = speeds->given ? speeds->count : 1;
     const size_t sets = most < RATIONAL_MOST_SETS ? most : RATIONAL_MOST_SETS, count = frequencies->count;
@@ -394,14 +395,15 @@ static whirl_status make_fit(const key_value *values, const assembly *to, coeffi
 static whirl_status build_in_time(const key_value *values, assembly *to, element *out) {
     rational_fit fit;
     coefficients rest;
-    _Static_assert((int)MOST_PAIRS == (int)RATIONAL_MOST_PAIRS && (int)WHIRL_MAX_LIST <= (int)RATIONAL_MOST_SAMPLES,
+    _Static_assert((int)MOST_PAIRS == (int)RATIONAL_MOST_PAIRS && (int)WHIRL_MAX_LIST <= (int)RATIONAL_MOST_SAMPLES &&
+                       KERNEL_STATES == 2 * KERNEL_AXES * (int)MOST_PAIRS,
                    "a fit has room for a table");
     const whirl_status status = make_fit(values, to, &rest, &fit, out);
     if (status.code != WHIRL_OK) return status;
     add_coefficients(values, &rest, to, out);
     out->lumped = false;
     out->law = (int)fit.pair_count;
-    out->states = 2 * KERNEL_AXES * fit.pair_count;
+    out->states = fit.pair_count * 2 * KERNEL_AXES;
     out->number[BEARING_SIDEWAYS] = values[SIDEWAYS].number / to->length;
     out->number[BEARING_ELEVATION] = values[ELEVATION].number / to->length;
     for (size_t j = 0; j < fit.pair_count; j++) {
@@ -451,11 +453,11 @@ static void note(const element *own, double length, double clock, char *text, si
         "in time %d poles, off its table by %.2g %% at its frequencies, %.2g %% half way between (at %.4g rad/s)",
         2 * own->law, 100.0 * number[BEARING_ERROR_AT], 100.0 * number[BEARING_ERROR], number[BEARING_WORST]);
     (void)length;
-    for (int j = 0; j < own->law && used < size; j++) {
+    for (size_t j = 0; j < (size_t)own->law && used < size; j++) {
         char poles[64];
         tell_poles(number + BEARING_PAIRS + j * PAIR_NUMBERS, clock, poles, sizeof poles);
         used += (size_t)snprintf(text + used, size - used, "%s%s%s", j == 0 ? ": " : ", ", poles,
-                                 j + 1 == own->law ? " rad/s" : "");
+                                 j + 1 == (size_t)own->law ? " rad/s" : "");
     }
     if (used < size)
         snprintf(text + used, size - used, "; at rest kxx %.4g, kxy %.4g, kyx %.4g, kyy %.4g N/m", rest[0], rest[1],
