@@ -98,12 +98,12 @@ static void compare(const case_content *content, valuation *v, const whirl_rotor
 static whirl_status add_fit(whirl_result *result, const char *at, char *note) {
     char name[WHIRL_NAME_SIZE], text[2 * WHIRL_MESSAGE_SIZE];
     size_t index = 0;
-    const size_t room = sizeof result->facts->value - strlen(at) - 3;
+    const size_t room = sizeof result->facts->value - strlen(at) - 4;
     if (strlen(note) > room && strrchr(note, ';')) *strrchr(note, ';') = '\0';
     for (; *whirl_result_fit(result, index); index++)
         if (strstr(whirl_result_fit(result, index), note)) return whirl_ok();
     snprintf(name, sizeof name, "fit %zu", index + 1);
-    snprintf(text, sizeof text, "%s%s%s", note, *at ? ", at " : "", at);
+    snprintf(text, sizeof text, "%s%s%s%s", note, *at ? " (" : "", at, *at ? ")" : "");
     return whirl_result_add_fact(result, name, text);
 }
 

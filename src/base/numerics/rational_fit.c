@@ -195,7 +195,7 @@ static double spacing(const fitting *f, double w) {
 /// Stable, neither far beyond the frequencies nor far below them, where samples do not tell them from constants, and no
 /// resonances that are narrower than half the distance of samples, which would fit their errors.
 static void tidy(const fitting *f, pole_set *poles) {
-    const double fastest = 20.0;
+    const double fastest = 10.0;
     for (size_t k = 0; k < poles->count; k++) {
         double *a = &poles->real[k], *b = &poles->imaginary[k];
         double size = sqrt(*a * *a + *b * *b);

@@ -60,7 +60,7 @@ static void cases_that_ship(void **state) {
     static const char *const names[] = {
         "reference",     "paper",          "jeffcott-rub",   "rigid-rotor",  "cracked-rotor",  "seal-whirl",
         "ball-bearings", "squeeze-damper", "loose-pedestal", "second-shaft", "overhung-rotor", "compressor",
-        "spindle",       "bearing-fault",  "magnetic-drop",  "pump",         "misalignment"};
+        "spindle",       "bearing-fault",  "magnetic-drop",  "pump",         "misalignment",   "tilting-pad-table"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[400];
         whirl_case *object;

@@ -63,12 +63,13 @@ static void a_range_holds_every_default(void **state) {
 static void all_cases_can_be_read(void **state) {
     (void)state;
     static const char *const names[] = {
-        "reference.yaml",    "paper.yaml",          "paper-literal.yaml", "paper-derived.yaml",  "paper-point.yaml",
-        "jeffcott-rub.yaml", "rigid-rotor.yaml",    "cracked-rotor.yaml", "seal-whirl.yaml",     "squeeze-damper.yaml",
-        "second-shaft.yaml", "ball-bearings.yaml",  "bearing-fault.yaml", "loose-pedestal.yaml", "overhung-rotor.yaml",
-        "compressor.yaml",   "spindle.yaml",        "ross-example.yaml",  "paper-changes.yaml",  "paper-map.yaml",
-        "paper-basin.yaml",  "quasi-periodic.yaml", "paper-starts.yaml",  "magnetic-drop.yaml",  "pump.yaml",
-        "misalignment.yaml"};
+        "reference.yaml",     "paper.yaml",          "paper-literal.yaml",    "paper-derived.yaml",
+        "paper-point.yaml",   "jeffcott-rub.yaml",   "rigid-rotor.yaml",      "cracked-rotor.yaml",
+        "seal-whirl.yaml",    "squeeze-damper.yaml", "second-shaft.yaml",     "ball-bearings.yaml",
+        "bearing-fault.yaml", "loose-pedestal.yaml", "overhung-rotor.yaml",   "compressor.yaml",
+        "spindle.yaml",       "ross-example.yaml",   "paper-changes.yaml",    "paper-map.yaml",
+        "paper-basin.yaml",   "quasi-periodic.yaml", "paper-starts.yaml",     "magnetic-drop.yaml",
+        "pump.yaml",          "misalignment.yaml",   "tilting-pad-table.yaml"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[400];
         snprintf(path, sizeof path, "%s/%s", WHIRL_CASES, names[i]);
