@@ -13,11 +13,13 @@
 #include <cmocka.h>
 
 #include "support_check.h"
+#include "whirl/analyze.h"
 #include "whirl/case.h"
 #include "whirl/integrate.h"
 #include "whirl/linear.h"
 #include "whirl/result.h"
 #include "whirl/rotor.h"
+#include "whirl/study.h"
 
 enum { POINTS = 26, TEXT = POINTS * 26, COEFFICIENTS = 8, MOST = 32, WHOLE = 16384 };
 
@@ -441,6 +443,54 @@ static void inertia(void **state) {
              1e-3 * cabs(response[0][0]), 1e-12);
 }
 
+// ---------------------------------------------------------------- five tilting pads
+
+/// The largest real part of the eigenvalues of the case's machine in time.
+static double growth_at(const whirl_case *object, double q) {
+    const double start[2 * MOST] = {0.0};
+    whirl_rotor *rotor;
+    whirl_modes *modes;
+    require_ok(whirl_case_rotor(object, "q", q, &rotor));
+    assert_true(whirl_rotor_system(rotor)->frequency_count == 0 && whirl_rotor_system(rotor)->dimension <= 2 * MOST);
+    require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
+    const double growth = modes->growth;
+    whirl_modes_free(modes);
+    whirl_rotor_free(rotor);
+    return growth;
+}
+
+/// Where a mode neither grows nor decays, coefficients at its frequency are the impedance itself.
+static void tilting_pads(void **state) {
+    whirl_problems problems = {0};
+    whirl_case *object;
+    whirl_study study;
+    whirl_result *result;
+    double threshold = NAN, low = 0.0, high = 2e7;
+    (void)state;
+    require_ok(whirl_case_load(WHIRL_CASES "/tilting-pad-table.yaml", &problems, &object));
+    require_ok(whirl_case_study(object, &study));
+    study.batches[0] = study.batches[1]; // its modes
+    study.batch_count = 1;
+    require_ok(whirl_study_run(&study, &(whirl_run_options){.threads = 1}, &result));
+    const whirl_table *told = &result->tables[0];
+    const whirl_field *field = whirl_layout_field(&told->layout, WHIRL_FIELD_MODES_CRITICAL);
+    for (size_t point = 0; point < told->count; point++) {
+        const double *row = whirl_table_field(told, point, WHIRL_FIELD_MODES_CRITICAL, 0);
+        for (size_t i = 0; i < field->rows; i++, row += field->columns)
+            if (row[0] == WHIRL_ONSET) threshold = row[1];
+    }
+    for (int step = 0; step < 40; step++) {
+        const double middle = 0.5 * (low + high);
+        *(growth_at(object, middle) < 0.0 ? &low : &high) = middle;
+    }
+    relative("five tilting pads: cross coupling at which the machine in time loses its stability, by tables and by "
+             "functions of four poles, N/m",
+             threshold, low, 1e-4);
+    whirl_result_free(result);
+    whirl_case_free(object);
+    whirl_problems_free(&problems);
+}
+
 // ---------------------------------------------------------------- no frequency in it
 
 /// A table that is the same at all frequencies has the bits of one over the speed alone, and no states.
@@ -539,10 +589,16 @@ static void warned_of(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),        cmocka_unit_test(response_at_speeds),
-                                       cmocka_unit_test(free_decay), cmocka_unit_test(at_rest),
-                                       cmocka_unit_test(tangent),    cmocka_unit_test(over_speeds),
-                                       cmocka_unit_test(inertia),    cmocka_unit_test(without_frequency),
-                                       cmocka_unit_test(refused),    cmocka_unit_test(warned_of)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pad),
+                                       cmocka_unit_test(response_at_speeds),
+                                       cmocka_unit_test(free_decay),
+                                       cmocka_unit_test(at_rest),
+                                       cmocka_unit_test(tangent),
+                                       cmocka_unit_test(over_speeds),
+                                       cmocka_unit_test(inertia),
+                                       cmocka_unit_test(tilting_pads),
+                                       cmocka_unit_test(without_frequency),
+                                       cmocka_unit_test(refused),
+                                       cmocka_unit_test(warned_of)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
