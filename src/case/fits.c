@@ -120,12 +120,20 @@ static whirl_status tell(const case_content *content, valuation *v, const whirl_
     return status;
 }
 
+/// Most cases have none, and need no machine to know it.
+static bool has_tables(const machine_parts *machine) {
+    for (size_t i = 0; i < machine->element_count; i++)
+        if (settings_find(&machine->elements[i], "frequencies")) return true;
+    return false;
+}
+
 whirl_status case_tell_fits(const case_content *content, const whirl_given *given, size_t count, whirl_result *result,
                             char doubt[WHIRL_MESSAGE_SIZE]) {
     char at[PLAN_GIVEN_TEXT] = "";
     whirl_rotor *tables = NULL;
     valuation v;
     *doubt = '\0';
+    if (!has_tables(&content->machine)) return whirl_ok();
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, false, &tables);
     if (count > 0) given_text(given, count, at, sizeof at);
