@@ -23,7 +23,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 KERNELS_OF_EVERY_ISA(pad_bearing_kernels);
 
 const element_type pad_bearing_element = {
-    .group = {"pad_bearing", "a journal bearing of fixed pads, whose films are of finite length",
+    .group = {"pad_bearing", "a journal bearing of fixed pads of finite length, no pressure in its grooves",
               "Reynolds 1886; Swift 1932; Stieber 1933", keys, PADS_FIXED_KEYS, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,

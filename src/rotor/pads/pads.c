@@ -425,7 +425,7 @@ static whirl_status check(const whirl_pads *bearing) {
 }
 
 /// The angle from the end of one pad to the beginning of another, 0 to a turn.
-static double apart(const whirl_pad *pad, const whirl_pad *next) {
+static double angle_to(const whirl_pad *pad, const whirl_pad *next) {
     const double turn = 6.283185307179586476925;
     const double end = pad->pivot + (1.0 - pad->offset) * pad->arc, start = next->pivot - next->offset * next->arc;
     const double angle = fmod(fmod(start - end, turn) + turn, turn);
@@ -434,7 +434,7 @@ static double apart(const whirl_pad *pad, const whirl_pad *next) {
 
 double whirl_pads_gap(const whirl_pads *bearing, size_t pad) {
     double least = INFINITY;
-    for (size_t i = 0; i < bearing->count; i++) least = fmin(least, apart(&bearing->pads[pad], &bearing->pads[i]));
+    for (size_t i = 0; i < bearing->count; i++) least = fmin(least, angle_to(&bearing->pads[pad], &bearing->pads[i]));
     return least;
 }
 
