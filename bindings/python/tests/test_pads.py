@@ -101,6 +101,16 @@ def test_tilting_pads():
         assert found == pytest.approx(expected, rel=0.01), name
 
 
+@pytest.mark.parametrize("shape", ["three-lobe", "four-lobe", "offset-half", "tilting-4"])
+def test_every_usual_bearing_rests_as_by_itself(shape):
+    load, tilts = 0.4, shape.startswith("tilting")
+    keys = f"shape: {shape}, preload: 0.4" + (", inertia: 1e-4 kg m2" if tilts else "")
+    mass, result = run("tilting_pad" if tilts else "pad_bearing", keys, 0.5, load, "  modes: {}")
+    file = {"kind": shape, "preload": 0.4, "radius": RADIUS, "length": RADIUS, "pad_clearance": CLEARANCE}
+    alone = whirl.bearing({**file, "viscosity": VISCOSITY, "speed": SPEED, "load": mass * GRAVITY})
+    assert np.squeeze(result["modes"]["modes/rest"]) * 1e-4 == pytest.approx(alone.place[0], abs=2e-3 * CLEARANCE)
+
+
 def test_pivots_that_yield():
     """Beside the coefficients of the bearing by itself, which are condensed: the response to unbalance, a motion; and
     very stiff pivots beside rigid ones."""
