@@ -250,9 +250,12 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
     if (isinf(value))
         return whirl_fail(WHIRL_NUMERICAL_FAILURE,
                           "no place was found where the films of the bearing carry the load, cold as the oil comes in");
-    const double most = fmin(at - value, hottest);
-    bracket between = bracket_between(at, value, most, 0.0);
-    status = surplus(of, most, true, point, &between.fb);
+    bracket between = bracket_between(at, value, fmin(at - value, hottest), 0.0);
+    status = surplus(of, between.b, true, point, &between.fb);
+    if (status.code == WHIRL_OK && between.fb < 0.0 && between.b < hottest) {
+        between.b = hottest;
+        status = surplus(of, hottest, true, point, &between.fb);
+    }
     if (status.code == WHIRL_OK && between.fb < 0.0)
         return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the oil that leaves does not carry the heat below %.4g degC",
                           hottest - zero_degrees);
