@@ -21,7 +21,7 @@ def at(**values):
     case["study"] = {
         "response": {},
         "unbalance": {},
-        "integrate": {"transient": 60, "record": 8},
+        "integrate": {"transient": 40, "record": 4},
         "analyze": ["orbit", "spectrum"],
     }
     result = whirl.run(whirl.Case(case), progress=False)
