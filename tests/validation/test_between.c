@@ -265,6 +265,47 @@ static void jacobians(void **unused) {
     whirl_rotor_free(rotor);
 }
 
+/// All perturbations over located contacts and jumps: ln |det| of what a turn makes of them, by the exact derivatives
+/// of steps and switches, and by differences of the motion.
+static void perturbations(void **unused) {
+    (void)unused;
+    static const part parts[] = {
+        {"spring",
+         {{"between", 0.0, "one, other"},
+          {"along", 0.0, "tilt_x"},
+          {"stiffness", 30.0, NULL},
+          {"damping", 0.9, NULL},
+          {"gap_angle", 0.02, NULL}}},
+        {"cubic_spring",
+         {{"between", 0.0, "one, ground"},
+          {"along", 0.0, "tilts"},
+          {"stiffness", 4.0, NULL},
+          {"cubic", 9.0, NULL},
+          {"damping", 0.3, NULL}}},
+        {"friction", {{"between", 0.0, "other, ground"}, {"along", 0.0, "tilt_x"}, {"moment", 0.05, NULL}}}};
+    enum { TURNS = 1 };
+    whirl_rotor *rotor = make(1.0, parts, COUNT_OF(parts));
+    const whirl_system *system = whirl_rotor_system(rotor);
+    whirl_record *record;
+    whirl_record_options options = whirl_record_default();
+    whirl_integrate_options integrate = whirl_integrate_default();
+    double start[STATE] = {0}, matrix[STATE * STATE], exact = 0.0;
+    start[tilt(0, 0)] = 0.1, start[tilt(1, 0)] = -0.05, start[tilt(0, 1)] = 0.03, start[DEGREES + tilt(1, 0)] = 0.2;
+    snprintf(integrate.method, sizeof integrate.method, "dop853");
+    integrate.rtol = 1e-13, integrate.atol = 1e-15;
+    options.transient = 0, options.record = options.watch = TURNS, options.settle = false;
+    options.growth = WHIRL_GROWTH_ALL;
+    require_ok(whirl_record_motion(system, &integrate, &options, start, NULL, &record));
+    for (int i = 0; i < STATE; i++) exact += record->growths[i];
+    whirl_integrator *integrator = make_integrator(system, "dop853", 64);
+    flow_jacobian(integrator, STATE, start, TURNS, 1e-5, matrix);
+    check_within("Between", "ln |det| of all perturbations over play, a cube and sharp friction", exact,
+                 log(fabs(determinant(STATE, matrix))), 1e-7);
+    whirl_integrator_free(integrator);
+    whirl_record_free(record);
+    whirl_rotor_free(rotor);
+}
+
 static void refusals(void **unused) {
     (void)unused;
     static const struct {
@@ -304,6 +345,7 @@ int main(void) {
         cmocka_unit_test(forced_through_friction),
         cmocka_unit_test(friction_points_back),
         cmocka_unit_test(jacobians),
+        cmocka_unit_test(perturbations),
         cmocka_unit_test(refusals),
     };
     return cmocka_run_group_tests_name("between", tests, NULL, NULL);
