@@ -236,7 +236,8 @@ def readings(
     """What probes would read once a revolution in a simulated run: rows of ``vibration`` for :func:`balance`.
 
     Of motions in time, of nonlinear machines too, that is their part once a revolution (analysis ``spectrum``); of the
-    study ``unbalance`` the synchronous response.
+    study ``unbalance`` the synchronous response. Where shafts have a ``runout``, motions in time are read with it, the
+    response of ``unbalance`` without (what probes read is ``unbalance/seen``).
 
     Parameters
     ----------
