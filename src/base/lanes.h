@@ -71,6 +71,7 @@ struct whirl_lanes {
     bool jumps;     ///< accelerations may jump at a switch
     bool damped;    ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
                     ///< closed
+    bool lags;      ///< switches depend on states, so that their derivatives by time need slopes
     bool rubs;      ///< friction takes power, of which `contacts` tells
     /// One for every instruction set of vector.h; NULL where it is not built.
     lanes_flow *const *flow;

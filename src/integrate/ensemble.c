@@ -203,7 +203,7 @@ static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *op
     e->stepper = stepper_new(NULL, system, options);
     *located = (lanes_located){.switches = system->lanes->switches[e->isa->number],
                                .switch_count = system->lanes->switch_count,
-                               .needs_slopes = system->lanes->damped,
+                               .needs_slopes = system->lanes->damped || system->lanes->lags,
                                .stepper = e->stepper};
     return e->stepper != NULL;
 }

@@ -35,8 +35,8 @@ typedef struct key_value {
     double *list; ///< [count]
 } key_value;
 
-/// The most that one element has: coordinates that it sees, keys.
-enum { MAX_PORTS = 8, MAX_KEYS = 64 };
+/// The most that one element has: coordinates that it sees, keys; states that switches depend on.
+enum { MAX_PORTS = 8, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
 
 /// Until `build` says how many states an element has.
 #define STATES_OF_TYPE ((size_t)-1)
@@ -81,6 +81,12 @@ typedef struct element_range {
     double most, reached;
 } element_range;
 
+/// What an element sees of a state or a perturbation, or derivatives by that: places and velocities of its ports, 0 of
+/// the ground, and its states.
+typedef struct element_place {
+    double q[MAX_PORTS], v[MAX_PORTS], s[MAX_ELEMENT_STATES];
+} element_place;
+
 /// What an element does in lanes; one for every instruction set. NULL for what it has not.
 typedef struct element_kernels {
     /// Adds the accelerations of `count` elements of one type, one after the other, those of the perturbations by their
@@ -120,12 +126,14 @@ typedef struct whirl_element_type {
     whirl_status (*build)(const key_value *values, assembly *to, element *out);
 
     /// Optional: switching functions, which it has `switch_count(own)` of; their derivatives by the places and
-    /// velocities of the ports, [ports] each, and the second ones applied to the perturbation (uq, uv) of the ports.
+    /// velocities of the ports and by its states, and the second ones applied to a perturbation.
     size_t (*switch_count)(const element *own);
-    void (*switch_gradient)(const element *own, const double *q, const double *v, size_t index, double *by_q,
-                            double *by_v);
-    void (*switch_curvature)(const element *own, const double *q, const double *v, size_t index, const double *uq,
-                             const double *uv, double *by_q, double *by_v);
+    void (*switch_gradient)(const element *own, const element_place *at, size_t index, element_place *by);
+    void (*switch_curvature)(const element *own, const element_place *at, size_t index, const element_place *along,
+                             element_place *by);
+
+    /// With switches of a contact with a gap: whether one begins at switch `index`. NULL: at the first one.
+    bool (*touches)(const element *own, size_t index);
 
     /// Optional: rad/s of its phase where sections are to be taken by it, else 0; its first key is its station.
     double (*keyphasor)(const key_value *values, double speed);

@@ -21,7 +21,9 @@
 ///         the forces along the axes [KERNEL_AXES] at displacements d and velocities w, in any unit, and the slopes of
 ///         its own states s;
 ///     KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w, num *values)
-///         where KERNEL_SWITCHES is not 0; `force` then looks at view->sides where they are not NULL.
+///         where KERNEL_SWITCHES is not 0; `force` then looks at view->sides where they are not NULL. With
+///         KERNEL_SWITCHES_BY_STATES its states stand before the values; of KERNEL_SWITCHES_OF(own), a macro, an
+///         element has fewer.
 ///
 /// An element has 2 KERNEL_AXES ports: the coordinates of its place, then those of the other place or NO_COORDINATE.
 /// The force acts on the first with its sign and on the other against it.
@@ -229,7 +231,18 @@ static void generic_flow(const element *first, size_t count, const block *b) {
 }
 
 #if KERNEL_SWITCHES > 0
-/// Values, and their derivatives along velocities and accelerations.
+#ifdef KERNEL_SWITCHES_OF
+#define SWITCHES_OF(own) ((size_t)KERNEL_SWITCHES_OF(own))
+#else
+#define SWITCHES_OF(own) ((size_t)KERNEL_SWITCHES)
+#endif
+#ifdef KERNEL_SWITCHES_BY_STATES
+#define SWITCHES_AT(own, view, d, w, s, value) switches_dual(own, view, d, w, s, value)
+#else
+#define SWITCHES_AT(own, view, d, w, s, value) ((void)(s), switches_dual(own, view, d, w, value))
+#endif
+
+/// Values, and their derivatives along velocities, accelerations and the slopes of states.
 static void generic_switches(const element *own, const block *b, void *values, void *rates) {
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
@@ -237,13 +250,17 @@ static void generic_switches(const element *own, const block *b, void *values, v
         inputs_of(own, b, 0, k, false, &in);
         dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
         seed(own, &in, d, w, s);
-        switches_dual(own, &view, d, w, value);
-        for (size_t i = 0; i < KERNEL_SWITCHES; i++) {
+        SWITCHES_AT(own, &view, d, w, s, value);
+        for (size_t i = 0; i < SWITCHES_OF(own); i++) {
             vec rate = v_set(0.0);
             for (size_t a = 0; rates && a < KERNEL_AXES; a++) {
                 rate = v_fma(value[i].by[a], in.w[a], rate);
                 rate = v_fma(value[i].by[KERNEL_AXES + a], between(own, b, b->a, k, a), rate);
             }
+#ifdef KERNEL_SWITCHES_BY_STATES
+            for (int n = 0; rates && n < STATES_OF(own); n++)
+                rate = v_fma(value[i].by[2 * KERNEL_AXES + n], b->a[(own->state + (size_t)n) * b->stride + k], rate);
+#endif
             ((vec *)values)[i * b->stride + k] = value[i].value;
             if (rates) ((vec *)rates)[i * b->stride + k] = rate;
         }
@@ -253,7 +270,7 @@ static void generic_switches(const element *own, const block *b, void *values, v
 #if VECTOR_ISA == VECTOR_SCALAR
 static size_t generic_switch_count(const element *own) {
     (void)own;
-    return KERNEL_SWITCHES;
+    return SWITCHES_OF(own);
 }
 
 static double unit_of(const element *own, int port) {
@@ -265,32 +282,33 @@ static double unit_of(const element *own, int port) {
 #endif
 }
 
-/// The derivatives of a switching function by the ports.
-static void generic_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
-                             double *by_v) {
+/// The derivatives of a switching function by what the element sees.
+static void generic_gradient(const element *own, const element_place *at, size_t index, element_place *by) {
     const kernel_view view = {.stride = 1, .number = own->number};
-    dual d[KERNEL_AXES], w[KERNEL_AXES], value[KERNEL_SWITCHES];
+    dual d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], value[KERNEL_SWITCHES];
     for (int a = 0; a < KERNEL_AXES; a++) {
         const double here = unit_of(own, a), there = unit_of(own, KERNEL_AXES + a);
-        d[a] = dual_input(here * q[a] - there * q[KERNEL_AXES + a], a);
-        w[a] = dual_input(here * v[a] - there * v[KERNEL_AXES + a], KERNEL_AXES + a);
+        d[a] = dual_input(here * at->q[a] - there * at->q[KERNEL_AXES + a], a);
+        w[a] = dual_input(here * at->v[a] - there * at->v[KERNEL_AXES + a], KERNEL_AXES + a);
     }
-    switches_dual(own, &view, d, w, value);
+    for (int i = 0; i < STATES_OF(own); i++) s[i] = dual_input(at->s[i], 2 * KERNEL_AXES + i);
+    SWITCHES_AT(own, &view, d, w, s, value);
     for (int a = 0; a < KERNEL_AXES; a++) {
         const double here = unit_of(own, a), there = unit_of(own, KERNEL_AXES + a);
-        by_q[a] = here * value[index].by[a];
-        by_v[a] = here * value[index].by[KERNEL_AXES + a];
-        by_q[KERNEL_AXES + a] = -there * value[index].by[a];
-        by_v[KERNEL_AXES + a] = -there * value[index].by[KERNEL_AXES + a];
+        by->q[a] = here * value[index].by[a];
+        by->v[a] = here * value[index].by[KERNEL_AXES + a];
+        by->q[KERNEL_AXES + a] = -there * value[index].by[a];
+        by->v[KERNEL_AXES + a] = -there * value[index].by[KERNEL_AXES + a];
     }
+    for (int i = 0; i < STATES_OF(own); i++) by->s[i] = value[index].by[2 * KERNEL_AXES + i];
 }
 
 #ifndef KERNEL_CURVED
 /// They are affine.
-static void generic_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
-                              const double *uv, double *by_q, double *by_v) {
-    (void)own, (void)q, (void)v, (void)index, (void)uq, (void)uv;
-    for (int p = 0; p < KERNEL_PORTS; p++) by_q[p] = by_v[p] = 0.0;
+static void generic_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
+                              element_place *by) {
+    (void)own, (void)at, (void)index, (void)along;
+    *by = (element_place){.q = {0.0}};
 }
 #endif
 #endif

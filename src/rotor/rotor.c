@@ -225,6 +225,7 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     if (own->type->kinked) rotor->kinked = true;
     own->first_switch = rotor->lanes.switch_count;
     if (own->type->switch_count) rotor->lanes.switch_count += own->type->switch_count(own);
+    if (own->type->switch_count && own->states > 0) rotor->lanes.lags = true;
     if (own->type->modulated) rotor->lanes.modulated = true;
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
     if (own->type->jumps && own->type->jumps(own)) rotor->lanes.jumps = true;

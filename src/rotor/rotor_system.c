@@ -117,23 +117,23 @@ static const element *owner_of(const whirl_rotor *rotor, size_t *index) {
     }
 }
 
-/// What the ports of an element see of a state or perturbation; 0 of the ground.
-typedef struct port_state {
-    double q[MAX_PORTS], v[MAX_PORTS];
-} port_state;
+static size_t states_seen(const element *own) {
+    return own->states < MAX_ELEMENT_STATES ? own->states : MAX_ELEMENT_STATES;
+}
 
-static port_state see(const whirl_rotor *rotor, const element *own, const double *x) {
-    port_state seen = {{0}, {0}};
+static element_place see(const whirl_rotor *rotor, const element *own, const double *x) {
+    element_place seen = {.q = {0.0}};
     for (size_t p = 0; p < MAX_PORTS; p++) {
         if (own->port[p] == NO_COORDINATE) continue;
         seen.q[p] = x[own->port[p]];
         seen.v[p] = x[rotor->lanes.degrees + own->port[p]];
     }
+    memcpy(seen.s, x + rotor->lanes.degrees + own->state, states_seen(own) * sizeof *x);
     return seen;
 }
 
-/// Writes a derivative by the ports as one by the state.
-static void spread(const whirl_rotor *rotor, const element *own, const port_state *by, double *out) {
+/// Writes a derivative by what an element sees as one by the state.
+static void spread(const whirl_rotor *rotor, const element *own, const element_place *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
     memset(out, 0, rotor->system.dimension * sizeof *out);
     for (size_t p = 0; p < MAX_PORTS; p++) {
@@ -141,31 +141,33 @@ static void spread(const whirl_rotor *rotor, const element *own, const port_stat
         out[own->port[p]] = by->q[p];
         out[degrees + own->port[p]] = by->v[p];
     }
+    memcpy(out + degrees + own->state, by->s, states_seen(own) * sizeof *out);
 }
 
 static void switch_gradient(const void *model, double t, const double *x, size_t index, double *gradient,
                             double *by_time) {
     const element *own = owner_of(model, &index);
-    const port_state at = see(model, own, x);
-    port_state by = {{0}, {0}};
+    const element_place at = see(model, own, x);
+    element_place by = {.q = {0.0}};
     (void)t;
     *by_time = 0.0;
-    own->type->switch_gradient(own, at.q, at.v, index, by.q, by.v);
+    own->type->switch_gradient(own, &at, index, &by);
     spread(model, own, &by, gradient);
 }
 
 static void switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out) {
     const element *own = owner_of(model, &index);
-    const port_state at = see(model, own, x), along = see(model, own, u);
-    port_state by = {{0}, {0}};
+    const element_place at = see(model, own, x), along = see(model, own, u);
+    element_place by = {.q = {0.0}};
     (void)t;
-    own->type->switch_curvature(own, at.q, at.v, index, along.q, along.v, by.q, by.v);
+    own->type->switch_curvature(own, &at, index, &along, &by);
     spread(model, own, &by, out);
 }
 
 /// The first switch of what has a gap all around; all of springs and looseness.
 static bool switch_touches(const void *model, size_t index) {
     const element *own = owner_of(model, &index);
+    if (own->type->touches) return own->type->touches(own, index);
     return !own->type->contact_gap || index == 0;
 }
 
@@ -236,7 +238,7 @@ static void loop(const void *model, const double *x, size_t index, double *input
     const size_t degrees = rotor->lanes.degrees;
     const element *own = rotor->elements;
     for (; index >= own->type->loops; own++) index -= own->type->loops;
-    const port_state at = see(rotor, own, x);
+    const element_place at = see(rotor, own, x);
     double acceleration[MAX_PORTS] = {0}, seen[MAX_PORTS] = {0};
     memset(input, 0, rotor->system.dimension * sizeof *input);
     memset(sensed, 0, rotor->system.dimension * sizeof *sensed);

@@ -3,9 +3,12 @@
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
 #define KERNEL_NUMBERS BLADE_NUMBERS
-#define KERNEL_SWITCHES 0
+#define KERNEL_SWITCHES 128
+#define KERNEL_SWITCHES_BY_STATES
+#define KERNEL_SWITCHES_OF(own) blades_of(own)
+#define KERNEL_CURVED
 
-enum { MOST_BLADES = 128 };
+enum { MOST_BLADES = KERNEL_SWITCHES };
 
 /// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
 /// sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a length scale
@@ -49,7 +52,7 @@ static void contact(const element *own, const block *b, void *force, void *frict
     }
 }
 
-const element_kernels ISA(blade_rub_kernels) = {.flow = generic_flow, .contact = contact};
+const element_kernels ISA(blade_rub_kernels) = {.flow = generic_flow, .switches = generic_switches, .contact = contact};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -125,6 +128,36 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// With tau = ud + l uz Je the change of a tip t and e the blade's direction, the derivatives n = t/|t| by place and l
+/// n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n e).
+static void curvature(const element *own, const element_place *at, size_t index, const element_place *along,
+                      element_place *by) {
+    const double *number = own->number, length = number[BLADE_LENGTHS + index];
+    const double apart = atan2(number[BLADE_APART_SIN], number[BLADE_APART_COS]);
+    const double angle = number[BLADE_START] + at->s[0] + (double)index * apart, turned = along->s[0];
+    const double e[2] = {cos(angle), sin(angle)}, across[2] = {0.0 - e[1], e[0]};
+    double tip[2], moved[2], dn[2];
+    for (int a = 0; a < 2; a++) {
+        tip[a] = at->q[a] - at->q[2 + a] + length * e[a];
+        moved[a] = along->q[a] - along->q[2 + a] + length * turned * across[a];
+    }
+    const double far = hypot(tip[0], tip[1]), n[2] = {tip[0] / far, tip[1] / far};
+    const double out = n[0] * moved[0] + n[1] * moved[1];
+    *by = (element_place){.q = {0.0}};
+    for (int a = 0; a < 2; a++) {
+        dn[a] = (moved[a] - n[a] * out) / far;
+        by->q[a] = dn[a];
+        by->q[2 + a] = 0.0 - dn[a];
+        by->s[0] += length * (dn[a] * across[a] - turned * n[a] * e[a]);
+    }
+}
+
+/// Each blade begins a contact of its own.
+static bool touches(const element *own, size_t index) {
+    (void)own, (void)index;
+    return true;
+}
+
 static double contact_gap(const element *own) {
     (void)own;
     return 0.0;
@@ -169,9 +202,11 @@ const element_type blade_rub_element = {
     .state_count = KERNEL_STATES,
     .turning = 1,
     .rounds = rounds,
-    .kinked = true,
     .kernels = kernels,
     .build = build,
+    GENERIC_SWITCHES,
+    .switch_curvature = curvature,
+    .touches = touches,
     .jumps = jumps,
     .contact_gap = contact_gap,
     .rubs = takes_power,

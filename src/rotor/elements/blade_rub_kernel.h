@@ -4,7 +4,28 @@
 //
 //     depth_j = |t_j| - (l + gap),    f = -sum_j k_j depth_j^p (1 + f_k J) t_j/|t_j|,    J a quarter turn,
 //
-// with friction against the rotation, which the tips' speed is all but that of. theta - theta_0 is a state.
+// with friction against the rotation, which the tips' speed is all but that of. theta - theta_0 is a state. The depths
+// are the switches.
+
+/// The depths of all blades.
+static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
+                                    const num *s, num *values) {
+    const size_t stride = view->stride;
+    const vec *number = view->number;
+    const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride];
+    num x, y;
+    (void)w;
+    n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
+    for (int j = 0; j < own->law; j++) {
+        const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
+        const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
+        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
+        values[j] = n_sub(far, n_of(number[BLADE_CASING * stride]));
+        const num next = n_sub(n_scale(c, x), n_scale(sine, y));
+        y = n_fma(n_of(sine), x, n_scale(c, y)); // explicitly, as in magnetic_kernel.h
+        x = next;
+    }
+}
 
 /// The forces of all blades that touch along their normals, as a vector, and the sum of their sizes.
 static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
@@ -19,12 +40,17 @@ static inline void KERNEL(blades)(const element *own, const kernel_view *view, c
     for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
-        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1]))), pressed = n_sub(far, casing);
-        const num depth = n_select(n_less(none, pressed), pressed, none);
-        num force = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
-        if (own->law & BLADE_POWERED && v_any(n_less(none, pressed)))
-            force = n_mul(force, n_pow(n_select(n_less(least, depth), depth, least), number[BLADE_POWER * stride]));
-        const num part = n_div(force, far);
+        const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
+        const num depth = n_sub(far, casing);
+        const vec held = view->sides ? view->sides[(size_t)j * stride] : n_value(depth);
+        const vec_mask touching = v_less(v_set(0.0), held);
+        num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
+        if (own->law & BLADE_POWERED && v_any(touching)) {
+            // On a side that is held the depth may be a little below zero: the law goes on as an odd function.
+            const num size = n_select(n_less(none, depth), depth, n_sub(none, depth));
+            push = n_mul(push, n_pow(n_select(n_less(least, size), size, least), number[BLADE_POWER * stride]));
+        }
+        const num force = n_select(touching, push, none), part = n_div(force, far);
         sum[0] = n_fma(part, tip[0], sum[0]);
         sum[1] = n_fma(part, tip[1], sum[1]);
         *all = n_add(*all, force);

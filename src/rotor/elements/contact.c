@@ -250,14 +250,14 @@ static radial_form form_of(const element *own, size_t index) {
     return (radial_form){own->law & (CONTACT_SHARP | CONTACT_BRISTLES), number[CONTACT_SURFACE], 0.0};
 }
 
-static void curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
-                      const double *uv, double *by_q, double *by_v) {
-    double at[4][2];
+static void curvature(const element *own, const element_place *from, size_t index, const element_place *along,
+                      element_place *by) {
+    double at[4][2], *by_q = by->q, *by_v = by->v;
     for (int a = 0; a < 2; a++) {
-        at[0][a] = q[a] - q[2 + a];
-        at[1][a] = v[a] - v[2 + a];
-        at[2][a] = uq[a] - uq[2 + a];
-        at[3][a] = uv[a] - uv[2 + a];
+        at[0][a] = from->q[a] - from->q[2 + a];
+        at[1][a] = from->v[a] - from->v[2 + a];
+        at[2][a] = along->q[a] - along->q[2 + a];
+        at[3][a] = along->v[a] - along->v[2 + a];
     }
     const radial_form form = form_of(own, index);
     by_q[0] = by_q[1] = by_v[0] = by_v[1] = 0.0;

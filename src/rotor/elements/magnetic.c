@@ -4,7 +4,12 @@
 #define KERNEL_STATES 25
 #define KERNEL_FEWER_STATES
 #define KERNEL_NUMBERS MAGNETIC_NUMBERS
-#define KERNEL_SWITCHES 0
+#define KERNEL_SWITCHES 8
+#define KERNEL_SWITCHES_BY_STATES
+#define KERNEL_SWITCHES_OF(own) ((own)->law & MAGNETIC_LINEAR ? 0 : KERNEL_SWITCHES)
+
+/// Of each axis, and there of each of both coils: its current above 0, and below the largest.
+enum { MAGNETIC_ABOVE, MAGNETIC_BELOW, MAGNETIC_LIMITS, MAGNETIC_AXIS_SWITCHES = 2 * MAGNETIC_LIMITS };
 
 /// The loop's transfer functions, of an order up to BLOCK_ORDER: b_0 ... then a_0 ...
 enum { SENSOR, PID, FILTER, AMPLIFIER, LOOP_BLOCKS };
@@ -310,7 +315,7 @@ static void loop(const element *own, const double *q, const double *states, size
     for (size_t i = 0; i < order; i++) s[i] = dual_of(states[first + i]);
     dual current = dual_input(u, 0);
     currents_dual(own, &view, 1, &current, s, rates);
-    const double pull = pull_dual(own, &view, dual_of(u), current).by[0];
+    const double pull = pull_dual(own, &view, dual_of(u), current, NULL).by[0];
     for (size_t i = 0; i < order; i++) slope[first + i] = rates[i].by[0];
     for (size_t p = 0; p < KERNEL_PORTS; p++) {
         const double way = p < KERNEL_AXES ? 1.0 : -1.0;
@@ -332,6 +337,18 @@ static double current_by_state(const element *own, size_t *before) {
         factor *= last;
     }
     return 0.0;
+}
+
+/// Coils come to their limits; nothing touches.
+static bool touches(const element *own, size_t index) {
+    (void)own, (void)index;
+    return false;
+}
+
+/// Forces change their slope there.
+static bool jumps(const element *own) {
+    (void)own;
+    return false;
 }
 
 /// Currents of coils are limited, and so is the room between magnets.
@@ -373,6 +390,9 @@ const element_type magnetic_element = {
     .state_count = KERNEL_STATES,
     .kernels = kernels,
     .build = build,
+    GENERIC_SWITCHES,
+    .touches = touches,
+    .jumps = jumps,
     .loops = KERNEL_AXES,
     .loop = loop,
     .carries = true,

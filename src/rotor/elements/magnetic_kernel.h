@@ -7,6 +7,8 @@
 //
 //     y = x_1 + b_m u,    x_j' = x_{j+1} + b_{m-j} u - a_{m-j} y,    x_{m+1} = 0.
 //
+// Switches are the currents of both coils of an axis, above 0, and i_max less these.
+//
 // A bearing that fails has one state more: x' = lambda (1 - x), which begins at 0, so that x = 1 - e^(-lambda tau)
 // tells the time; currents fall smoothly where it goes from one value to another. Where linear analyses put out what
 // depends on time, x stays 0.
@@ -51,27 +53,56 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
     for (size_t line = 0; line < lines; line++) u[line] = n_sub(n_set(0.0), u[line]);
 }
 
-/// Of a coil, within its limits.
-static inline num KERNEL(limited)(const kernel_view *view, num current) {
-    const num none = n_set(0.0), most = n_of(view->number[MAGNETIC_MOST * view->stride]);
-    const num above = n_select(n_less(none, current), current, none);
-    return n_select(n_less(above, most), above, most);
+/// Of a coil, within its limits; where sides [MAGNETIC_LIMITS] are held, as these have it.
+static inline num KERNEL(limited)(const kernel_view *view, num current, const vec *sides) {
+    const vec zero = v_set(0.0), most = view->number[MAGNETIC_MOST * view->stride];
+    const vec above = sides ? sides[MAGNETIC_ABOVE * view->stride] : n_value(current);
+    const vec below = sides ? sides[MAGNETIC_BELOW * view->stride] : v_sub(most, n_value(current));
+    const num lifted = n_select(v_less(zero, above), current, n_set(0.0));
+    return n_select(v_less(zero, below), lifted, n_of(most));
 }
 
 /// The force along an axis.
-static inline num KERNEL(pull)(const element *own, const kernel_view *view, num u, num current) {
+static inline num KERNEL(pull)(const element *own, const kernel_view *view, num u, num current, const vec *sides) {
     const size_t stride = view->stride;
     const vec *number = view->number;
     if (own->law & MAGNETIC_LINEAR)
         return n_add(n_scale(number[MAGNETIC_BY_CURRENT * stride], current),
                      n_scale(number[MAGNETIC_BY_PLACE * stride], u));
     const num bias = n_of(number[MAGNETIC_BIAS * stride]), gap = n_of(number[MAGNETIC_GAP * stride]);
+    const vec *others = sides ? sides + MAGNETIC_LIMITS * stride : NULL;
     // One division: of currents by gaps, the difference of squares by their sum and difference.
     const num near = n_sub(gap, u), far = n_add(gap, u), over = n_div(n_set(1.0), n_mul(near, far));
-    const num one = n_mul(KERNEL(limited)(view, n_add(bias, current)), far);
-    const num other = n_mul(KERNEL(limited)(view, n_sub(bias, current)), near);
+    const num one = n_mul(KERNEL(limited)(view, n_add(bias, current), sides), far);
+    const num other = n_mul(KERNEL(limited)(view, n_sub(bias, current), others), near);
     const num square = n_mul(n_sub(one, other), n_add(one, other));
     return n_scale(number[MAGNETIC_FORCE * stride], n_mul(square, n_mul(over, over)));
+}
+
+/// Places along both axes. The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that
+/// are not to be fused.
+static inline void KERNEL(along_axes)(const kernel_view *view, const num *d, num *u) {
+    const vec c = view->number[MAGNETIC_COS * view->stride], sine = view->number[MAGNETIC_SIN * view->stride];
+    u[0] = n_fma(n_of(c), d[0], n_scale(sine, d[1]));
+    u[1] = n_sub(n_scale(c, d[1]), n_scale(sine, d[0]));
+}
+
+static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
+                                    const num *s, num *values) {
+    const size_t stride = view->stride;
+    const num bias = n_of(view->number[MAGNETIC_BIAS * stride]), most = n_of(view->number[MAGNETIC_MOST * stride]);
+    num u[2], current[2], slope[KERNEL_STATES];
+    (void)w;
+    KERNEL(along_axes)(view, d, u);
+    for (size_t line = 0; line < 2; line++) current[line] = u[line];
+    KERNEL(currents)(own, view, 2, current, s, slope);
+    for (size_t line = 0; line < 2; line++) {
+        const num coils[2] = {n_add(bias, current[line]), n_sub(bias, current[line])};
+        for (size_t coil = 0; coil < 2; coil++) {
+            values[line * MAGNETIC_AXIS_SWITCHES + coil * MAGNETIC_LIMITS + MAGNETIC_ABOVE] = coils[coil];
+            values[line * MAGNETIC_AXIS_SWITCHES + coil * MAGNETIC_LIMITS + MAGNETIC_BELOW] = n_sub(most, coils[coil]);
+        }
+    }
 }
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
@@ -79,13 +110,16 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const size_t stride = view->stride;
     const vec *number = view->number;
     const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0);
-    // The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that are not to be fused.
-    const num u[2] = {n_fma(n_of(c), d[0], n_scale(sine, d[1])), n_sub(n_scale(c, d[1]), n_scale(sine, d[0]))};
-    num pull[2], current[2] = {u[0], u[1]}, left = n_set(1.0);
+    num u[2], pull[2], current[2], left = n_set(1.0);
     const size_t loop = (size_t)loop_order(own);
     (void)w;
+    KERNEL(along_axes)(view, d, u);
+    for (size_t line = 0; line < 2; line++) current[line] = u[line];
     KERNEL(currents)(own, view, 2, current, s, slope);
-    for (size_t line = 0; line < 2; line++) pull[line] = KERNEL(pull)(own, view, u[line], current[line]);
+    for (size_t line = 0; line < 2; line++) {
+        const vec *sides = view->sides ? view->sides + line * MAGNETIC_AXIS_SWITCHES * stride : NULL;
+        pull[line] = KERNEL(pull)(own, view, u[line], current[line], sides);
+    }
     if (own->law & MAGNETIC_FAILS) {
         const vec C = view->phase[COS_TAU], S = view->phase[SIN_TAU], running = v_fma(C, C, v_mul(S, S));
         const num clock = s[2 * loop], way = n_sub(clock, n_of(number[MAGNETIC_FAILS_AT * stride]));

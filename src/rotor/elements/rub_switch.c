@@ -82,13 +82,12 @@ static radial_form form_of(const element *own, size_t index) {
     return (radial_form){false, own->number[RUB_STIFFNESS], own->number[RUB_DAMPING]};
 }
 
-void rub_switch_gradient(const element *own, const double *q, const double *v, size_t index, double *by_q,
-                         double *by_v) {
-    radial_gradient(form_of(own, index), q, v, by_q, by_v);
+void rub_switch_gradient(const element *own, const element_place *at, size_t index, element_place *by) {
+    radial_gradient(form_of(own, index), at->q, at->v, by->q, by->v);
 }
 
-void rub_switch_curvature(const element *own, const double *q, const double *v, size_t index, const double *uq,
-                          const double *uv, double *by_q, double *by_v) {
-    radial_curvature(form_of(own, index), q, v, uq, uv, by_q, by_v);
+void rub_switch_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
+                          element_place *by) {
+    radial_curvature(form_of(own, index), at->q, at->v, along->q, along->v, by->q, by->v);
 }
 #endif
