@@ -17,9 +17,12 @@
 /// p of 1 N, Pa: of a ball of 10 mm on a race of 15 mm with a groove of 5.2 mm, by the elliptic integrals themselves.
 static const double hertz_of_1_n = 2.25656085e8;
 
+/// What stands before what is compared.
+static char whose[80];
+
 /// Agreement to within a part of what is expected.
 static void check_relative(const char *what, double obtained, double expected, double tolerance) {
-    check_within("RA", what, expected, obtained, tolerance * fabs(expected));
+    check_within("RA", words("%s%s", whose, what), expected, obtained, tolerance * fabs(expected));
 }
 
 static whirl_result *run(const char *text) {
@@ -56,6 +59,7 @@ static void annular_rub_takes_its_power(void **state) {
         whirl_result *result = run(text);
         const whirl_table *table = &result->tables[0];
         const double force = table_number(table, 0, WHIRL_FIELD_RUB_MAX_FORCE, 0);
+        snprintf(whose, sizeof whose, "%.*s, %s: ", (int)strcspn(stators[i], ":"), stators[i], methods[i]);
         const double radius = 1e-3 * table_number(table, 0, WHIRL_FIELD_ORBIT_MAX_RADIUS, 0), f = 0.02, R = 0.05;
         check_relative("share of the time in contact", table_number(table, 0, WHIRL_FIELD_RUB_SHARE, 0), 1.0, 1e-9);
         check_relative("normal force", force, 2e6 * (radius - 0.2e-3), 1e-6);
@@ -79,6 +83,7 @@ static void blades_take_their_power(void **state) {
             "    - blade_rub: {at: disc, blades: 5, radius: 200 mm, gap: 0.5 mm, extension: 0.6 mm, stiffness: 1e6, "
             "friction: 0.2}\nstudy:\n  response: {}\n  integrate: {method: dop853, transient: 3, record: 5}\n"
             "  analyze: [orbit, rub]\n");
+    snprintf(whose, sizeof whose, "blades in the middle: ");
     const double torque = 5 * 0.2 * 1e6 * 0.1e-3 * 0.2006;
     check_relative("torque", table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_TORQUE, 0), torque, 1e-9);
     check_relative("power", table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_POWER, 0), torque * 300.0, 1e-9);
@@ -112,7 +117,8 @@ static void expect_left(const whirl_result *result, size_t table, const char *be
     whirl_left left;
     assert_int_equal(whirl_table_left(&result->tables[table], 0, &left), points);
     assert_true(strncmp(whirl_result_law_range(result, 0), begin, strlen(begin)) == 0);
-    check_relative("reached", left.reached, reached, tolerance);
+    check_relative(table ? "eccentricity ratio at rest" : "eccentricity ratio of a motion", left.reached, reached,
+                   tolerance);
 }
 
 /// A journal under loads to the wall: the very eccentricity of motion and rest.
@@ -125,6 +131,7 @@ static void films_tell_where_they_end(void **state) {
             "mm}\n    - gravity: = load\nstudy:\n  sweep: {parameter: load, values: [10, 2000]}\n"
             "  modes: {parameter: load, values: [10, 2000]}\n  integrate: {method: dop853, transient: 30, record: 5}\n"
             "  analyze: [orbit]\n");
+    snprintf(whose, sizeof whose, "film: ");
     for (size_t t = 0; t < 2; t++) {
         const whirl_table *table = &result->tables[t];
         assert_true(table_number(table, 0, WHIRL_FIELD_RANGES_LEFT, 0) == 0.0);
@@ -147,7 +154,8 @@ static void balls_tell_their_pressure(void **state) {
             "-90 deg, clearance: -5 um}\n    - gravity: 10 m/s2\nstudy:\n  modes: {}\n");
     const double *rest = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_REST, 0);
     const double depth = 5e-6 + 1e-4 * hypot(rest[0], rest[1]), load = 1e10 * depth * sqrt(depth);
-    check_relative("pressure", table_number(&result->tables[0], 0, WHIRL_FIELD_RANGES_REACHED, 0),
+    snprintf(whose, sizeof whose, "ball: ");
+    check_relative("Hertz pressure (Pa)", table_number(&result->tables[0], 0, WHIRL_FIELD_RANGES_REACHED, 0),
                    hertz_of_1_n * cbrt(load), 0.01);
     whirl_result_free(result);
 }

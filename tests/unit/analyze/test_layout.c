@@ -58,8 +58,9 @@ static void meanings_tell_how_lengths_are_counted(void **state) {
         if (strcmp(field->unit, "force") == 0) assert_true(says(field->meaning, forces));
         if (strstr(field->name, "shape")) assert_true(says(field->meaning, relative));
         assert_int_equal(length && says(field->name, sinusoids), whirl_field_counting(field) == WHIRL_AMPLITUDE);
-        // Loads of machines at rest are in SI: nothing moves.
-        if (*field->unit == 'N') assert_true(strncmp(field->name, "statics/", 8) == 0 || strstr(field->unit, "N/m"));
+        // Loads of machines at rest are in SI, nothing moves, and so is the torque of friction.
+        const bool at_rest = strncmp(field->name, "statics/", 8) == 0 || strstr(field->name, "torque");
+        if (*field->unit == 'N') assert_true(at_rest || strstr(field->unit, "N/m"));
     }
     const whirl_field *radius = whirl_layout_field(&layout, WHIRL_FIELD_ORBIT_MAX_RADIUS);
     const whirl_field *section = whirl_layout_field(&layout, WHIRL_FIELD_POINCARE_SECTION);
