@@ -235,6 +235,32 @@ static void list_curves(figure_list *to, const drawing *of, const whirl_table *t
                     whirl_result_fact(of->result, "second parameter"));
 }
 
+/// Whether what begins at a Hopf point of a curve is unstable; of other points it is not known.
+static bool is_subcritical(const whirl_table *table, size_t point) {
+    return point_number(table, point, WHIRL_FIELD_TRACE_CRITICALITY) > 0.0;
+}
+
+/// The curves of a kind: all of them, or their subcritical parts.
+static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, int kind, double up, bool subcritical) {
+    const whirl_table *table = v->table;
+    whirl_series *lines = NULL;
+    char title[64];
+    snprintf(title, sizeof title, "%s%s", kinds[kind].title, subcritical ? ", subcritical" : "");
+    for (size_t i = 0; i < table->count; i++) {
+        if (kind_of(table, i) != kind || is_subcritical(table, i) != subcritical) continue;
+        if (!lines) lines = panel_named(figure, panel, WHIRL_LINE, title, kinds[kind].colour, 0.9);
+        if (!lines) return;
+        lines->dashed = subcritical;
+        const bool first = i == 0 || !are_one(table, i - 1, i),
+                   last = i + 1 == table->count || !are_one(table, i, i + 1);
+        // Without a hole where the sense changes.
+        for (size_t k = first || is_subcritical(table, i - 1) == subcritical ? i : i - 1; k <= i; k++)
+            series_add(figure, lines, table->values[k] / v->size,
+                       point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / up);
+        if (last || is_subcritical(table, i + 1) != subcritical) series_break(figure, lines);
+    }
+}
+
 static void describe_curves(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const char *second = whirl_result_fact(of->result, "second parameter");
@@ -244,18 +270,15 @@ static void describe_curves(const drawing *of, const figure_place *place, whirl_
     if (!panel) return;
     symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
     symbol_parameter(of->units, second, panel->y.label, sizeof panel->y.label);
+    const view v = {.of = of, .table = table, .size = across};
     for (int kind = 1; kind < KINDS; kind++) {
-        if (!has_kind(table, kind)) continue;
-        whirl_series *lines = panel_named(figure, panel, WHIRL_LINE, kinds[kind].title, kinds[kind].colour, 0.9);
-        for (size_t i = 0; i < table->count; i++) {
-            if (kind_of(table, i) != kind) continue;
-            series_add(figure, lines, table->values[i] / across, point_number(table, i, WHIRL_FIELD_TRACE_SECOND) / up);
-            if (i + 1 == table->count || !are_one(table, i, i + 1)) series_break(figure, lines);
-        }
+        add_curves(figure, panel, &v, kind, up, false);
+        add_curves(figure, panel, &v, kind, up, true);
     }
     snprintf(figure->caption, sizeof figure->caption,
-             "Curves over %s and %.60s along which periodic orbits change: what lies between them is of one kind.",
-             table->parameter, second);
+             "Curves over %s and %.60s along which motions change: what lies between them is of one kind.%s",
+             table->parameter, second,
+             has_kind(table, WHIRL_HOPF) ? " Dashed: the whirl that begins there is unstable (subcritical)." : "");
 }
 
 const figure_kind curves_figure = {.list = list_curves, .describe = describe_curves};
