@@ -28,15 +28,14 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
 }
 
 /// The forces of all blades that touch along their normals, as a vector, and the sum of their sizes.
-static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
-                                  num *all) {
+VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view, bool powered, const num *d,
+                                     const num *s, num *sum, num *all) {
     const size_t stride = view->stride;
     const vec *number = view->number;
     const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride];
     const num none = n_set(0.0), least = n_set(0x1p-800), casing = n_of(number[BLADE_CASING * stride]);
-    num x, y;
+    num x, y, sum_x = none, sum_y = none, sizes = none; // of one's own: registers
     n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
-    sum[0] = sum[1] = *all = none;
     for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
@@ -45,19 +44,31 @@ static inline void KERNEL(blades)(const element *own, const kernel_view *view, c
         const vec held = view->sides ? view->sides[(size_t)j * stride] : n_value(depth);
         const vec_mask touching = v_less(v_set(0.0), held);
         num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
-        if (own->law & BLADE_POWERED && v_any(touching)) {
+        if (powered && v_any(touching)) {
             // On a side that is held the depth may be a little below zero: the law goes on as an odd function.
             const num size = n_select(n_less(none, depth), depth, n_sub(none, depth));
             push = n_mul(push, n_pow(n_select(n_less(least, size), size, least), number[BLADE_POWER * stride]));
         }
         const num force = n_select(touching, push, none), part = n_div(force, far);
-        sum[0] = n_fma(part, tip[0], sum[0]);
-        sum[1] = n_fma(part, tip[1], sum[1]);
-        *all = n_add(*all, force);
+        sum_x = n_fma(part, tip[0], sum_x);
+        sum_y = n_fma(part, tip[1], sum_y);
+        sizes = n_add(sizes, force);
         const num next = n_sub(n_scale(c, x), n_scale(sine, y));
         y = n_fma(n_of(sine), x, n_scale(c, y)); // explicitly, as in magnetic_kernel.h
         x = next;
     }
+    sum[0] = sum_x;
+    sum[1] = sum_y;
+    *all = sizes;
+}
+
+/// A loop each, so that the one without a power has registers for its constants.
+static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
+                                  num *all) {
+    if (own->law & BLADE_POWERED)
+        KERNEL(blades_by)(own, view, true, d, s, sum, all);
+    else
+        KERNEL(blades_by)(own, view, false, d, s, sum, all);
 }
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,

@@ -15,18 +15,20 @@
 
 /// One of the loop's transfer functions, on `lines` axes side by side: of each its input u, which becomes its output,
 /// and of the first its states s and their slopes, those of the next `apart` further on.
-VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, int part, int order, size_t lines, size_t apart, num *u,
+VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, size_t part, int order, size_t lines, size_t apart, num *u,
                                     const num *s, num *slope) {
     const size_t stride = view->stride;
-    const vec *b = view->number + ((size_t)MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS) * stride;
+    const vec *b = view->number + ((size_t)MAGNETIC_BLOCKS + part * BLOCK_NUMBERS) * stride;
     const vec *a = b + (size_t)(BLOCK_ORDER + 1) * stride;
-    for (size_t line = 0; line < lines; line++, s += apart, slope += apart) {
+    VECTOR_FOR (line, lines) {
+        const num *own = s + line * apart;
         num y = n_scale(b[(size_t)order * stride], u[line]);
-        if (order > 0) y = n_add(s[0], y);
+        if (order > 0) y = n_add(own[0], y);
         for (int j = 0; j < order; j++) {
             const size_t back = (size_t)(order - 1 - j) * stride;
-            slope[j] = n_sub(n_scale(b[back], u[line]), n_scale(a[back], y));
-            if (j + 1 < order) slope[j] = n_add(slope[j], s[j + 1]);
+            num rate = n_sub(n_scale(b[back], u[line]), n_scale(a[back], y));
+            if (j + 1 < order) rate = n_add(rate, own[j + 1]);
+            slope[line * apart + (size_t)j] = rate;
         }
         u[line] = y;
     }
@@ -36,8 +38,8 @@ VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, int part, int order
 VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view, size_t lines, num *u, const num *s,
                                     num *slope) {
     const size_t apart = (size_t)loop_order(own);
-    for (int part = 0; part < LOOP_BLOCKS; part++) {
-        const int order = block_order(own, part);
+    VECTOR_FOR (part, (size_t)LOOP_BLOCKS) {
+        const int order = block_order(own, (int)part);
         // Most are of these orders, known to the compiler.
         if (order == 0)
             KERNEL(of_order)(view, part, 0, lines, apart, u, s, slope);
@@ -50,7 +52,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
         s += order;
         slope += order;
     }
-    for (size_t line = 0; line < lines; line++) u[line] = n_sub(n_set(0.0), u[line]);
+    VECTOR_FOR (line, lines) u[line] = n_sub(n_set(0.0), u[line]);
 }
 
 /// Of a coil, within its limits; where sides [MAGNETIC_LIMITS] are held, as these have it.

@@ -59,9 +59,9 @@ static inline num KERNEL(oblique)(const kernel_view *view, num r, num *lever) {
     const size_t stride = view->stride;
     const vec radial = number[ROLLING_RADIAL * stride];
     const num reach = n_add(r, n_of(radial)), axial = n_of(number[ROLLING_AXIAL_SQUARE * stride]);
-    const num apart = n_sqrt(n_fma(reach, reach, axial)), further = n_add(reach, n_of(radial));
-    const num longer = n_fma(r, further, n_of(number[ROLLING_SPARE * stride]));
-    *lever = n_div(reach, apart);
+    const num square = n_fma(reach, reach, axial), over = n_over_root(square), apart = n_mul(square, over);
+    const num further = n_add(reach, n_of(radial)), longer = n_fma(r, further, n_of(number[ROLLING_SPARE * stride]));
+    *lever = n_mul(reach, over);
     return n_div(longer, n_add(apart, n_of(number[ROLLING_CENTRES * stride])));
 }
 
