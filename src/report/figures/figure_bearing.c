@@ -81,30 +81,36 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const whirl_bea
     free(points);
 }
 
-/// Of all points; a quantity that does not change has room around it.
-static span range_of(const whirl_bearing_table *table, along axis, int index) {
+/// Of all points and the `count` quantities from `index` on. One that does not change has room around it, more than its
+/// rounding; above coefficients there is a row for their legend.
+static span range_of(const whirl_bearing_table *table, along axis, int index, int count) {
+    const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
     for (size_t i = 0; i < table->count; i++)
-        span_widen(&range, value_of(table->bearing, &table->points[i], index, axis));
-    return span_with_margin(range, 0.06, index == -2 ? 5.0 : 0.0);
+        for (int k = 0; k < count; k++)
+            span_widen(&range, value_of(table->bearing, &table->points[i], index + k, axis));
+    const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
+    range = span_with_margin(range, 0.06, index == -2 ? 5.0 : size);
+    range.high += legend / (1.0 - legend) * (range.high - range.low);
+    return range;
 }
 
 static void draw_curves(whirl_figure *figure, const whirl_bearing_table *table, along axis) {
     static const quantity with_units[] = {
         {"eccentricity", "eccentricity ratio", "", -1},
         {"attitude", "attitude (deg)", "", -2},
-        {"film", "film (um)", "", -3},
+        {"film", "film (\u00b5m)", "", -3},
         {"power", "power (kW)", "", -4},
-        {"stiffness", "stiffness (MN/m)", "$K_{xx}$", 0},
+        {"stiffness", "stiffness $K$ (MN/m)", "$K_{xx}$", 0},
         {"stiffness", "", "$K_{xy}$", 1},
         {"stiffness", "", "$K_{yx}$", 2},
         {"stiffness", "", "$K_{yy}$", 3},
-        {"damping", "damping (kN s/m)", "$C_{xx}$", 4},
+        {"damping", "damping $C$ (kN s/m)", "$C_{xx}$", 4},
         {"damping", "", "$C_{xy}$", 5},
         {"damping", "", "$C_{yx}$", 6},
         {"damping", "", "$C_{yy}$", 7},
     };
-    static const char *const labels[] = {"speed (rpm)", "load (N)", "$S$"};
+    static const char *const labels[] = {"speed (rpm)", "load (N)", "Sommerfeld number $S$"};
     whirl_panel *panel = NULL;
     for (size_t i = 0; i < sizeof with_units / sizeof *with_units; i++) {
         const quantity *what = &with_units[i];
@@ -115,13 +121,13 @@ static void draw_curves(whirl_figure *figure, const whirl_bearing_table *table, 
             if (!panel) return;
             snprintf(panel->x.label, sizeof panel->x.label, "%s", labels[axis]);
             const char *label = what->label;
-            if (bare && what->index == 0) label = "$K c/W$";
-            if (bare && what->index == 4) label = "$C c \u03c9/W$";
+            if (bare && what->index == 0) label = "stiffness $K c/W$";
+            if (bare && what->index == 4) label = "damping $C c \u03c9/W$";
             if (bare && what->index == -3) label = "film over clearance";
             snprintf(panel->y.label, sizeof panel->y.label, "%s", label);
             panel->x.logarithmic = bare && table->count > 1;
             panel->keyed = what->index >= 0;
-            if (what->index == -2) axis_show(&panel->y, range_of(table, axis, what->index));
+            axis_show(&panel->y, range_of(table, axis, what->index, what->index >= 0 ? 4 : 1));
         }
         add_values(figure, panel, table, axis, what,
                    what->index < 0 ? "#0072B2" : line_colour((size_t)what->index % 4));
@@ -154,7 +160,7 @@ static double touches(const whirl_pads *pads, double angle) {
 
 static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
     const whirl_bearing *of = table->bearing;
-    whirl_panel *panel = figure_panel(figure, "locus", 0.7, 8.4);
+    whirl_panel *panel = figure_panel(figure, "locus", 0.7, 6.9);
     if (!panel) return;
     panel->equal = true;
     snprintf(panel->x.label, sizeof panel->x.label, "$x/c$");

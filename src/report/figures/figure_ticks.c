@@ -40,6 +40,13 @@ static void number_as_tick(double value, double step, char *text, size_t size) {
     }
 }
 
+/// The step of at most `most` ticks, or more where fewer than three would stand on the axis.
+static double even_step(const whirl_axis *axis, int most) {
+    const double width = axis->high - axis->low;
+    for (double step = tick_step(width, most);; step = tick_step(width, ++most))
+        if (floor(axis->high / step + 1e-9) - ceil(axis->low / step - 1e-9) >= 2.0 || most > 6) return step;
+}
+
 static void fill_even(whirl_figure *figure, whirl_axis *axis, double step) {
     enum { MOST = 40 };
     char text[64];
@@ -71,7 +78,7 @@ static void fill_powers(whirl_figure *figure, whirl_axis *axis, int most) {
     const bool all = 3 * (last - first) <= most + 2;
     char text[64];
     if (axis->high < 5.0 * axis->low) {
-        fill_even(figure, axis, tick_step(axis->high - axis->low, most > 4 ? 4 : most));
+        fill_even(figure, axis, even_step(axis, most > 4 ? 4 : most));
         return;
     }
     for (int k = first; k <= last; k++)
@@ -89,5 +96,5 @@ void axis_fill_ticks(whirl_figure *figure, whirl_axis *axis, int most) {
     if (axis->logarithmic)
         fill_powers(figure, axis, most);
     else
-        fill_even(figure, axis, tick_step(axis->high - axis->low, most));
+        fill_even(figure, axis, even_step(axis, most));
 }
