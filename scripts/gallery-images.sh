@@ -30,6 +30,7 @@ sweep() { # NAME STATION
 sweep jeffcott-rub disc
 sweep rigid-rotor journal
 sweep tilting-pad-table disc
+sweep eccentric-damper rotor
 study overhung-rotor overhung-rotor <<<'  modes: {parameter: omega, from: 500 rpm, to: 9000 rpm, points: 171}'
 picture overhung-rotor campbell
 study compressor compressor <<<'  unbalance: {parameter: speed, from: 300 rpm, to: 12000 rpm, points: 391}'

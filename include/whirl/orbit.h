@@ -189,7 +189,7 @@ typedef struct whirl_branch_point {
     /// eigenvectors of length 1; of doublings with the other sign): below 0 what begins there lies where the orbit is
     /// unstable, and is stable if nothing else is not (supercritical); above 0 it lies where the orbit is stable, and
     /// the loss of it is sudden. NaN where it is not known: of other points, near a third or a fourth of a turn, on
-    /// curves.
+    /// curves but for those of Hopf points.
     double criticality;
     size_t touch;       ///< at a graze, which of the orbit's touches
     whirl_orbit *orbit; ///< the orbit there; of the branch

@@ -30,6 +30,11 @@ static double number_at(const whirl_table *table, size_t row, const char *field)
     return whirl_table_number(table, row, field, 0);
 }
 
+const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter) {
+    const whirl_table *table = whirl_result_table(result, name);
+    return table && table->count > 0 && strcmp(table->parameter, parameter) == 0 ? table : NULL;
+}
+
 static claim_range range_of(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result) {
     const double aside = claim->from == claim->to ? NEAR_VALUE * fabs(claim->from) : 0.0;
     return (claim_range){claim_table_over(result, "branch", claims->parameter), claim->from - aside, claim->to + aside};

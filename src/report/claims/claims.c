@@ -12,11 +12,6 @@ static bool near(double a, double b) {
     return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));
 }
 
-const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter) {
-    const whirl_table *table = whirl_result_table(result, name);
-    return table && table->count > 0 && strcmp(table->parameter, parameter) == 0 ? table : NULL;
-}
-
 static size_t nearest_point(const whirl_table *table, double value) {
     size_t best = 0;
     for (size_t i = 1; i < table->count; i++)

@@ -81,7 +81,7 @@ static void wrong_claims_are_told(void **state) {
     expect_item_problem("rub: true", "c:5:5: items[1]: expected either at, or from and to");
     expect_item_problem("at: x", "c:5:35: items[1].at: is x, expected a number, or a number and a unit");
     expect_item_problem("at: 1, rub: perhaps",
-                        "c:5:43: items[1].rub: is perhaps, expected one of true, false, yes, no");
+                        "c:5:43: items[1].rub: is perhaps, expected one of true, false, yes, no, always, at_times");
     expect_item_problem("at: 1, curves: 4e35",
                         "c:5:46: items[1].curves: is 4e+35, expected a whole number from 1 to 64");
     expect_item_problem("at: 1, curves: = 2", "c:5:46: items[1].curves: is an expression, expected a number");
@@ -90,6 +90,39 @@ static void wrong_claims_are_told(void **state) {
     expect_item_problem("at: 1, lines: [-1]", "c:5:46: items[1].lines[1]: is -1, expected a number of at least 0");
     expect_item_problem("at: 1, band: [2, 1]", "c:5:38: items[1].band: expected the lower order first");
     expect_item_problem("at: 1, whirl: foward", "c:5:45: items[1].whirl: is foward, did you mean forward?");
+    expect_item_problem("at: 1, largest: [2, 1]", "c:5:38: items[1].largest: expected the lower order first");
+}
+
+static void wrong_claims_of_branches_are_told(void **state) {
+    (void)state;
+    expect_item_problem("at: 1, changes: [hof]", "c:5:48: items[1].changes[1]: is hof, did you mean hopf?");
+    expect_item_problem("at: 1, unchanged: hopf",
+                        "c:5:49: items[1].unchanged: is hopf, expected a list of 1 to 6 kinds of special points");
+    expect_item_problem("at: 1, sense: subcritical", "c:5:5: items[1]: says a sense, expected changes that have it");
+    expect_item_problem("at: 1, given: q", "c:5:5: items[1]: expected given, given_from and given_to together");
+    expect_item_problem("at: 1, regions: 0", "c:5:47: items[1].regions: is 0, expected a whole number from 1 to 99");
+}
+
+static void claims_of_branches_are_read(void **state) {
+    (void)state;
+    whirl_claims *claims;
+    assert_int_equal(parse_item("from: 1, to: 2, changes: [hopf, neimark-sacker], unchanged: [fold], sense: "
+                                "supercritical, orders: [0.5, 0.1], regions: 3, given: q, given_from: 2, given_to: 1, "
+                                "rub: at_times, dry_whip: yes, largest: [0, 1]",
+                                NULL, &claims)
+                         .code,
+                     WHIRL_OK);
+    const whirl_claim *item = &claims->items[0];
+    assert_int_equal(item->changes.count, 2);
+    assert_int_equal(item->changes.list[1], WHIRL_NEIMARK_SACKER);
+    assert_int_equal(item->unchanged.list[0], WHIRL_FOLD);
+    assert_int_equal(item->sense, -1);
+    assert_true(item->order_count == 2 && item->orders[1] == 0.1 && item->regions == 3);
+    assert_string_equal(item->given, "q");
+    assert_true(item->given_from == 1.0 && item->given_to == 2.0);
+    assert_true(item->contact == WHIRL_CONTACT_AT_TIMES && item->has_dry_whip && item->dry_whip);
+    assert_true(item->has_largest && item->largest[1] == 1.0);
+    whirl_claims_free(claims);
 }
 
 static void ranges_are_ordered(void **state) {
@@ -129,7 +162,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_paper_s_claims_are_read), cmocka_unit_test(wrong_claims_are_told),
         cmocka_unit_test(ranges_are_ordered),          cmocka_unit_test(yes_is_true),
-        cmocka_unit_test(other_files_are_refused),
+        cmocka_unit_test(other_files_are_refused),     cmocka_unit_test(wrong_claims_of_branches_are_told),
+        cmocka_unit_test(claims_of_branches_are_read),
     };
     return cmocka_run_group_tests_name("claims", tests, NULL, NULL);
 }
