@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import whirl
+from whirl.fields import FIELD
 
 
 def same(one, other):
@@ -387,3 +388,34 @@ def test_errors_of_files_are_sentences(good_file, tmp_path):
     assert (tmp_path / "copy.h5").read_bytes() == good_file.read_bytes()
     with pytest.raises(whirl.BadInput, match="NUL"):
         whirl.read(good_file).save("a\0b.h5")
+
+
+def test_laws_that_are_left_are_told():
+    case = whirl.Case(
+        {
+            "parameters": {"load": "10 m/s2"},
+            "rotor": {
+                "speed": "3000 rpm",
+                "length_scale": "0.1 mm",
+                "stations": {"journal": {"mass": "20 kg"}},
+                "elements": [
+                    {
+                        "film": {
+                            "at": "journal",
+                            "law": "finite",
+                            "clearance": "0.1 mm",
+                            "viscosity": "18 mPa.s",
+                            "radius": "25 mm",
+                            "length": "25 mm",
+                        }
+                    },
+                    {"gravity": "= load"},
+                ],
+            },
+            "study": {"modes": {"parameter": "load", "values": [10, 2000]}},
+        }
+    )
+    result = whirl.run(case, progress=False)
+    assert list(result["modes"][FIELD.RANGES_LEFT].ravel()) == [0, 1]
+    (told,) = result.beyond
+    assert told.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in told
