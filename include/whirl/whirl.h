@@ -23,6 +23,7 @@
 #include "whirl/job.h"
 #include "whirl/journal.h"
 #include "whirl/linear.h"
+#include "whirl/model.h"
 #include "whirl/orbit.h"
 #include "whirl/report.h"
 #include "whirl/result.h"

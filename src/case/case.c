@@ -507,6 +507,15 @@ whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double
     return status;
 }
 
+whirl_status whirl_case_model(const whirl_case *object, whirl_model *out) {
+    valuation v;
+    *out = (whirl_model){0};
+    whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0);
+    if (status.code == WHIRL_OK) status = machine_model(&object->content.machine, &v, out);
+    valuation_close(&v);
+    return status;
+}
+
 whirl_status whirl_case_shafts(const whirl_case *object, whirl_shaft_summary out[WHIRL_MAX_SHAFTS], size_t *count) {
     valuation v;
     *count = 0;

@@ -407,6 +407,15 @@ whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_sh
     return status;
 }
 
+whirl_status machine_model(const machine_parts *machine, valuation *v, whirl_model *out) {
+    whirl_design *design;
+    *out = (whirl_model){0};
+    whirl_status status = make_design(machine, v, 0.0, &design);
+    if (status.code == WHIRL_OK) status = whirl_design_model(design, out);
+    whirl_design_free(design);
+    return status;
+}
+
 // ---------------------------------------------------------------- checking
 
 static bool tell(case_reader *reader, const file_node *where, const whirl_status *status) {

@@ -3,6 +3,7 @@
 #define CASE_MACHINE_H
 
 #include "settings.h"
+#include "whirl/model.h"
 #include "whirl/rotor.h"
 
 /// Parts that have names.
@@ -65,6 +66,9 @@ whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_de
 /// Builds what whirl_case_element gives.
 whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
                                    whirl_rotor **rotor);
+
+/// What it is made of, as whirl_design_model tells it.
+whirl_status machine_model(const machine_parts *machine, valuation *v, whirl_model *out);
 
 /// Tells of its shafts, as whirl_design_shafts does.
 whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count);

@@ -277,14 +277,59 @@ static void tell_table(FILE *out, const whirl_shown_units *units, const whirl_ta
     }
 }
 
-static void write_told(const page *to, size_t index, const whirl_table *table) {
+/// What is told of a table, to be freed; NULL without memory.
+static char *told_of(const page *to, size_t index, const whirl_table *table) {
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
-    if (out) {
-        tell_table(out, &to->units[index], table);
-        if (fclose(out) == 0) write_lines(to->stream, text);
+    if (!out) return NULL;
+    tell_table(out, &to->units[index], table);
+    if (fclose(out) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+/// The first table of a result of the same kind at rest over the same parameter, at other conditions: that table itself
+/// where none stands before it.
+static const whirl_table *first_alike(const whirl_result *result, const whirl_table *table) {
+    const whirl_table *first = result->tables;
+    while (first < table && !(shown_kind_of(first) && shown_kind_of(first) == shown_kind_of(table) &&
+                              strcmp(first->parameter, table->parameter) == 0 && first->count > 0))
+        first++;
+    return first;
+}
+
+static bool has_line(const char *text, const char *line, size_t length) {
+    for (; *text; text += strcspn(text, "\n"), text += *text != '\0')
+        if (strcspn(text, "\n") == length && strncmp(text, line, length) == 0) return true;
+    return false;
+}
+
+/// Takes the lines out of `text` that stand in `before`; whether any did.
+static bool drop_told(char *text, const char *before) {
+    char *to = text;
+    bool any = false;
+    for (const char *line = text; *line;) {
+        const size_t length = strcspn(line, "\n"), whole = length + (line[length] == '\n');
+        const bool told = has_line(before, line, length);
+        any = any || told;
+        if (!told) memmove(to, line, whole), to += whole;
+        line += whole;
     }
+    *to = '\0';
+    return any;
+}
+
+/// What an earlier table of the kind tells as well is told there.
+static void write_told(const page *to, size_t index, const whirl_table *table) {
+    const whirl_table *first = first_alike(to->results[index], table);
+    char *text = told_of(to, index, table), *before = first == table ? NULL : told_of(to, index, first);
+    if (text && before && drop_told(text, before)) {
+        html_printf(to->stream, *text ? "As %s, but for:" : "The same as %s.", first->name);
+        fputc('\n', to->stream);
+    }
+    if (text) write_lines(to->stream, text);
+    free(before);
     free(text);
 }
 

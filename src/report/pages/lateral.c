@@ -2,6 +2,7 @@
 // the nonlinear motions beside them, with what was found first.
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "found.h"
@@ -10,6 +11,7 @@
 #include "motions_told.h"
 #include "shown_kinds.h"
 #include "whirl/case.h"
+#include "whirl/model.h"
 
 // ---------------------------------------------------------------- what was found
 
@@ -37,8 +39,55 @@ static void write_found(const page *to) {
 
 // ---------------------------------------------------------------- chapters
 
+/// What a chapter has told: of which kind its last table was, and the section of the first one.
+typedef struct chapter_told {
+    const shown_kind *kind;
+    const whirl_table *first;
+    char *section; ///< NULL: none
+} chapter_told;
+
+/// The section of a table as text, to be freed; NULL without memory.
+static char *section_of(const page *to, size_t result, const whirl_table *table, const shown_kind *kind) {
+    char *text = NULL;
+    size_t size = 0;
+    page own = *to;
+    own.stream = open_memstream(&text, &size);
+    if (!own.stream) return NULL;
+    kind->section(&own, result, table);
+    if (fclose(own.stream) == 0) return text;
+    free(text);
+    return NULL;
+}
+
+/// The length of the text up to the end of its first table, or of all of it.
+static size_t part_length(const char *text) {
+    static const char end[] = "</table></div>\n";
+    const char *at = strstr(text, end);
+    return at ? (size_t)(at - text) + sizeof end - 1 : strlen(text);
+}
+
+/// Writes a section; parts that are the same in that of the chapter's first table are told to be so.
+static void write_section(const page *to, const whirl_table *table, const char *section, const chapter_told *told) {
+    const char *before = told->section && told->first != table ? told->section : "";
+    bool same = false;
+    while (*section) {
+        const size_t length = part_length(section), other = part_length(before);
+        const bool equal = length == other && strncmp(section, before, length) == 0;
+        if (!equal) fwrite(section, 1, length, to->stream);
+        if (equal && !same) {
+            fputs("<p>", to->stream);
+            html_printf(to->stream, "As %s.", told->first->name);
+            fputs("</p>\n", to->stream);
+        }
+        same = equal;
+        section += length;
+        before += other;
+    }
+}
+
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
-    const shown_kind *kind = shown_kind_of(table), **const told = context;
+    const shown_kind *kind = shown_kind_of(table);
+    chapter_told *told = context;
     char fact[2 * WHIRL_NAME_SIZE];
     snprintf(fact, sizeof fact, "%s with", table->name);
     const char *with = whirl_result_fact(to->results[result], fact);
@@ -48,9 +97,16 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     for (size_t i = 0; i < to->figures->count; i++)
         if (to->figures->items[i].table == table) page_figure(to, &to->figures->items[i]);
     if (!kind || !kind->section || !(*table->parameter || kind->single)) return;
-    if (kind != *told) shown_kind_about(to, kind);
-    *told = kind;
-    kind->section(to, result, table);
+    if (kind != told->kind) shown_kind_about(to, kind);
+    told->kind = kind;
+    char *section = section_of(to, result, table, kind);
+    if (section) write_section(to, table, section, told);
+    if (told->section) {
+        free(section);
+    } else {
+        told->first = table;
+        told->section = section;
+    }
 }
 
 /// A chapter is of all tables that have a field.
@@ -83,21 +139,25 @@ enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };
 
 static void write_chapter(const page *to, size_t index) {
     const chapter *own = &chapters[index];
-    const shown_kind *told = NULL;
+    chapter_told told = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
     if (found_each(to, everything(to), own->field, NULL, NULL) > 0)
         found_each(to, everything(to), own->field, write_table, &told);
     else
         fputs("<p>Not asked for.</p>\n", to->stream);
+    free(told.section);
     fputs("</section>\n", to->stream);
 }
 
 // ---------------------------------------------------------------- machine and model
 
-static void write_stations(const page *to, const whirl_result *result) {
+/// Masses are those that stand at stations besides the shaft; model NULL: not known.
+static void write_stations(const page *to, const whirl_result *result, const whirl_model *model) {
     html_table(to->stream, "Stations", "");
-    fputs("<thead><tr><th>station</th><th class=\"number\">position along its shaft (m)</th></tr></thead>\n<tbody>\n",
+    fputs("<thead><tr><th>station</th><th class=\"number\">position along its shaft (m)</th>"
+          "<th class=\"number\">mass besides the shaft (kg)</th><th class=\"number\">polar inertia (kg m2)</th>"
+          "<th class=\"number\">diametral inertia (kg m2)</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t s = 0; s < result->station_count; s++) {
         const whirl_probe *station = &result->stations[s];
@@ -105,14 +165,48 @@ static void write_stations(const page *to, const whirl_result *result) {
         html_text(to->stream, station->name);
         fputs("</th>", to->stream);
         if (station->shaft > 0)
-            fprintf(to->stream, "<td class=\"number\">%.6g</td></tr>\n", station->position);
+            fprintf(to->stream, "<td class=\"number\">%.6g</td>", station->position);
         else
-            fputs("<td>on no shaft of finite elements</td></tr>\n", to->stream);
+            fputs("<td>on no shaft of finite elements</td>", to->stream);
+        const bool known = model && s < model->station_count;
+        const whirl_model_mass own = known ? model->stations[s] : (whirl_model_mass){NAN, NAN, NAN};
+        html_number(to->stream, own.mass);
+        html_number(to->stream, own.polar);
+        html_number(to->stream, own.diametral);
+        fputs("</tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);
 }
 
-static void write_shafts(const page *to, const whirl_case *machine) {
+/// "105", or "105 to 120" of a taper, in mm.
+static void write_diameter(const page *to, const double ends[2]) {
+    fprintf(to->stream,
+            ends[0] == ends[1] ? "<td class=\"number\">%.6g</td>" : "<td class=\"number\">%.6g to %.6g</td>",
+            1e3 * ends[0], 1e3 * ends[1]);
+}
+
+static void write_sections(const page *to, const whirl_model *model, const whirl_shaft_summary *shafts) {
+    html_table(to->stream, "Sections of the shafts", "");
+    fputs("<thead><tr><th>shaft</th><th class=\"number\">from (m)</th><th class=\"number\">to (m)</th>"
+          "<th class=\"number\">length (mm)</th><th class=\"number\">outer diameter (mm)</th>"
+          "<th class=\"number\">inner diameter (mm)</th><th class=\"number\">mass (kg)</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    for (const whirl_model_section *own = model->sections; own < model->sections + model->section_count; own++) {
+        fputs("<tr><th>", to->stream);
+        html_text(to->stream, shafts[own->shaft].name);
+        fputs("</th>", to->stream);
+        html_number(to->stream, own->from);
+        html_number(to->stream, own->to);
+        html_number(to->stream, 1e3 * (own->to - own->from));
+        write_diameter(to, own->outer);
+        write_diameter(to, own->inner);
+        html_number(to->stream, own->mass);
+        fputs("</tr>\n", to->stream);
+    }
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+static void write_shafts(const page *to, const whirl_case *machine, const whirl_model *model) {
     whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
     size_t count = 0;
     if (!machine || whirl_case_shafts(machine, shafts, &count).code != WHIRL_OK) return;
@@ -126,8 +220,12 @@ static void write_shafts(const page *to, const whirl_case *machine) {
                 ", reduced to its stations and %zu of %zu modes a plane: frequencies of the free shaft err by %.1g, "
                 "displacements by forces by %.1g",
                 shaft->modes, shaft->all_modes, shaft->frequency_error, shaft->flexibility_error);
+        const whirl_model_total *all = model->shafts ? &model->shafts[shaft - shafts] : NULL;
+        if (all)
+            html_printf(to->stream, ". With what is on it %.6g kg, centre of mass at %.6g m", all->mass, all->centre);
         fputs(".</p>\n", to->stream);
     }
+    if (count > 0 && model->section_count > 0) write_sections(to, model, shafts);
 }
 
 static void write_machine(const page *to) {
@@ -144,8 +242,11 @@ static void write_machine(const page *to) {
             fputs("</p>\n", to->stream);
         }
         page_ranges(to, r);
-        write_shafts(to, machine);
-        write_stations(to, result);
+        whirl_model model = {0};
+        const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
+        write_shafts(to, machine, &model);
+        write_stations(to, result, known ? &model : NULL);
+        whirl_model_free(&model);
         page_parameters(to, r);
         whirl_case_free(machine);
     }

@@ -1,0 +1,110 @@
+// What a design is made of: sections of its shafts, masses of its stations, sums of both.
+#include "whirl/model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "building.h"
+#include "timoshenko.h"
+
+static bool is_even(const shaft_piece *piece) {
+    return piece->outer[0] == piece->outer[1] && piece->inner[0] == piece->inner[1];
+}
+
+/// Whether a piece goes on as the one before it.
+static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
+    const shaft_piece *a = &one->piece, *b = &next->piece;
+    return one->shaft == next->shaft && one->node[1] == next->node[0] && is_even(a) && is_even(b) &&
+           a->outer[0] == b->outer[0] && a->inner[0] == b->inner[0] && a->flats == b->flats &&
+           memcmp(&a->of, &b->of, sizeof a->of) == 0;
+}
+
+/// Adds a piece to the sections and to its shaft, whose centre is a sum of moments until all are there.
+static void add_piece(const mesh *from, size_t index, whirl_model *out) {
+    const mesh_piece *own = &from->pieces[index];
+    const double start = from->nodes[own->node[0]].z, length = own->piece.length;
+    // The mass a metre is a quadratic, of which Simpson's rule has the integral and the moment.
+    const double middle = 4.0 * piece_line_mass(&own->piece, 0.5), last = piece_line_mass(&own->piece, 1.0);
+    const double mass = length / 6.0 * (piece_line_mass(&own->piece, 0.0) + middle + last);
+    out->shafts[own->shaft].mass += mass;
+    out->shafts[own->shaft].centre += mass * start + length * length / 6.0 * (0.5 * middle + last);
+    if (index == 0 || !goes_on(own - 1, own)) {
+        whirl_model_section *next = &out->sections[out->section_count++];
+        next->shaft = own->shaft;
+        next->from = start;
+        memcpy(next->outer, own->piece.outer, sizeof next->outer);
+        memcpy(next->inner, own->piece.inner, sizeof next->inner);
+    }
+    out->sections[out->section_count - 1].to = start + length;
+    out->sections[out->section_count - 1].mass += mass;
+}
+
+/// What is left of a sum; nothing where that is rounding.
+static void take(double *of, double part) {
+    const double left = *of - part;
+    *of = fabs(left) > 1e-12 * part ? left : 0.0;
+}
+
+/// Masses of stations are those of the assembly less what the mesh brought to its nodes.
+static void take_pieces(const building *b, whirl_model *out) {
+    for (size_t n = 0; n < b->mesh.node_count; n++) {
+        const size_t station = b->mesh.nodes[n].station;
+        double mass = 0.0, diametral = 0.0;
+        if (station >= out->station_count) continue;
+        for (size_t i = 0; i < 2 * b->mesh.piece_count; i++) {
+            const mesh_piece *own = &b->mesh.pieces[i / 2];
+            piece_matrices all;
+            if (own->node[i % 2] != n) continue;
+            piece_fill(&own->piece, &all);
+            mass += b->mesh.shafts[own->shaft].lumped ? all.lumped_mass[i % 2] : all.weight[2 * (i % 2)];
+            diametral += all.lumped_diametral[i % 2];
+        }
+        take(&out->stations[station].mass, mass);
+        take(&out->stations[station].diametral, diametral);
+    }
+}
+
+static void fill(const building *b, whirl_model *out) {
+    const mesh *from = &b->mesh;
+    for (size_t s = 0; s < out->station_count; s++) {
+        const assembly_station *own = &b->assembly.stations[s];
+        out->stations[s] = (whirl_model_mass){own->mass, own->polar, own->diametral};
+    }
+    take_pieces(b, out);
+    for (size_t i = 0; i < from->piece_count; i++) add_piece(from, i, out);
+    for (size_t n = 0; n < from->node_count; n++) {
+        const mesh_node *node = &from->nodes[n];
+        if (node->station >= out->station_count) continue;
+        out->shafts[node->shaft].mass += out->stations[node->station].mass;
+        out->shafts[node->shaft].centre += out->stations[node->station].mass * node->z;
+    }
+    for (size_t s = 0; s < out->shaft_count; s++) out->shafts[s].centre /= out->shafts[s].mass;
+}
+
+whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
+    building b = {0};
+    *out = (whirl_model){0};
+    whirl_status status = building_assemble(&b, design, NULL);
+    if (status.code == WHIRL_OK) {
+        out->station_count = design->station_count;
+        out->shaft_count = b.mesh.shaft_count;
+        out->sections = calloc(b.mesh.piece_count + 1, sizeof *out->sections);
+        out->stations = calloc(out->station_count + 1, sizeof *out->stations);
+        out->shafts = calloc(out->shaft_count + 1, sizeof *out->shafts);
+        if (out->sections && out->stations && out->shafts)
+            fill(&b, out);
+        else
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
+    }
+    if (status.code != WHIRL_OK) whirl_model_free(out);
+    building_end(&b);
+    return status;
+}
+
+void whirl_model_free(whirl_model *model) {
+    free(model->sections);
+    free(model->stations);
+    free(model->shafts);
+    *model = (whirl_model){0};
+}
