@@ -19,7 +19,15 @@
 #define TURN 6.28318530717958647693
 #define SET(...) (whirl_setting[]){__VA_ARGS__}, sizeof(whirl_setting[]){__VA_ARGS__} / sizeof(whirl_setting)
 
-enum { TWICE = 4, VECTORS = 8, BLOCKS = 16, PLACES = 2, COORDINATES = 4, MOST_STATES = TWICE * LAW_STATES };
+enum {
+    TWICE = 4,
+    VECTORS = 8,
+    STATES = 1024,
+    MOST_BLOCKS = STATES / VECTORS,
+    PLACES = 2,
+    COORDINATES = 4,
+    MOST_STATES = TWICE * LAW_STATES
+};
 
 /// Stations begin with a mass of 1; all laws are in the machine's units, in which the speed is 1.
 typedef struct bench_element {
@@ -333,12 +341,12 @@ static state random_state(const bench_element *of) {
 typedef struct bench {
     const bench_element *of;
     const whirl_lanes *lanes;
-    lanes_view view[BLOCKS];
+    lanes_view view[MOST_BLOCKS];
     const isa *on;
-    size_t width, count;  ///< lanes of a block, states of all
-    size_t degrees, rows; ///< rows of the velocities, with the states
-    double *a, *rates;    ///< of the last block; of the last single state
-    state *states;        ///< [count]
+    size_t blocks, width, count; ///< lanes of a block, states of all
+    size_t degrees, rows;        ///< rows of the velocities, with the states
+    double *a, *rates;           ///< of the last block; of the last single state
+    state *states;               ///< [count]
 } bench;
 
 static double *aligned(size_t count) {
@@ -367,7 +375,8 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
     bench b = {.of = of, .lanes = whirl_rotor_system(rotor)->lanes};
     must(isa_choose(&b.on));
     b.width = VECTORS * b.on->lanes;
-    b.count = BLOCKS * b.width;
+    b.count = STATES; // whatever the instruction set, for C goes through them, too
+    b.blocks = STATES / b.width;
     b.degrees = b.lanes->degrees;
     b.rows = b.degrees + b.lanes->states;
     b.states = calloc(b.count, sizeof *b.states);
@@ -378,7 +387,7 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
     b.lanes->numbers(rotor, own);
     for (size_t i = 0; i < b.lanes->number_count * b.width; i++) numbers[i] = own[i / b.width];
     for (size_t i = 0; i < b.width; i++) forcing[i] = 1.0;
-    for (size_t block = 0; block < BLOCKS; block++) {
+    for (size_t block = 0; block < b.blocks; block++) {
         double *q = aligned(b.degrees * b.width), *v = aligned(b.rows * b.width);
         for (size_t lane = 0; lane < b.width; lane++) {
             state *at = &b.states[block * b.width + lane];
@@ -398,7 +407,7 @@ static bench bench_new(const bench_element *of, const whirl_rotor *rotor) {
 }
 
 static void bench_free(bench *b) {
-    for (size_t block = 0; block < BLOCKS; block++) free((void *)b->view[block].q), free((void *)b->view[block].v);
+    for (size_t block = 0; block < b->blocks; block++) free((void *)b->view[block].q), free((void *)b->view[block].v);
     free((void *)b->view[0].numbers), free((void *)b->view[0].forcing);
     free(b->a), free(b->states);
 }
@@ -468,7 +477,7 @@ static void measure(const bench_element *of, double seconds) {
     for (double begun = peer_clock(); peer_clock() - begun < seconds;) {
         const double start = peer_clock();
         for (int i = 0; i < 8; i++)
-            for (size_t block = 0; block < BLOCKS; block++) in_lanes(&b, block);
+            for (size_t block = 0; block < b.blocks; block++) in_lanes(&b, block);
         const double middle = peer_clock();
         for (size_t i = 0; i < b.count; i++) one_by_one(&b, &b.states[i], out), kept += out[0];
         const double end = peer_clock();

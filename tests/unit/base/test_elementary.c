@@ -38,6 +38,21 @@ static void test_root(void **state) {
     assert_true(isnan(v_root_of_3_over(NAN)));
 }
 
+static void test_other_roots(void **state) {
+    double worst[2] = {0.0};
+    uint64_t seed = 13;
+    (void)state;
+    for (int i = 0; i < 4000000; i++) {
+        const double a = exp2((i % 2 ? 4.0 : 1900.0) * (uniform(&seed) - 0.5));
+        worst[0] = fmax(worst[0], error_in_ulps(v_over_root(a), 1.0L / sqrtl((long double)a)));
+        worst[1] = fmax(worst[1], error_in_ulps(v_ninth_root(a), powl((long double)a, 1.0L / 9.0L)));
+    }
+    printf("largest errors: 1/sqrt %.3f, ninth root %.3f units in the last place\n", worst[0], worst[1]);
+    assert_true(worst[0] < 2.5 && worst[1] < 2.5);
+    assert_true(v_pow(2.0, 0.5) == sqrt(2.0) && isnan(v_pow(0.0, 0.5)) && isnan(v_pow(-1.0, 0.5)));
+    assert_true(isnan(v_ninth_root(NAN)) && isnan(v_over_root(NAN)));
+}
+
 /// atan(y/x), x > 0, as the film has it, with a division of its own.
 static double angle_of(double y, double x) {
     const double over = x / (x * x + y * y);
@@ -176,6 +191,7 @@ int main(void) {
                                        cmocka_unit_test(test_sine_and_cosine_of_small_angles),
                                        cmocka_unit_test(test_whole_range),
                                        cmocka_unit_test(test_special_values),
-                                       cmocka_unit_test(test_root)};
+                                       cmocka_unit_test(test_root),
+                                       cmocka_unit_test(test_other_roots)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
