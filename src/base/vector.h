@@ -165,6 +165,31 @@ static inline vec v_power_of_2(vec k) {
     return _mm512_castsi512_pd(_mm512_slli_epi64(bits, 52));
 }
 
+/// As many numbers of single precision, from any address.
+static inline vec v_load_floats(const float *from) {
+    return _mm512_cvtps_pd(_mm256_loadu_ps(from));
+}
+
+/// Eight numbers of every lane as eight vectors.
+static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
+    enum { LOW = 0x88, HIGH = 0xdd };
+    vec pair[8], four[8];
+    for (int i = 0; i < 8; i += 2) {
+        const vec one = _mm512_loadu_pd(from[i]), next = _mm512_loadu_pd(from[i + 1]);
+        pair[i] = _mm512_unpacklo_pd(one, next);
+        pair[i + 1] = _mm512_unpackhi_pd(one, next);
+    }
+    for (int i = 0; i < 8; i += 4)
+        for (int k = 0; k < 2; k++) {
+            four[i + k] = _mm512_shuffle_f64x2(pair[i + k], pair[i + k + 2], LOW);
+            four[i + k + 2] = _mm512_shuffle_f64x2(pair[i + k], pair[i + k + 2], HIGH);
+        }
+    for (int k = 0; k < 4; k++) {
+        to[k] = _mm512_shuffle_f64x2(four[k], four[k + 4], LOW);
+        to[k + 4] = _mm512_shuffle_f64x2(four[k], four[k + 4], HIGH);
+    }
+}
+
 #elif VECTOR_ISA == VECTOR_AVX2
 
 #include <immintrin.h>
@@ -466,6 +491,24 @@ static inline vec v_power_of_2(vec k) {
     return k;
 }
 
+#endif
+
+#if VECTOR_ISA != VECTOR_AVX512
+static inline vec v_load_floats(const float *from) {
+    double wide[VECTOR_LANES];
+    vec out;
+    for (int lane = 0; lane < VECTOR_LANES; lane++) wide[lane] = (double)from[lane];
+    memcpy(&out, wide, sizeof out);
+    return out;
+}
+
+static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
+    for (int i = 0; i < 8; i++) {
+        double column[VECTOR_LANES];
+        for (int lane = 0; lane < VECTOR_LANES; lane++) column[lane] = from[lane][i];
+        memcpy(&to[i], column, sizeof to[i]);
+    }
+}
 #endif
 
 #endif

@@ -4,106 +4,221 @@
 // For every pad the journal is turned into its frame, x along its middle, moved by the preload and, of one that tilts
 // by s, by -s along the pad at its pivot; all of a machine that turns clockwise is that of its mirror image. The film's
 // force on the journal acts along the pad on its tilt with the opposite sign: s'' = -force, with a spring and a damper
-// at the pivot. With PADS_YIELD the pivot moves outwards by u, the journal before the pad by -u along its radius.
+// at the pivot; or 0 = -force, an equation for s', of one without inertia (pads_balance.h). With PADS_YIELD the pivot
+// moves outwards by u, the journal before the pad by -u along its radius.
 
 #ifndef PADS_YIELD
 #define PADS_YIELD 0
 #endif
 
-#ifndef NUMBERS_DUAL
-static inline void pads_look_up_plain(const kernel_view *view, const vec *pad, vec t, vec w, vec half, vec sum[2]) {
-    pads_look_up(view->stride, pad, t, w, half, sum, NULL);
-}
-#else
-static inline void pads_look_up_dual(const kernel_view *view, const vec *pad, dual t, dual w, dual half, dual sum[2]) {
-    vec value[2], slope[2][3];
-    pads_look_up(view->stride, pad, t.value, w.value, half.value, value, slope);
-    for (int n = 0; n < 2; n++) {
-        sum[n].value = value[n];
-        for (int i = 0; i < DUAL_INPUTS; i++)
-            sum[n].by[i] = v_fma(slope[n][0], t.by[i], v_fma(slope[n][1], w.by[i], v_mul(slope[n][2], half.by[i])));
-    }
-}
-#endif
-
-/// Half the angle of (a, b), from -pi/2 to pi/2.
-static inline num KERNEL(pads_half_angle)(num a, num b, num over) {
+/// V and half of alpha, of (a, b).
+static inline void KERNEL(pads_direction)(num a, num b, num *V, num *half) {
 #ifdef NUMBERS_DUAL
-    const vec half = v_set(0.5);
-    dual out = {.value =
-                    v_half_angle(v_mul(half, v_mul(a.value, over.value)), v_mul(half, v_mul(b.value, over.value)))};
-    const vec square = v_mul(half, v_mul(over.value, over.value));
-    for (int i = 0; i < DUAL_INPUTS; i++) out.by[i] = v_mul(square, v_fms(a.value, b.by[i], v_mul(b.value, a.by[i])));
-    return out;
+    vec over;
+    pads_polar(a.value, b.value, &V->value, &half->value, &over);
+    const vec square = v_mul(v_set(0.5), v_mul(over, over));
+    for (int i = 0; i < DUAL_INPUTS; i++) {
+        V->by[i] = v_mul(over, v_fma(a.value, a.by[i], v_mul(b.value, b.by[i])));
+        half->by[i] = v_mul(square, v_fms(a.value, b.by[i], v_mul(b.value, a.by[i])));
+    }
 #else
-    const vec half = v_mul(v_set(0.5), over);
-    return v_half_angle(v_mul(a, half), v_mul(b, half));
+    vec over;
+    pads_polar(a, b, V, half, &over);
 #endif
 }
 
-/// The force of one pad in its frame.
-static inline void KERNEL(pads_film)(const kernel_view *view, const vec *pad, num x, num y, num a, num b, num f[2]) {
-    const vec cosine = pad[PAD_HALF_COSINE * view->stride], sine = pad[PAD_HALF_SINE * view->stride];
-    const num one = n_set(1.0), thickness = n_sub(one, x), t = n_sqrt(thickness);
-    const num straight = n_div(n_sub(one, n_scale(cosine, x)), n_of(sine)), round = n_sqrt(n_sub(one, n_mul(x, x)));
-    const num v = n_div(y, n_select(n_less(x, n_of(cosine)), straight, round)), root = n_sqrt(n_sub(one, n_mul(v, v)));
-    const num w = n_div(v, n_add(one, root));
-    // Beyond the wall the root is not a number, and the motion counts as diverged. The 2^-600 keeps a journal that
-    // neither turns nor moves before the pad from dividing by zero.
-    const num V = n_sqrt(n_fma(a, a, n_fma(b, b, n_set(0x1p-600))));
-    const num half = KERNEL(pads_half_angle)(a, b, n_div(one, V));
-    const num scale = n_div(V, n_mul(n_mul(root, root), n_mul(thickness, thickness)));
-    num sum[2];
-    KERNEL(pads_look_up)(view, pad, t, w, half, sum);
-    for (int n = 0; n < 2; n++) f[n] = n_mul(scale, sum[n]);
+static inline void KERNEL(pads_spline)(vec table, num t, num w, num half, num force[2]) {
+#ifdef NUMBERS_DUAL
+    vec value[2], slope[2][3];
+    pads_look_up_sloped(table, t.value, w.value, half.value, value, slope);
+    for (int n = 0; n < 2; n++) {
+        force[n].value = value[n];
+        for (int i = 0; i < DUAL_INPUTS; i++)
+            force[n].by[i] = v_fma(slope[n][0], t.by[i], v_fma(slope[n][1], w.by[i], v_mul(slope[n][2], half.by[i])));
+    }
+#else
+    pads_look_up(table, t, w, half, force);
+#endif
 }
+
+/// t, w and 1/((1 - v^2) Hm^2) of the table where the journal is at (x, y) in the frame of a pad. Beyond the wall a
+/// root is not a number, and the motion counts as diverged.
+static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, num x, num y, num *t, num *w,
+                                      num *scale) {
+    const vec cosine = pad[PAD_HALF_COSINE * view->stride], over_sine = pad[PAD_OVER_HALF_SINE * view->stride];
+    const num one = n_set(1.0), thickness = n_sub(one, x);
+    const num straight = n_scale(over_sine, n_sub(one, n_scale(cosine, x)));
+    const num round = n_sqrt(n_mul(thickness, n_add(one, x)));
+    const num most = n_select(n_less(x, n_of(cosine)), straight, round);
+    const num square = n_mul(n_sub(most, y), n_add(most, y)), root = n_sqrt(square), both = n_add(most, root);
+    const num closing = n_mul(square, n_mul(thickness, thickness)), over = n_div(one, n_mul(both, closing));
+    *t = n_sqrt(thickness);
+    *w = n_mul(n_mul(y, closing), over);
+    *scale = n_mul(n_mul(n_mul(most, most), both), over);
+}
+
+/// The force of a film with these (A, B).
+static inline void KERNEL(pads_film)(vec table, num t, num w, num scale, num a, num b, num f[2]) {
+    num V, half;
+    KERNEL(pads_direction)(a, b, &V, &half);
+    KERNEL(pads_spline)(table, t, w, half, f);
+    const num size = n_mul(V, scale);
+    for (int n = 0; n < 2; n++) f[n] = n_mul(size, f[n]);
+}
+
+/// What a pad sees of the journal, in its frame: its place, and (A, B) while the pad does not tilt further; of the
+/// place what pads_place makes of it.
+typedef struct KERNEL(pads_view) {
+    num x, y, a, b, t, w, scale;
+} KERNEL(pads_view);
+
+static inline KERNEL(pads_view)
+    KERNEL(pads_seen)(const kernel_view *view, const vec *pad, const num journal[4], num tilt, const num *yield) {
+    const size_t stride = view->stride;
+    const vec c = pad[PAD_COSINE * stride], sn = pad[PAD_SINE * stride], twice = view->number[PADS_TWICE * stride];
+    num vx = n_add(n_scale(c, journal[2]), n_scale(sn, journal[3]));
+    num vy = n_sub(n_scale(c, journal[3]), n_scale(sn, journal[2]));
+    KERNEL(pads_view) seen;
+    seen.x = n_add(n_add(n_scale(c, journal[0]), n_scale(sn, journal[1])), n_of(pad[PAD_SHIFT_X * stride]));
+    seen.y = n_add(n_sub(n_scale(c, journal[1]), n_scale(sn, journal[0])), n_of(pad[PAD_SHIFT_Y * stride]));
+    if (KERNEL_STATES > 0) {
+        seen.x = n_sub(seen.x, n_scale(pad[PAD_ALONG_X * stride], tilt));
+        seen.y = n_sub(seen.y, n_scale(pad[PAD_ALONG_Y * stride], tilt));
+    }
+    if (PADS_YIELD) {
+        seen.x = n_sub(seen.x, n_scale(pad[PAD_ALONG_Y * stride], yield[0]));
+        seen.y = n_add(seen.y, n_scale(pad[PAD_ALONG_X * stride], yield[0]));
+        vx = n_sub(vx, n_scale(pad[PAD_ALONG_Y * stride], yield[1]));
+        vy = n_add(vy, n_scale(pad[PAD_ALONG_X * stride], yield[1]));
+    }
+    seen.a = n_sub(seen.x, n_scale(twice, vy));
+    seen.b = n_add(seen.y, n_scale(twice, vx));
+    KERNEL(pads_place)(view, pad, seen.x, seen.y, &seen.t, &seen.w, &seen.scale);
+    return seen;
+}
+
+#ifdef KERNEL_FEWER_STATES
+/// The same while it tilts at a rate.
+static inline void KERNEL(pads_turn)(const kernel_view *view, const vec *pad, num rate, KERNEL(pads_view) * seen) {
+    const vec twice = view->number[PADS_TWICE * view->stride];
+    seen->a = n_add(seen->a, n_scale(v_mul(twice, pad[PAD_ALONG_Y * view->stride]), rate));
+    seen->b = n_sub(seen->b, n_scale(v_mul(twice, pad[PAD_ALONG_X * view->stride]), rate));
+}
+
+/// All moments about the pivot but that of inertia.
+static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, num tilt, num rate, const num f[2]) {
+    const size_t stride = view->stride;
+    const num held = n_add(n_scale(view->number[PADS_TILT_SPRING * stride], tilt),
+                           n_scale(view->number[PADS_TILT_DAMPER * stride], rate));
+    const num film = n_add(n_scale(pad[PAD_ALONG_X * stride], f[0]), n_scale(pad[PAD_ALONG_Y * stride], f[1]));
+    return n_add(held, n_scale(view->number[PADS_TILT_FORCE * stride], film));
+}
+
+/// A pad with inertia: the force, and the slopes of tilt and rate.
+static inline void KERNEL(pads_inert)(const kernel_view *view, const vec *pad, const num journal[4], const num *s,
+                                      const num *yield, num f[2], num *slope) {
+    KERNEL(pads_view) seen = KERNEL(pads_seen)(view, pad, journal, s[0], yield);
+    KERNEL(pads_turn)(view, pad, s[1], &seen);
+    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen.t, seen.w, seen.scale, seen.a, seen.b, f);
+    slope[0] = s[1];
+    slope[1] = n_sub(n_set(0.0), KERNEL(pads_moments)(view, pad, s[0], s[1], f));
+}
+
+/// What pads_balance wants to know of one without.
+static inline void KERNEL(pads_prepare)(const kernel_view *view, const vec *pad, const KERNEL(pads_view) * seen,
+                                        num tilt, pads_pivot *out) {
+    const size_t stride = view->stride;
+    const vec c = pad[PAD_ALONG_X * stride], d = pad[PAD_ALONG_Y * stride];
+    const vec a = n_value(seen->a), b = n_value(seen->b);
+    out->along[0] = c;
+    out->along[1] = d;
+    out->p = v_fma(c, a, v_mul(d, b));
+    out->r = v_fms(d, a, v_mul(c, b));
+    out->twice = view->number[PADS_TWICE * stride];
+    out->scale = n_value(seen->scale);
+    out->held = v_mul(view->number[PADS_TILT_SPRING * stride], n_value(tilt));
+    out->damper = view->number[PADS_TILT_DAMPER * stride];
+    out->lean = pads_lean(pad[PAD_TABLE * stride], n_value(seen->t), n_value(seen->w));
+    pads_find(pad[PAD_TABLE * stride], n_value(seen->t), n_value(seen->w), false, &out->spot);
+}
+
+/// The force of such a pad, and the slope of its tilt. Their derivatives are those of an implicit function.
+static inline num KERNEL(pads_found)(const kernel_view *view, const vec *pad, const pads_pivot *found,
+                                     KERNEL(pads_view) * seen, num tilt, num f[2]) {
+    num rate = n_of(found->rate);
+#ifdef NUMBERS_DUAL
+    KERNEL(pads_turn)(view, pad, rate, seen);
+    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen->t, seen->w, seen->scale, seen->a, seen->b, f);
+    const dual moments = KERNEL(pads_moments)(view, pad, tilt, rate, f);
+    const vec over = v_div(v_set(-1.0), found->steep);
+    for (int i = 0; i < DUAL_INPUTS; i++) {
+        rate.by[i] = v_mul(over, moments.by[i]);
+        for (int n = 0; n < 2; n++) f[n].by[i] = v_fma(found->by_rate[n], rate.by[i], f[n].by[i]);
+    }
+    for (int n = 0; n < 2; n++) f[n].value = found->force[n];
+#else
+    (void)view, (void)pad, (void)seen, (void)tilt;
+    for (int n = 0; n < 2; n++) f[n] = found->force[n];
+#endif
+    return rate;
+}
+
+#if PADS_YIELD
+/// The slopes of how far a pad has moved outwards, and of that rate.
+static inline void KERNEL(pads_yielding)(const kernel_view *view, const vec *pad, const num *yield, const num f[2],
+                                         num *slope) {
+    const size_t stride = view->stride;
+    const num outwards = n_sub(n_scale(pad[PAD_ALONG_Y * stride], f[0]), n_scale(pad[PAD_ALONG_X * stride], f[1]));
+    const num held = n_add(n_scale(view->number[PADS_YIELD_SPRING * stride], yield[0]),
+                           n_scale(view->number[PADS_YIELD_DAMPER * stride], yield[1]));
+    slope[0] = yield[1];
+    slope[1] = n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_YIELD_FORCE * stride], outwards)));
+}
+#endif
+#else
+static inline void KERNEL(pads_fixed)(const kernel_view *view, const vec *pad, const num journal[4], num f[2]) {
+    const KERNEL(pads_view) seen = KERNEL(pads_seen)(view, pad, journal, n_set(0.0), NULL);
+    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen.t, seen.w, seen.scale, seen.a, seen.b, f);
+}
+#endif
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
                                  num *force, num *slope) {
-    const size_t stride = view->stride;
-    const vec over = view->number[PADS_OVER_CLEARANCE * stride], twice = view->number[PADS_TWICE * stride];
-    const vec sign = view->number[PADS_SIGN * stride];
-    const num X = n_scale(over, d[0]), Y = n_scale(v_mul(sign, over), d[1]);
-    const num VX = n_scale(over, w[0]), VY = n_scale(v_mul(sign, over), w[1]);
-    num FX = n_set(0.0), FY = n_set(0.0);
-    for (size_t p = 0; p < (size_t)own->law; p++) {
-        const vec *pad = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
-        const vec c = pad[PAD_COSINE * stride], sn = pad[PAD_SINE * stride];
-        num x = n_add(n_add(n_scale(c, X), n_scale(sn, Y)), n_of(pad[PAD_SHIFT_X * stride]));
-        num y = n_add(n_sub(n_scale(c, Y), n_scale(sn, X)), n_of(pad[PAD_SHIFT_Y * stride]));
-        num vx = n_add(n_scale(c, VX), n_scale(sn, VY)), vy = n_sub(n_scale(c, VY), n_scale(sn, VX)), f[2];
-        const vec along[] = {pad[PAD_ALONG_X * stride], pad[PAD_ALONG_Y * stride]};
-        if (KERNEL_STATES > 0) {
-            x = n_sub(x, n_scale(along[0], s[2 * p]));
-            y = n_sub(y, n_scale(along[1], s[2 * p]));
-            vx = n_sub(vx, n_scale(along[0], s[2 * p + 1]));
-            vy = n_sub(vy, n_scale(along[1], s[2 * p + 1]));
+    const size_t stride = view->stride, count = (size_t)own->law;
+    const vec over = view->number[PADS_OVER_CLEARANCE * stride], sign = view->number[PADS_SIGN * stride];
+    const num journal[] = {n_scale(over, d[0]), n_scale(v_mul(sign, over), d[1]), n_scale(over, w[0]),
+                           n_scale(v_mul(sign, over), w[1])};
+    num FX = n_set(0.0), FY = n_set(0.0), f[MAX_PADS][2];
+    const vec *pads[MAX_PADS];
+    for (size_t p = 0; p < count; p++) pads[p] = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
+#ifdef KERNEL_FEWER_STATES
+    for (int i = 0; i < STATES_OF(own); i++) slope[i] = n_set(0.0); // compilers do not see that pads set them all
+    const num *yields = s + (pads_are_light(own) ? count : 2 * count);
+    if (pads_are_light(own)) {
+        KERNEL(pads_view) seen[MAX_PADS];
+        pads_pivot pivots[MAX_PADS];
+        for (size_t p = 0; p < count; p++) {
+            seen[p] = KERNEL(pads_seen)(view, pads[p], journal, s[p], yields + 2 * p);
+            KERNEL(pads_prepare)(view, pads[p], &seen[p], s[p], &pivots[p]);
         }
-        const size_t yield = 2 * ((size_t)own->law + p);
-        if (PADS_YIELD) {
-            x = n_sub(x, n_scale(along[1], s[yield]));
-            y = n_add(y, n_scale(along[0], s[yield]));
-            vx = n_sub(vx, n_scale(along[1], s[yield + 1]));
-            vy = n_add(vy, n_scale(along[0], s[yield + 1]));
-        }
-        KERNEL(pads_film)(view, pad, x, y, n_sub(x, n_scale(twice, vy)), n_add(y, n_scale(twice, vx)), f);
-        FX = n_add(FX, n_sub(n_scale(c, f[0]), n_scale(sn, f[1])));
-        FY = n_add(FY, n_add(n_scale(sn, f[0]), n_scale(c, f[1])));
-        if (KERNEL_STATES > 0) {
-            const num moment = n_add(n_scale(along[0], f[0]), n_scale(along[1], f[1]));
-            const num held = n_add(n_scale(view->number[PADS_TILT_SPRING * stride], s[2 * p]),
-                                   n_scale(view->number[PADS_TILT_DAMPER * stride], s[2 * p + 1]));
-            slope[2 * p] = s[2 * p + 1];
-            slope[2 * p + 1] = n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_TILT_FORCE * stride], moment)));
-        }
-        if (PADS_YIELD) {
-            const num outwards = n_sub(n_scale(along[1], f[0]), n_scale(along[0], f[1]));
-            const num held = n_add(n_scale(view->number[PADS_YIELD_SPRING * stride], s[yield]),
-                                   n_scale(view->number[PADS_YIELD_DAMPER * stride], s[yield + 1]));
-            slope[yield] = s[yield + 1];
-            slope[yield + 1] =
-                n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_YIELD_FORCE * stride], outwards)));
-        }
+        pads_balance(pivots, count);
+        for (size_t p = 0; p < count; p++)
+            slope[p] = KERNEL(pads_found)(view, pads[p], &pivots[p], &seen[p], s[p], f[p]);
+    } else {
+        for (size_t p = 0; p < count; p++)
+            KERNEL(pads_inert)(view, pads[p], journal, s + 2 * p, yields + 2 * p, f[p], slope + 2 * p);
+    }
+#if PADS_YIELD
+    for (size_t p = 0; p < count; p++)
+        KERNEL(pads_yielding)(view, pads[p], yields + 2 * p, f[p], slope + (yields - s) + 2 * p);
+#endif
+#else
+    for (size_t p = 0; p < count; p++) KERNEL(pads_fixed)(view, pads[p], journal, f[p]);
+#endif
+    for (size_t p = 0; p < count; p++) {
+        const vec c = pads[p][PAD_COSINE * stride], sn = pads[p][PAD_SINE * stride];
+        FX = n_add(FX, n_sub(n_scale(c, f[p][0]), n_scale(sn, f[p][1])));
+        FY = n_add(FY, n_add(n_scale(sn, f[p][0]), n_scale(c, f[p][1])));
     }
     force[0] = FX;
     force[1] = n_scale(sign, FY);

@@ -2,8 +2,11 @@
 #ifndef ROTOR_PADS_LOOK_UP_H
 #define ROTOR_PADS_LOOK_UP_H
 
+#include <stdbool.h>
+
+#include "element.h"
+#include "elementary.h"
 #include "tables.h"
-#include "vector.h"
 
 enum { MAX_PADS = 6 };
 
@@ -24,7 +27,7 @@ enum {
 };
 
 /// Of every pad, from PADS_FIRST on: its middle; by what the preload moves the journal and how the pad lies at its
-/// pivot, in the frame of the middle; half the arc; the number of its table.
+/// pivot, in the frame of the middle; of half the arc the cosine and one over the sine; the number of its table.
 enum {
     PAD_COSINE,
     PAD_SINE,
@@ -33,15 +36,20 @@ enum {
     PAD_ALONG_X,
     PAD_ALONG_Y,
     PAD_HALF_COSINE,
-    PAD_HALF_SINE,
+    PAD_OVER_HALF_SINE,
     PAD_TABLE,
     PAD_NUMBERS,
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate; of those on pivots that yield
-/// then of every pad how far it has moved outwards, and that rate.
+/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate, or of those without inertia the
+/// tilt alone; of those on pivots that yield then of every pad how far it has moved outwards, and that rate.
 enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
+
+/// Whether its pads tilt without inertia.
+static inline bool pads_are_light(const element *own) {
+    return own->states / (size_t)own->law % 2 == 1;
+}
 
 /// Four B-splines at u from 0 to 1 between two nodes; their derivatives by u.
 VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
@@ -51,102 +59,175 @@ VECTOR_INLINE void pads_splines(vec u, vec value[4]) {
     value[2] = v_fma(mm, v_fms(v_set(0.5), m, v_set(1.0)), v_set(2.0 / 3.0));
     value[3] = v_mul(sixth, v_mul(uu, u));
 }
-VECTOR_INLINE void pads_spline_slopes(vec u, vec slope[4]) {
-    const vec m = v_sub(v_set(1.0), u), half = v_set(0.5);
+VECTOR_INLINE void pads_spline_slopes(vec u, vec over_step, vec slope[4]) {
+    const vec m = v_sub(v_set(1.0), u), half = v_mul(v_set(0.5), over_step), three = v_mul(v_set(3.0), half);
+    const vec four = v_add(over_step, over_step);
     slope[0] = v_sub(v_set(0.0), v_mul(half, v_mul(m, m)));
-    slope[1] = v_mul(u, v_fms(v_set(1.5), u, v_set(2.0)));
-    slope[2] = v_mul(m, v_fnma(v_set(1.5), m, v_set(2.0)));
+    slope[1] = v_mul(u, v_fms(three, u, four));
+    slope[2] = v_mul(m, v_fnma(three, m, four));
     slope[3] = v_mul(half, v_mul(u, u));
 }
 
-enum { AXIS_T, AXIS_W, AXIS_ALPHA, PAD_AXES };
+/// A place on an axis: the cell, where it is in it, and 1 over the step, 0 beyond the axis. Not a number counts as the
+/// first node.
+typedef struct pads_axis {
+    vec cell, u, over_step;
+} pads_axis;
 
-/// Where all lanes are on the axes of their tables.
-typedef struct pads_cells {
-    const pad_table *table[VECTOR_LANES];
-    size_t cell[PAD_AXES][VECTOR_LANES];
-    vec value[PAD_AXES][4], slope[PAD_AXES][4];
-} pads_cells;
-
-/// The cell of one lane, and where it is in it: not a number counts as the first node.
-static inline size_t pads_cell(const pad_axis *of, double at, int cells, double *u, double *over) {
-    const double place = (at - of->first) / of->step;
-    const bool inside = place > 0.0 && place < cells;
-    const double kept = place > 0.0 ? (place < cells ? place : cells) : 0.0;
-    const int cell = kept < cells ? (int)kept : cells - 1;
-    *u = kept - cell;
-    *over = inside ? 1.0 / of->step : 0.0;
-    return (size_t)cell;
+VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cells) {
+    const vec place = v_mul(v_sub(at, v_set(first)), v_set(1.0 / step)), zero = v_set(0.0), most = v_set(cells);
+    const vec kept = v_min(v_max(place, zero), most), down = v_round(v_sub(kept, v_set(0.5)));
+    const vec over = v_select(v_less(zero, place), v_select(v_less(place, most), v_set(1.0 / step), zero), zero);
+    pads_axis on = {.cell = v_min(v_max(down, zero), v_set(cells - 1)), .over_step = over};
+    on.u = v_sub(kept, on.cell);
+    return on;
 }
 
-/// Slopes beyond the table are 0.
-VECTOR_INLINE void pads_find(size_t stride, const vec *pad, const vec at[PAD_AXES], bool sloped, pads_cells *found) {
-    double where[PAD_AXES][VECTOR_LANES], u[PAD_AXES][VECTOR_LANES], over[PAD_AXES][VECTOR_LANES], id[VECTOR_LANES];
-    memcpy(where, at, sizeof where);
-    memcpy(id, &pad[PAD_TABLE * stride], sizeof id);
-    for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-        const pad_table *table = pad_table_of(id[lane]);
-        const pad_axis *axes[] = {&table->t, &table->w, &table->alpha};
-        found->table[lane] = table;
-        for (int k = 0; k < PAD_AXES; k++)
-            found->cell[k][lane] =
-                pads_cell(axes[k], where[k][lane], axes[k]->count - (k != AXIS_ALPHA), &u[k][lane], &over[k][lane]);
-    }
-    for (int k = 0; k < PAD_AXES; k++) {
-        vec place, by;
-        memcpy(&place, u[k], sizeof place);
-        memcpy(&by, over[k], sizeof by);
-        pads_splines(place, found->value[k]);
-        if (!sloped) continue;
-        pads_spline_slopes(place, found->slope[k]);
-        for (int i = 0; i < 4; i++) found->slope[k][i] = v_mul(by, found->slope[k][i]);
-    }
-}
+/// Where the journal is in the table of a pad, whatever its direction: the first coefficients of every lane, and the
+/// splines along t and w there; then their derivatives.
+typedef struct pads_spot {
+    const float *first[VECTOR_LANES];
+    double t[4][VECTOR_LANES], w[4][VECTOR_LANES], by_t[4][VECTOR_LANES], by_w[4][VECTOR_LANES];
+} pads_spot;
 
-/// One lane: both sums with these weights.
-static inline void pads_sum(const pads_cells *at, size_t lane, const double t[4], const double w[4], const double a[4],
-                            double out[2]) {
-    const pad_table *table = at->table[lane];
-    const size_t columns = 2 * (size_t)(table->alpha.count + 3), rows = columns * (size_t)(table->w.count + 2);
-    const double *first = table->coefficients + at->cell[AXIS_T][lane] * rows + at->cell[AXIS_W][lane] * columns +
-                          2 * at->cell[AXIS_ALPHA][lane];
-    double sum[8] = {0.0};
-    for (size_t i = 0; i < 4; i++)
-        for (size_t j = 0; j < 4; j++) {
-            const double *row = first + i * rows + j * columns, weight = t[i] * w[j];
-            for (int k = 0; k < 8; k++) sum[k] += weight * row[k];
-        }
-    for (int n = 0; n < 2; n++) out[n] = (a[0] * sum[n] + a[1] * sum[2 + n]) + (a[2] * sum[4 + n] + a[3] * sum[6 + n]);
-}
-
-static inline void pads_weights(const vec from[4], double to[4][VECTOR_LANES]) {
+VECTOR_INLINE void pads_keep(const vec from[4], double to[4][VECTOR_LANES]) {
     memcpy(to, from, 4 * sizeof *from);
 }
 
-/// S of every lane, and unless NULL its derivatives by t, w and half the angle alpha.
-static inline void pads_look_up(size_t stride, const vec *pad, vec t, vec w, vec half, vec sum[2], vec slope[2][3]) {
-    pads_cells found;
-    const vec at[PAD_AXES] = {t, w, v_add(half, half)};
-    double value[PAD_AXES][4][VECTOR_LANES], turned[PAD_AXES][4][VECTOR_LANES], out[4][2][VECTOR_LANES];
-    pads_find(stride, pad, at, slope != NULL, &found);
-    for (int k = 0; k < PAD_AXES; k++) {
-        pads_weights(found.value[k], value[k]);
-        if (slope) pads_weights(found.slope[k], turned[k]);
+/// The first coefficients of all lanes.
+VECTOR_INLINE void pads_first(vec table, const pads_axis *t, const pads_axis *w, pads_spot *spot) {
+    const vec place = v_fma(t->cell, v_set(PAD_SHEET), v_mul(w->cell, v_set(PAD_ROW)));
+    double id[VECTOR_LANES], begin[VECTOR_LANES];
+    memcpy(id, &table, sizeof id);
+    memcpy(begin, &place, sizeof begin);
+    const pad_table *of = NULL;
+    for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
+        if (lane == 0 || id[lane] != id[lane - 1]) of = pad_table_of(id[lane]);
+        spot->first[lane] = of->coefficients + (size_t)begin[lane];
     }
-    // Which axis a derivative is by: none, then one after the other.
-    for (int by = -1; by < (slope ? PAD_AXES : 0); by++)
-        for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-            double own[PAD_AXES][4], two[2];
-            for (int k = 0; k < PAD_AXES; k++)
-                for (int i = 0; i < 4; i++) own[k][i] = k == by ? turned[k][i][lane] : value[k][i][lane];
-            pads_sum(&found, lane, own[AXIS_T], own[AXIS_W], own[AXIS_ALPHA], two);
-            for (int n = 0; n < 2; n++) out[by + 1][n][lane] = two[n];
+}
+
+VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *spot) {
+    const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
+    const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
+    pads_first(table, &on_t, &on_w, spot);
+    vec splines[4];
+    pads_splines(on_t.u, splines);
+    pads_keep(splines, spot->t);
+    pads_splines(on_w.u, splines);
+    pads_keep(splines, spot->w);
+    if (!sloped) return;
+    pads_spline_slopes(on_t.u, on_t.over_step, splines);
+    pads_keep(splines, spot->by_t);
+    pads_spline_slopes(on_w.u, on_w.over_step, splines);
+    pads_keep(splines, spot->by_w);
+}
+
+/// `lean` of a table (pads/table.h) between its nodes, linear along both axes.
+VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
+    const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
+    const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
+    double id[VECTOR_LANES], row[VECTOR_LANES], column[VECTOR_LANES], corner[4][VECTOR_LANES];
+    memcpy(id, &table, sizeof id);
+    memcpy(row, &on_t.cell, sizeof row);
+    memcpy(column, &on_w.cell, sizeof column);
+    const pad_table *of = NULL;
+    for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
+        if (lane == 0 || id[lane] != id[lane - 1]) of = pad_table_of(id[lane]);
+        const float *near = &of->lean[(size_t)row[lane]][(size_t)column[lane]];
+        for (size_t i = 0; i < 4; i++) corner[i][lane] = (double)near[i / 2 * PAD_W_NODES + i % 2];
+    }
+    vec at[4];
+    memcpy(at, corner, sizeof at);
+    const vec low = v_fma(on_w.u, v_sub(at[1], at[0]), at[0]), high = v_fma(on_w.u, v_sub(at[3], at[2]), at[2]);
+    return v_fma(on_t.u, v_sub(high, low), low);
+}
+
+/// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
+enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
+
+/// Both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time, row by
+/// row: eight numbers of a row are one vector of the widest lanes, two to eight of narrower ones.
+VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec sums[][8]) {
+    enum { PARTS = 8 / VECTOR_LANES };
+    double begin[VECTOR_LANES], all[PADS_SUMS][VECTOR_LANES][8];
+    memcpy(begin, &cell, sizeof begin);
+    for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
+        const float *first = spot->first[lane] + 2 * (size_t)begin[lane];
+        vec w[4], by_w[4], sum[PADS_SUMS][PARTS];
+        VECTOR_FOR (j, 4) w[j] = v_set(spot->w[j][lane]);
+        if (sloped)
+            VECTOR_FOR (j, 4) by_w[j] = v_set(spot->by_w[j][lane]);
+        for (int kind = 0; kind < PADS_SUMS; kind++)
+            VECTOR_FOR (k, PARTS) sum[kind][k] = v_set(0.0);
+        VECTOR_FOR (i, 4) {
+            const float *from = first + i * PAD_SHEET;
+            const vec t = v_set(spot->t[i][lane]), by_t = v_set(sloped ? spot->by_t[i][lane] : 0.0);
+            VECTOR_FOR (k, PARTS) {
+                vec row[4];
+                VECTOR_FOR (j, 4) row[j] = v_load_floats(from + j * PAD_ROW + k * VECTOR_LANES);
+                const vec value = v_fma(w[3], row[3], v_fma(w[2], row[2], v_fma(w[1], row[1], v_mul(w[0], row[0]))));
+                sum[PADS_VALUE][k] = v_fma(t, value, sum[PADS_VALUE][k]);
+                if (!sloped) continue;
+                sum[PADS_BY_T][k] = v_fma(by_t, value, sum[PADS_BY_T][k]);
+                const vec slope =
+                    v_fma(by_w[3], row[3], v_fma(by_w[2], row[2], v_fma(by_w[1], row[1], v_mul(by_w[0], row[0]))));
+                sum[PADS_BY_W][k] = v_fma(t, slope, sum[PADS_BY_W][k]);
+            }
         }
-    for (int n = 0; n < 2; n++) {
-        memcpy(&sum[n], out[0][n], sizeof sum[n]);
-        for (int k = 0; slope && k < 3; k++) memcpy(&slope[n][k], out[k + 1][n], sizeof slope[n][k]);
-        if (slope) slope[n][2] = v_add(slope[n][2], slope[n][2]);
+        for (int kind = 0; kind < (sloped ? PADS_SUMS : 1); kind++)
+            memcpy(all[kind][lane], sum[kind], sizeof sum[kind]);
     }
+    for (int kind = 0; kind < (sloped ? PADS_SUMS : 1); kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
+}
+
+/// The two forces with weights of the four splines.
+VECTOR_INLINE void pads_weigh(const vec rows[8], const vec weight[4], vec force[2]) {
+    for (int n = 0; n < 2; n++)
+        force[n] = v_fma(weight[3], rows[6 + n],
+                         v_fma(weight[2], rows[4 + n], v_fma(weight[1], rows[2 + n], v_mul(weight[0], rows[n]))));
+}
+
+VECTOR_INLINE pads_axis pads_on_alpha(vec half) {
+    return pads_on_axis(v_add(half, half), -PAD_HALF_TURN, PAD_STEP_ALPHA, PAD_ALPHA_NODES);
+}
+
+/// V, half of alpha and 1/V of (a, b). The 2^-600 keeps a journal that neither turns nor moves before the pad from
+/// dividing by zero.
+VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
+    const vec square = v_fma(a, a, v_fma(b, b, v_set(0x1p-600)));
+    *over = v_mul(v_set(0.57735026918962576451), v_root_of_3_over(square));
+    *V = v_mul(square, *over);
+    const vec part = v_mul(v_set(0.5), *over);
+    *half = v_half_angle(v_mul(a, part), v_mul(b, part));
+}
+
+/// S of every lane.
+static inline void pads_look_up(vec table, vec t, vec w, vec half, vec force[2]) {
+    pads_spot spot;
+    vec rows[1][8], weight[4];
+    const pads_axis alpha = pads_on_alpha(half);
+    pads_find(table, t, w, false, &spot);
+    pads_sum(&spot, alpha.cell, false, rows);
+    pads_splines(alpha.u, weight);
+    pads_weigh(rows[PADS_VALUE], weight, force);
+}
+
+/// The same, and its derivatives by t, w and half the angle alpha, which are 0 beyond the table.
+static inline void pads_look_up_sloped(vec table, vec t, vec w, vec half, vec force[2], vec slope[2][3]) {
+    pads_spot spot;
+    vec rows[3][8], weight[4], turned[4], by[3][2];
+    const pads_axis alpha = pads_on_alpha(half);
+    pads_find(table, t, w, true, &spot);
+    pads_sum(&spot, alpha.cell, true, rows);
+    pads_splines(alpha.u, weight);
+    pads_spline_slopes(alpha.u, v_set(2.0 / PAD_STEP_ALPHA), turned);
+    pads_weigh(rows[PADS_VALUE], weight, force);
+    pads_weigh(rows[PADS_BY_T], weight, by[0]);
+    pads_weigh(rows[PADS_BY_W], weight, by[1]);
+    pads_weigh(rows[PADS_VALUE], turned, by[2]);
+    for (int n = 0; n < 2; n++)
+        for (int k = 0; k < 3; k++) slope[n][k] = by[k][n];
 }
 
 #endif

@@ -6,7 +6,7 @@
 #define KERNEL_NUMBERS PADS_NUMBERS
 #define KERNEL_SWITCHES 0
 
-#include "elements/pads_look_up.h"
+#include "elements/pads_balance.h"
 #include "generic.h"
 #include "pads_build.h"
 #include "registry.h"
@@ -17,12 +17,12 @@ const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 static const whirl_key keys[PADS_TILTING_KEYS] = {
     PADS_KEYS("tilting-4|tilting-5"),
-    [PADS_INERTIA] =
-        NUMBER_KEY("inertia", "I", "kg m2", REQUIRED, WHIRL_POSITIVE, "moment of inertia of a pad about its pivot"),
+    [PADS_INERTIA] = NUMBER_KEY("inertia", "I", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                                "moment of inertia of a pad about its pivot; 0: its film alone says how fast it tilts"),
     [PADS_SPRING] = NUMBER_KEY("tilt_stiffness", "k", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                "of a pivot against tilting: holds pads whose film carries nothing"),
-    [PADS_DAMPER] =
-        NUMBER_KEY("tilt_damping", "d", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "of a pivot against tilting"),
+    [PADS_DAMPER] = NUMBER_KEY("tilt_damping", "d", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                               "of a pivot against tilting; of pads without inertia at least 3e-4 mu R^3 L (R/c)^2/c"),
     [PADS_PIVOT] = NUMBER_KEY("pivot_stiffness", "k_p", "N/m", OPTIONAL, WHIRL_POSITIVE,
                               "of a pivot along the radius; rigid where absent"),
     [PADS_PIVOT_DAMPER] =

@@ -62,8 +62,8 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
     return whirl_fail(WHIRL_BAD_INPUT, "has pad %zu over pad %zu, expected pads beside each other", other + 1, one + 1);
 }
 
-/// The numbers of one pad, whose angles are those of a shaft that turns from x to y.
-static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, double *number) {
+/// The numbers of one pad, which may tilt without inertia, whose angles are those of a shaft that turns from x to y.
+static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, bool light, double *number) {
     const double lead = (0.5 - pad->offset) * pad->arc, middle = pad->pivot + lead;
     number[PAD_COSINE] = cos(middle);
     number[PAD_SINE] = sin(middle);
@@ -73,12 +73,13 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, dou
     number[PAD_ALONG_X] = sin(lead);
     number[PAD_ALONG_Y] = cos(lead);
     number[PAD_HALF_COSINE] = cos(0.5 * pad->arc);
-    number[PAD_HALF_SINE] = sin(0.5 * pad->arc);
+    number[PAD_OVER_HALF_SINE] = 1.0 / sin(0.5 * pad->arc);
     const pad_table_key key = {.arc = pad->arc,
                                .ratio = bearing->ratio,
                                .law = bearing->gumbel ? CAVITATION_GUMBEL : CAVITATION_REYNOLDS,
                                .turbulence = bearing->turbulence,
-                               .reynolds = bearing->reynolds};
+                               .reynolds = bearing->reynolds,
+                               .lead = light ? lead : 0.0};
     return pad_table_number(&key, &number[PAD_TABLE]);
 }
 
@@ -111,8 +112,20 @@ static double strength_of(const key_value *values, double viscosity, double spee
     return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
 }
 
-static void put_tilts(const key_value *values, const assembly *to, double strength, double *number) {
+/// Dampers of pads without inertia, whose films may carry nothing, damp at least so much: as a share of 2 times the
+/// scale of the film's moment, and so that a spring takes a pad back in no less than so many radians.
+static const double least_damper = 3e-4, soonest = 0.1;
+
+static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
     const double inertia = values[PADS_INERTIA].number, clock = to->clock, radius = values[PADS_RADIUS].number;
+    if (inertia == 0.0) {
+        const double over = values[PADS_CLEARANCE].number / (radius * radius * strength);
+        number[PADS_TILT_FORCE] = 1.0;
+        number[PADS_TILT_SPRING] = values[PADS_SPRING].number * over;
+        number[PADS_TILT_DAMPER] = fmax(values[PADS_DAMPER].number * clock * over,
+                                        fmax(least_damper, soonest * number[PADS_TILT_SPRING]) / turn);
+        return;
+    }
     number[PADS_TILT_FORCE] = radius * radius * strength / (values[PADS_CLEARANCE].number * inertia * clock * clock);
     number[PADS_TILT_SPRING] = values[PADS_SPRING].number / (inertia * clock * clock);
     number[PADS_TILT_DAMPER] = values[PADS_DAMPER].number / (inertia * clock);
@@ -129,7 +142,7 @@ static whirl_status put_yields(const key_value *values, const assembly *to, doub
     if (!values[PADS_MASS].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has pivot_stiffness without pad_mass, expected that of a pad, too");
     out->type = &tilting_pad_yielding_type;
-    out->states *= 2;
+    out->states += 2 * (size_t)out->law;
     out->number[PADS_YIELD_FORCE] = strength / (values[PADS_CLEARANCE].number * mass * clock * clock);
     out->number[PADS_YIELD_SPRING] = values[PADS_PIVOT].number / (mass * clock * clock);
     out->number[PADS_YIELD_DAMPER] = values[PADS_PIVOT_DAMPER].number / (mass * clock);
@@ -152,11 +165,12 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     if (status.code != WHIRL_OK) return status;
     const double turn = ratio * to->turn, sign = copysign(1.0, turn), speed = fabs(ratio * to->speed);
     const double reynolds = reynolds_of(values, speed);
+    const bool light = tilting && values[PADS_INERTIA].number == 0.0;
     bearing.reynolds = bearing.turbulence == WHIRL_LAMINAR ? 0.0 : nearest_table(reynolds);
     const double strength =
         strength_of(values, viscosity, speed) * to_the_table(values, reynolds, nearest_table(reynolds));
     out->law = (int)bearing.count;
-    out->states = tilting ? 2 * bearing.count : 0;
+    out->states = !tilting ? 0 : light ? bearing.count : 2 * bearing.count;
     out->number[PADS_OVER_CLEARANCE] = to->length / values[PADS_CLEARANCE].number;
     out->number[PADS_TWICE] = 2.0 / fabs(turn);
     out->number[PADS_SIGN] = sign;
@@ -165,9 +179,9 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
         // Usual shapes are told of shafts that turn from x to y: of others they are the mirror image.
         if (sign < 0.0 && values[PADS_SHAPE].given) pad.pivot = 3.14159265358979323846 - pad.pivot;
         pad.pivot = sign * (pad.pivot + values[PADS_TURNED].number);
-        status = put_pad(&bearing, &pad, out->number + PADS_FIRST + i * PAD_NUMBERS);
+        status = put_pad(&bearing, &pad, light, out->number + PADS_FIRST + i * PAD_NUMBERS);
     }
-    if (tilting) put_tilts(values, to, strength, out->number);
+    if (tilting) put_tilts(values, to, fabs(turn), strength, out->number);
     if (tilting && status.code == WHIRL_OK) status = put_yields(values, to, strength, out);
     for (size_t port = 0; port < 4; port++)
         out->number[PADS_NUMBERS + port] =
@@ -184,7 +198,7 @@ void pads_begin(const element *own, double *states) {
     const whirl_pad alone = {
         .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
     const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
-    for (size_t p = 0; p < (size_t)own->law; p++) states[2 * p] = tilt;
+    for (size_t p = 0; p < (size_t)own->law; p++) states[pads_are_light(own) ? p : 2 * p] = tilt;
 }
 
 void pads_note(const element *own, double length, double clock, char *text, size_t size) {

@@ -4,49 +4,44 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Nodes, and volumes of the films at them.
-enum { T_NODES = 28, W_NODES = 27, ALPHA_NODES = 48, AROUND_A_TURN = 128 };
+/// Volumes of the films at the nodes.
+enum { AROUND_A_TURN = 128 };
 
-static const double least_t = 0.14, most_t = 1.6, most_w = 0.92, two_pi = 6.28318530717958647693;
-
-static double largest_y(const pad_table *table, double x) {
-    return x >= table->cosine ? sqrt(1.0 - x * x) : (1.0 - x * table->cosine) / table->sine;
+static double largest_y(double arc, double x) {
+    const double cosine = cos(0.5 * arc);
+    return x >= cosine ? sqrt(1.0 - x * x) : (1.0 - x * cosine) / sin(0.5 * arc);
 }
 
-static double node(const pad_axis *axis, int i) {
-    return axis->first + axis->step * i;
-}
-
-static double *coefficient(const pad_table *table, int t, int w, int alpha) {
-    const int rows = table->w.count + 2, columns = table->alpha.count + 3;
-    return table->coefficients + 2 * (((size_t)(t * rows + w)) * (size_t)columns + (size_t)alpha);
+static double *coefficient(double *all, int t, int w, int alpha) {
+    return all + (size_t)t * PAD_SHEET + (size_t)w * PAD_ROW + 2 * (size_t)alpha;
 }
 
 // ---------------------------------------------------------------- values
 
 /// S at the nodes of one t and w, at all alphas.
-static whirl_status fill_nodes(pad_table *table, const pad_film *film, pad_workspace *work, int t, int w) {
-    const double thickness = pow(node(&table->t, t), 2.0), x = 1.0 - thickness, own = node(&table->w, w);
+static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace *work, int t, int w) {
+    const double thickness = pow(PAD_LEAST_T + PAD_STEP_T * t, 2.0), x = 1.0 - thickness,
+                 own = PAD_STEP_W * w - PAD_MOST_W;
     const double v = 2.0 * own / (1.0 + own * own), scale = (1.0 - v * v) * thickness * thickness;
-    const double y = v * largest_y(table, x);
-    for (int k = 0; k < table->alpha.count; k++) {
-        const double alpha = node(&table->alpha, k);
+    const double y = v * largest_y(film->arc, x);
+    for (int k = 0; k < PAD_ALPHA_NODES; k++) {
+        const double alpha = PAD_STEP_ALPHA * k - PAD_HALF_TURN;
         const pad_place at = {.x = x, .y = y, .a = cos(alpha), .b = sin(alpha)};
         pad_answer answer;
         const whirl_status status = pad_solve(work, film, &at, &answer);
         if (status.code != WHIRL_OK) return status;
-        for (int i = 0; i < 2; i++) coefficient(table, t + 1, w + 1, k + 1)[i] = scale * answer.force[i];
+        for (int i = 0; i < 2; i++) coefficient(all, t + 1, w + 1, k + 1)[i] = scale * answer.force[i];
     }
     return whirl_ok();
 }
 
 /// The pad is its own mirror image: with y and A the force along it changes its sign, and alpha becomes pi - alpha.
-static void mirror_nodes(pad_table *table, int t, int w) {
-    const int other = table->w.count - 1 - w, count = table->alpha.count;
+static void mirror_nodes(double *all, int t, int w) {
+    const int other = PAD_W_NODES - 1 - w, count = PAD_ALPHA_NODES;
     for (int k = 0; k < count; k++) {
-        const double *value = coefficient(table, t + 1, w + 1, (count + count / 2 - k) % count + 1);
+        const double *value = coefficient(all, t + 1, w + 1, (count + count / 2 - k) % count + 1);
         const double along = value[1];
-        double *image = coefficient(table, t + 1, other + 1, k + 1);
+        double *image = coefficient(all, t + 1, other + 1, k + 1);
         if (other == w) continue;
         image[0] = value[0];
         image[1] = -along;
@@ -91,61 +86,35 @@ static void spline(double *c, int count, size_t stride, bool periodic, double *w
     c[(size_t)(count + 2) * stride] = far[1];
 }
 
-static void make_splines(pad_table *table, double *work) {
-    const int t = table->t.count, w = table->w.count, alpha = table->alpha.count;
-    const size_t along_alpha = 2, along_w = 2 * (size_t)(alpha + 3), along_t = along_w * (size_t)(w + 2);
-    for (int i = 1; i <= t; i++)
-        for (int j = 1; j <= w; j++)
-            for (int k = 0; k < 2; k++) spline(coefficient(table, i, j, 0) + k, alpha, along_alpha, true, work);
-    for (int i = 1; i <= t; i++)
-        for (size_t k = 0; k < along_w; k++) spline(coefficient(table, i, 0, 0) + k, w, along_w, false, work);
-    for (size_t k = 0; k < along_t; k++) spline(table->coefficients + k, t, along_t, false, work);
+static void make_splines(double *all, double *work) {
+    for (int i = 1; i <= PAD_T_NODES; i++)
+        for (int j = 1; j <= PAD_W_NODES; j++)
+            for (int k = 0; k < 2; k++) spline(coefficient(all, i, j, 0) + k, PAD_ALPHA_NODES, 2, true, work);
+    for (int i = 1; i <= PAD_T_NODES; i++)
+        for (int k = 0; k < PAD_ROW; k++) spline(coefficient(all, i, 0, 0) + k, PAD_W_NODES, PAD_ROW, false, work);
+    for (int k = 0; k < PAD_SHEET; k++) spline(all + k, PAD_T_NODES, PAD_SHEET, false, work);
 }
 
 // ---------------------------------------------------------------- the whole
 
-void pad_table_free(pad_table *table) {
-    if (table) free(table->coefficients);
-    free(table);
-}
-
-size_t pad_table_size(const pad_table *table) {
-    return 2 * (size_t)(table->t.count + 2) * (size_t)(table->w.count + 2) * (size_t)(table->alpha.count + 3);
-}
-
-pad_table *pad_table_empty(double arc) {
-    pad_table *table = calloc(1, sizeof *table);
-    if (!table) return NULL;
-    *table = (pad_table){.cosine = cos(0.5 * arc),
-                         .sine = sin(0.5 * arc),
-                         .t = {least_t, (most_t - least_t) / (T_NODES - 1), T_NODES},
-                         .w = {-most_w, 2.0 * most_w / (W_NODES - 1), W_NODES},
-                         .alpha = {-0.5 * two_pi, two_pi / ALPHA_NODES, ALPHA_NODES}};
-    table->coefficients = calloc(pad_table_size(table), sizeof *table->coefficients);
-    if (table->coefficients) return table;
-    free(table);
-    return NULL;
-}
-
-static whirl_status fill(pad_table *table, const pad_film *film) {
+/// Coefficients in place of values, with more digits than the table has.
+static whirl_status fill(double *all, const pad_film *film) {
+    double *lines = all + PAD_COEFFICIENTS;
     pad_workspace *work;
-    double *lines = malloc(4 * (size_t)ALPHA_NODES * sizeof *lines);
     whirl_status status = pad_workspace_new(film->around, film->along, &work);
-    if (status.code == WHIRL_OK && !lines) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    for (int t = 0; t < T_NODES && status.code == WHIRL_OK; t++)
-        for (int w = W_NODES / 2; w < W_NODES && status.code == WHIRL_OK; w++) {
-            status = fill_nodes(table, film, work, t, w);
-            if (status.code == WHIRL_OK) mirror_nodes(table, t, w);
+    for (int t = 0; t < PAD_T_NODES && status.code == WHIRL_OK; t++)
+        for (int w = PAD_W_NODES / 2; w < PAD_W_NODES && status.code == WHIRL_OK; w++) {
+            status = fill_nodes(all, film, work, t, w);
+            if (status.code == WHIRL_OK) mirror_nodes(all, t, w);
         }
-    if (status.code == WHIRL_OK) make_splines(table, lines);
+    if (status.code == WHIRL_OK) make_splines(all, lines);
     pad_workspace_free(work);
-    free(lines);
     return status;
 }
 
 /// The grid of a table: half as long as it is wide, or longer, a pad needs more volumes along it.
 static pad_film film_of(const pad_table_key *key) {
-    const int around = 16 * (int)ceil(key->arc / two_pi * AROUND_A_TURN / 16.0), least = 64;
+    const int around = 16 * (int)ceil(key->arc / (2.0 * PAD_HALF_TURN) * AROUND_A_TURN / 16.0), least = 64;
     const double along = 4.0 * ceil(4.0 * key->ratio / key->arc);
     return (pad_film){.arc = key->arc,
                       .ratio = key->ratio,
@@ -157,11 +126,70 @@ static pad_film film_of(const pad_table_key *key) {
 }
 
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
+    enum { LINES = 4 * PAD_ALPHA_NODES };
     const pad_film film = film_of(key);
-    pad_table *table = pad_table_empty(key->arc);
-    const whirl_status status =
-        table ? fill(table, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    *out = status.code == WHIRL_OK ? table : NULL;
-    if (status.code != WHIRL_OK) pad_table_free(table);
+    double *all = calloc(PAD_COEFFICIENTS + LINES, sizeof *all);
+    pad_table *table = malloc(sizeof *table);
+    whirl_status status =
+        all && table ? fill(all, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
+    for (size_t i = 0; i < PAD_COEFFICIENTS && status.code == WHIRL_OK; i++) table->coefficients[i] = (float)all[i];
+    if (status.code != WHIRL_OK) {
+        free(table);
+        table = NULL;
+    }
+    free(all);
+    *out = table;
     return status;
+}
+
+// ---------------------------------------------------------------- pads that tilt freely
+
+/// The force along the pad by the spline along alpha.
+static double along_alpha(const double line[PAD_ROW], double alpha, const double along[2]) {
+    const double place = (alpha + PAD_HALF_TURN) / PAD_STEP_ALPHA + PAD_ALPHA_NODES;
+    const int cell = (int)place % PAD_ALPHA_NODES;
+    const double u = place - floor(place), m = 1.0 - u;
+    const double weight[] = {m * m * m / 6.0, 2.0 / 3.0 + u * u * (0.5 * u - 1.0), 2.0 / 3.0 + m * m * (0.5 * m - 1.0),
+                             u * u * u / 6.0};
+    double sum = 0.0;
+    for (int k = 0; k < 4; k++)
+        for (int n = 0; n < 2; n++) sum += weight[k] * along[n] * line[2 * (cell + k) + n];
+    return sum;
+}
+
+/// Coefficients along alpha at a node of t and w.
+static void line_of(const pad_table *table, int t, int w, double line[PAD_ROW]) {
+    static const double at_node[] = {1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0};
+    for (int k = 0; k < PAD_ROW; k++) {
+        line[k] = 0.0;
+        for (int i = 0; i < 9; i++)
+            line[k] += at_node[i / 3] * at_node[i % 3] *
+                       (double)table->coefficients[(t + i / 3) * PAD_SHEET + (w + i % 3) * PAD_ROW + k];
+    }
+}
+
+/// Of (p, r) = (cos, sin) of an angle: the steepest place where the moment, which grows with r, changes its sign.
+static double lean_of(const double line[PAD_ROW], double lead) {
+    enum { LOOKS = 64 };
+    const double along[] = {sin(lead), cos(lead)}, step = PAD_HALF_TURN / LOOKS;
+    double steepest = 0.0, found = 0.0, before = 0.0;
+    for (int k = 0; k <= LOOKS; k++) {
+        const double angle = step * k - 0.5 * PAD_HALF_TURN;
+        const double moment = along_alpha(line, 0.5 * PAD_HALF_TURN - lead - angle, along);
+        if (k > 0 && before < 0.0 && moment > 0.0 && moment - before > steepest) {
+            steepest = moment - before;
+            found = angle - step * moment / steepest;
+        }
+        before = moment;
+    }
+    return fmin(fmax(tan(found), -20.0), 20.0);
+}
+
+void pad_table_lean(pad_table *table, double lead) {
+    double line[PAD_ROW];
+    for (int t = 0; t < PAD_T_NODES; t++)
+        for (int w = 0; w < PAD_W_NODES; w++) {
+            line_of(table, t, w, line);
+            table->lean[t][w] = (float)lean_of(line, lead);
+        }
 }

@@ -21,29 +21,38 @@ typedef struct pad_table_key {
     cavitation law;
     whirl_turbulence turbulence;
     double reynolds; ///< as in pad_film; 0 of laminar ones
+    double lead;     ///< of a pad that tilts without inertia: by how much its pivot lies before its middle; else 0
 } pad_table_key;
 
-/// An axis of nodes.
-typedef struct pad_axis {
-    double first, step;
-    int count;
-} pad_axis;
+/// Nodes along t, w and alpha, the same of all tables; numbers of one t and w, of one t, and of a whole table.
+enum {
+    PAD_T_NODES = 28,
+    PAD_W_NODES = 27,
+    PAD_ALPHA_NODES = 48,
+    PAD_ROW = 2 * (PAD_ALPHA_NODES + 3),
+    PAD_SHEET = PAD_ROW * (PAD_W_NODES + 2),
+    PAD_COEFFICIENTS = PAD_SHEET * (PAD_T_NODES + 2)
+};
+#define PAD_LEAST_T 0.14
+#define PAD_STEP_T (1.46 / (PAD_T_NODES - 1))
+#define PAD_MOST_W 0.92
+#define PAD_STEP_W (2.0 * PAD_MOST_W / (PAD_W_NODES - 1))
+#define PAD_HALF_TURN 3.14159265358979323846
+#define PAD_STEP_ALPHA (2.0 * PAD_HALF_TURN / PAD_ALPHA_NODES)
 
+/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: by 6e-8 of a force they are rounded,
+/// which is as smooth as they are. Of a pad that tilts freely, about where its film has no moment about the pivot:
+/// r/p at the nodes of t and w (elements/pads_balance.h).
 typedef struct pad_table {
-    double cosine, sine; ///< of half the arc
-    pad_axis t, w, alpha;
-    double *coefficients; ///< [t.count + 2][w.count + 2][alpha.count + 3][2] of B-splines
+    float coefficients[PAD_COEFFICIENTS];
+    float lean[PAD_T_NODES][PAD_W_NODES];
 } pad_table;
 
-/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed by pad_table_free.
-/// Errors as pad_solve.
+/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed. Errors as
+/// pad_solve.
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
-void pad_table_free(pad_table *table);
 
-/// One whose coefficients are 0; NULL without memory.
-pad_table *pad_table_empty(double arc);
-
-/// Numbers of its coefficients.
-size_t pad_table_size(const pad_table *table);
+/// Fills in `lean` of a pad whose pivot lies `lead` before its middle.
+void pad_table_lean(pad_table *table, double lead);
 
 #endif

@@ -12,7 +12,7 @@
 #include "lock.h"
 
 /// Of the file: another number where nodes or the solution change.
-enum { FORMAT = 2, PATH_LENGTH = 1024 };
+enum { FORMAT = 3, PATH_LENGTH = 1024 };
 
 static lock guard = LOCK_OPEN;
 static _Atomic(const pad_table *) tables[MAX_PAD_TABLES];
@@ -29,11 +29,11 @@ typedef struct file_head {
     uint64_t count, checksum;
 } file_head;
 
-/// Fowler, Noll, Vo 1991 over words of 64 bits.
-static uint64_t checksum(const double *at, size_t count) {
+/// Fowler, Noll, Vo 1991 over words of 32 bits.
+static uint64_t checksum(const float *at, size_t count) {
     uint64_t sum = 14695981039346656037u;
     for (size_t i = 0; i < count; i++) {
-        uint64_t word;
+        uint32_t word;
         memcpy(&word, &at[i], sizeof word);
         sum = (sum ^ word) * 1099511628211u;
         sum ^= sum >> 29;
@@ -67,15 +67,14 @@ static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
 }
 
 static file_head head_of(const pad_table_key *key, const pad_table *table) {
-    const size_t count = pad_table_size(table);
     file_head head = {.format = FORMAT,
                       .law = (int32_t)key->law,
                       .turbulence = (int32_t)key->turbulence,
                       .arc = key->arc,
                       .ratio = key->ratio,
                       .reynolds = key->reynolds,
-                      .count = count,
-                      .checksum = checksum(table->coefficients, count)};
+                      .count = PAD_COEFFICIENTS,
+                      .checksum = checksum(table->coefficients, PAD_COEFFICIENTS)};
     memcpy(head.magic, "whirlpad", sizeof head.magic);
     return head;
 }
@@ -86,16 +85,16 @@ static pad_table *read_table(const pad_table_key *key) {
     file_head head, own;
     if (!file_of(key, path)) return NULL;
     FILE *in = fopen(path, "rb");
-    pad_table *table = in ? pad_table_empty(key->arc) : NULL;
+    pad_table *table = in ? malloc(sizeof *table) : NULL;
     bool good = table && fread(&head, sizeof head, 1, in) == 1 &&
-                fread(table->coefficients, sizeof(double), pad_table_size(table), in) == pad_table_size(table);
+                fread(table->coefficients, sizeof(float), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
     if (good) {
         own = head_of(key, table);
         good = memcmp(&head, &own, sizeof head) == 0;
     }
     if (in) fclose(in);
     if (good) return table;
-    pad_table_free(table);
+    free(table);
     return NULL;
 }
 
@@ -118,7 +117,7 @@ static void write_table(const pad_table_key *key, const pad_table *table) {
     if (!out) return;
     const file_head head = head_of(key, table);
     bool good = fwrite(&head, sizeof head, 1, out) == 1 &&
-                fwrite(table->coefficients, sizeof(double), head.count, out) == head.count;
+                fwrite(table->coefficients, sizeof(float), head.count, out) == head.count;
     good = fclose(out) == 0 && good;
     if (!good || rename(part, path) != 0) (void)remove(part);
 }
@@ -127,7 +126,7 @@ static void write_table(const pad_table_key *key, const pad_table *table) {
 
 static bool same(const pad_table_key *one, const pad_table_key *other) {
     return one->arc == other->arc && one->ratio == other->ratio && one->law == other->law &&
-           one->turbulence == other->turbulence && one->reynolds == other->reynolds;
+           one->turbulence == other->turbulence && one->reynolds == other->reynolds && one->lead == other->lead;
 }
 
 whirl_status pad_table_number(const pad_table_key *key, double *number) {
@@ -151,22 +150,27 @@ pad_table_key pad_table_key_of(double number) {
     return key;
 }
 
-/// One of not-a-numbers, of two nodes along every axis.
+/// One of not-a-numbers.
 static const pad_table *no_table(void) {
-    static double none[2 * 4 * 4 * 5];
-    static const pad_table table = {
-        .sine = 1.0, .t = {0.0, 1.0, 2}, .w = {0.0, 1.0, 2}, .alpha = {0.0, 1.0, 2}, .coefficients = none};
-    for (size_t i = 0; i < sizeof none / sizeof *none && !isnan(none[i]); i++) none[i] = (double)NAN;
+    static pad_table table;
+    for (size_t i = 0; i < PAD_COEFFICIENTS && !isnan(table.coefficients[i]); i++) table.coefficients[i] = NAN;
     return &table;
 }
 
+static bool is_finite(const pad_table *table) {
+    size_t i = 0;
+    while (i < PAD_COEFFICIENTS && isfinite(table->coefficients[i])) i++;
+    return i == PAD_COEFFICIENTS;
+}
+
+/// One that is not finite is told as diverged, and not kept.
 static const pad_table *make_table(const pad_table_key *key) {
     pad_table *table = read_table(key);
-    if (table) return table;
-    if (pad_table_new(key, &table).code != WHIRL_OK) return no_table();
-    for (size_t i = 0; i < pad_table_size(table); i++)
-        if (!isfinite(table->coefficients[i])) return table; // told as diverged, and not kept
-    write_table(key, table);
+    if (!table) {
+        if (pad_table_new(key, &table).code != WHIRL_OK) return no_table();
+        if (is_finite(table)) write_table(key, table);
+    }
+    pad_table_lean(table, key->lead);
     return table;
 }
 

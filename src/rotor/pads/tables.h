@@ -13,8 +13,7 @@ whirl_status pad_table_number(const pad_table_key *key, double *number);
 pad_table_key pad_table_key_of(double number);
 
 /// The table of a number. Where it is asked for first it is read from the user's cache folder ($XDG_CACHE_HOME/whirl,
-/// or
-/// ~/.cache/whirl) if it is whole there, else it is made, which takes seconds, and left there. Not-a-numbers where
+/// or ~/.cache/whirl) if it is whole there, else it is made, which takes seconds, and left there. Not-a-numbers where
 /// there is no memory for it: what moves by it diverges.
 const pad_table *pad_table_of(double number);
 
