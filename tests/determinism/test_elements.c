@@ -45,6 +45,10 @@ static const char *const elements[] = {
     "radius: 25 mm, length: 25 mm}",
     "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
     "radius: 25 mm, length: 25 mm, inertia: 1e-4 kg m2}",
+    "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm, tilt_stiffness: 10 N.m/rad}",
+    "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm, tilt_stiffness: 10 N.m/rad, pivot_stiffness: 1e7, pad_mass: 0.2}",
     TILTING "coupling: {between: [rotor, stator], radial: 1e5, tilt: 900, face_kink: 1 mrad, bore_offset: 10 um}\n"
             "    - coupling_load: {between: [rotor, stator], distance: 50 mm, x1: 0.1 mm, y2: 0.3 mm, torque: 200, "
             "bending_stiffness: 150, orders: [1, 0.5, 0.25, 0.2, 0.1], phase: 0.4}\n"

@@ -82,16 +82,17 @@ def test_fixed_pads(row):
     assert growth == pytest.approx(slowest.real, abs=0.01 * abs(slowest))
 
 
-def test_tilting_pads():
-    """Five pads of small inertia, load between pads: the unbalance response is that of the reduced coefficients at the
-    whirl ratio 1, to 1 %; so are motions."""
+@pytest.mark.parametrize("keys, method", [("inertia: 1e-5 kg m2", "rodas5p"), ("count: 1", "dop853")])
+def test_tilting_pads(keys, method):
+    """Five pads of small inertia, and of none, load between pads: the unbalance response is that of the reduced
+    coefficients at the whirl ratio 1, to 1 %; so are motions."""
     load, reduced = 1 / (np.pi * 0.5), ((6.47468, 7.60997), (7.40401, 8.13164))
-    study = """  unbalance: {}
-  response: {}
-  integrate: {method: rodas5p, transient: 30, record: 4}
+    study = f"""  unbalance: {{}}
+  response: {{}}
+  integrate: {{method: {method}, transient: 30, record: 4}}
   analyze: [poincare, regime, spectrum]
 """
-    mass, result = run("tilting_pad", "shape: tilting-5, preload: 0.5, inertia: 1e-5 kg m2", 0.5, load, study)
+    mass, result = run("tilting_pad", f"shape: tilting-5, preload: 0.5, {keys}", 0.5, load, study)
     weight = mass * GRAVITY
     k, c = (np.array(one) * weight / CLEARANCE for one in reduced)
     force = 1e-4 * mass * CLEARANCE * SPEED**2
@@ -111,10 +112,11 @@ def test_every_usual_bearing_rests_as_by_itself(shape):
     assert np.squeeze(result["modes"]["modes/rest"]) * 1e-4 == pytest.approx(alone.place[0], abs=2e-3 * CLEARANCE)
 
 
-def test_pivots_that_yield():
+@pytest.mark.parametrize("inertia", [1e-4, 0])
+def test_pivots_that_yield(inertia):
     """Beside the coefficients of the bearing by itself, which are condensed: the response to unbalance, a motion; and
     very stiff pivots beside rigid ones."""
-    load, keys = 1 / (np.pi * 0.5), "shape: tilting-5, preload: 0.5, inertia: 1e-4 kg m2"
+    load, keys = 1 / (np.pi * 0.5), f"shape: tilting-5, preload: 0.5, inertia: {inertia} kg m2"
     pivot = {"pivot_stiffness": 2e8, "pivot_damping": 2e4, "pad_mass": 0.8}
     study = """  unbalance: {}
   response: {}
@@ -125,7 +127,7 @@ def test_pivots_that_yield():
     mass, result = run("tilting_pad", f"{keys}, {said}", 0.5, load, study)
     file = {"kind": "tilting-5", "preload": 0.5, "radius": RADIUS, "length": RADIUS, "pad_clearance": CLEARANCE}
     file |= {"viscosity": VISCOSITY, "speed": SPEED, "load": mass * GRAVITY, "pad_inertia": 1e-4}
-    alone = whirl.bearing({**file, **pivot})
+    alone = whirl.bearing({**file, **pivot})  # of the inertia 1e-4, which films make of no consequence
     force = 1e-4 * mass * CLEARANCE * SPEED**2
     z = np.diag(alone.stiffness[0]) + 1j * SPEED * np.diag(alone.damping[0]) - mass * SPEED**2
     expected = np.abs(force / z) / CLEARANCE
@@ -135,6 +137,19 @@ def test_pivots_that_yield():
     stiff = run("tilting_pad", f"{keys}, pivot_stiffness: 1e15, pad_mass: 0.8", 0.5, load, "  unbalance: {}")[1]
     assert np.squeeze(stiff["unbalance"]["unbalance/amplitude"]) == pytest.approx(rigid, rel=1e-6)
     assert abs(expected / rigid[:2] - 1).max() > 0.1  # and these are not rigid
+
+
+def test_without_inertia_all_else():
+    """Turbulent films on pivots that yield, of pads with hardly any inertia and with none: rest and response."""
+    oil = "density: 4000 kg/m3, turbulence: ng-pan, pivot_stiffness: 2e8, pivot_damping: 2e4, pad_mass: 0.8"
+    keys, rests = f"shape: tilting-5, preload: 0.5, tilt_stiffness: 20 N.m/rad, {oil}", {}
+    for inertia in (1e-6, 0):
+        found = run("tilting_pad", f"{keys}, inertia: {inertia} kg m2", 0.5, 1 / np.pi, "  modes: {}\n  unbalance: {}")[
+            1
+        ]
+        rests[inertia] = [found["modes"]["modes/rest"], found["unbalance"]["unbalance/amplitude"]]
+    for one, other in zip(*rests.values()):
+        assert np.squeeze(other)[:2] == pytest.approx(np.squeeze(one)[:2], rel=1e-3, abs=1e-9)
 
 
 def test_turbulent_pads():
@@ -199,6 +214,33 @@ study:
     assert np.array_equal(own, told) and not np.allclose(own, other, atol=1e-6)
     with pytest.raises(whirl.Error, match="has its pads on a shaft that turns"):
         modes(150, 2, shape, "    - pad_bearing" + film[10:].replace("law: finite", shape) + "}")
+
+
+TRANSIENT = """  response: {{}}
+  integrate: {{method: {method}, rtol: 1e-7, transient: 0, record: 1, settle: no}}
+  initial: {{journal: {{x: 0.2, y: 0.3}}}}
+  analyze: [poincare]
+"""
+
+
+@pytest.mark.parametrize("keys", ["tilt_stiffness: 20 N.m/rad", "offset: 0.6", "tilt_damping: 0.4 N.m.s/rad"])
+def test_without_inertia(keys):
+    """A journal that is let go falls among its pads, some of which are unloaded then: its motion without inertia is
+    that with a hundredth of a pad's, by both methods: to 2e-4 of the clearance, which the least damper of pads without
+    inertia makes, and to 2e-6 where they are damped more.
+    """
+    load, ends = 1 / (np.pi * 0.5), {}
+    shape = "shape: tilting-5"
+    if keys.startswith("offset"):
+        shape = "pivots: [18 deg, 90 deg, 162 deg, 234 deg, 306 deg], arc: 60 deg"
+    for inertia, method in ((0, "dop853"), (0, "rodas5p"), (1e-6, "rodas5p")):
+        study = TRANSIENT.format(method=method)
+        _, result = run("tilting_pad", f"{shape}, preload: 0.4, {keys}, inertia: {inertia} kg m2", 0.5, load, study)
+        ends[inertia, method] = np.squeeze(result["response"]["poincare/section"])[:2]
+    assert ends[0, "rodas5p"] == pytest.approx(ends[0, "dop853"], abs=1e-6)
+    assert ends[1e-6, "rodas5p"] == pytest.approx(
+        ends[0, "dop853"], abs=2e-4 if keys.startswith(("tilt_s", "off")) else 2e-6
+    )
 
 
 def test_what_is_wrong():

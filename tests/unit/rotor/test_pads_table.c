@@ -1,0 +1,120 @@
+// The tables of pads beside the films themselves at random places, and how smooth they are.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "elements/pads_look_up.h"
+
+static const double pi = 3.14159265358979323846;
+
+enum { PLACES = 500, ROUND = 6 };
+
+/// 0 to 1, the same every time: Park and Miller 1988.
+static double next(void) {
+    static uint64_t seed = 1;
+    seed = seed * 16807 % 2147483647;
+    return (double)seed / 2147483647.0;
+}
+
+/// The force of the table at a place.
+static void look(double table, const pad_place *at, double arc, double force[2]) {
+    const double cosine = cos(0.5 * arc), thickness = 1.0 - at->x;
+    const double most = at->x < cosine ? (1.0 - cosine * at->x) / sin(0.5 * arc) : sqrt(1.0 - at->x * at->x);
+    const double v = at->y / most, w = v / (1.0 + sqrt(1.0 - v * v));
+    vec V, half, over;
+    pads_polar(at->a, at->b, &V, &half, &over);
+    pads_look_up(table, sqrt(thickness), w, half, force);
+    for (int n = 0; n < 2; n++) force[n] *= V / ((1.0 - v * v) * thickness * thickness);
+}
+
+static int rising(const void *one, const void *other) {
+    const double a = *(const double *)one, b = *(const double *)other;
+    return a < b ? -1 : a > b;
+}
+
+/// Errors over the largest force at a place, in any direction, that a pad has where its journal may be.
+static void errors(const pad_film *film, double preload, double tilt, double found[PLACES]) {
+    const pad_table_key key = {.arc = film->arc, .ratio = film->ratio, .law = film->law};
+    pad_workspace *work;
+    double table;
+    assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
+    assert_int_equal(pad_workspace_new(film->around, film->along, &work).code, WHIRL_OK);
+    for (int n = 0; n < PLACES;) {
+        const double r = 0.95 * (1.0 - preload) * sqrt(next()), angle = 2.0 * pi * next(), alpha = 2.0 * pi * next();
+        pad_place at = {r * cos(angle) + preload, r * sin(angle) - tilt * (2.0 * next() - 1.0), cos(alpha), sin(alpha)};
+        pad_answer answer;
+        double largest = 0.0, force[2];
+        if (pad_solve(work, film, &at, &answer).code != WHIRL_OK) continue; // it would touch
+        look(table, &at, film->arc, force);
+        for (int k = 0; k < ROUND; k++) {
+            double other[2];
+            at.a = cos(2.0 * pi * k / ROUND);
+            at.b = sin(2.0 * pi * k / ROUND);
+            look(table, &at, film->arc, other);
+            largest = fmax(largest, hypot(other[0], other[1]));
+        }
+        found[n++] = hypot(force[0] - answer.force[0], force[1] - answer.force[1]) / largest;
+    }
+    pad_workspace_free(work);
+    qsort(found, PLACES, sizeof *found, rising);
+}
+
+static void test_errors(void **state) {
+    // Of a pad of a tilting-pad bearing, and of half an elliptical one; on twice the mesh of the table and more.
+    static const struct {
+        pad_film film;
+        double preload, tilt, worst;
+    } pads[] = {{{.arc = 1.04719755119659774615, .ratio = 0.5, .law = CAVITATION_REYNOLDS, .around = 128, .along = 16},
+                 0.4,
+                 0.3,
+                 1.2e-2},
+                {{.arc = 2.79252680319092716487, .ratio = 0.5, .law = CAVITATION_REYNOLDS, .around = 192, .along = 16},
+                 0.5,
+                 0.0,
+                 1.2e-2}};
+    (void)state;
+    for (size_t i = 0; i < sizeof pads / sizeof *pads; i++) {
+        double found[PLACES];
+        errors(&pads[i].film, pads[i].preload, pads[i].tilt, found);
+        const double most = found[PLACES * 95 / 100], worst = found[PLACES - 1];
+        print_message("pad of %.0f degrees: median %.1e, 95 %% below %.1e, worst %.1e\n", pads[i].film.arc * 180.0 / pi,
+                      found[PLACES / 2], most, worst);
+        assert_true(most < 1e-3);
+        assert_true(worst < pads[i].worst);
+    }
+}
+
+/// Second differences of the force across nodes do not jump: the spline has two continuous derivatives.
+static void test_smooth(void **state) {
+    const pad_table_key key = {.arc = 1.04719755119659774615, .ratio = 0.5, .law = CAVITATION_REYNOLDS};
+    const double step = 1e-6;
+    double table;
+    (void)state;
+    assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
+    for (int axis = 0; axis < 3; axis++) {
+        const double node[] = {PAD_LEAST_T + 9 * PAD_STEP_T, 3 * PAD_STEP_W, 5 * PAD_STEP_ALPHA};
+        double force[7][2];
+        for (int k = 0; k < 7; k++) {
+            double at[] = {0.8, 0.1, 0.5};
+            at[axis] = node[axis] + step * (k - 3);
+            pads_look_up(table, at[0], at[1], 0.5 * at[2], force[k]);
+        }
+        for (int n = 0; n < 2; n++) {
+            const double before = force[0][n] - 2.0 * force[1][n] + force[2][n];
+            const double after = force[4][n] - 2.0 * force[5][n] + force[6][n];
+            // Third derivatives are some 1e3 at most; second ones, which must not jump, some 10.
+            assert_true(fabs(after - before) < 4.0 * step * step * step * 1e4 + 4e-15);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_errors), cmocka_unit_test(test_smooth)};
+    return cmocka_run_group_tests_name("tables of pads", tests, NULL, NULL);
+}
