@@ -767,6 +767,81 @@ def measure_overhung(options):
                            check=check, modes=run)
 
 
+PADS = """
+## Bearings of pads
+
+Ten journals, each by itself in a bearing (`bench/pads.h`), RK4 in 1024 steps per revolution: five tilting pads with
+inertia, whose films are tables, as whirl and as straightforward C have them; x of a journal after 20 revolutions agrees
+to 1e-9. By processor time of one core, the best of {rounds} alternating rounds; load average {before:.2f} before,
+{after:.2f} after.
+
+{table}
+
+{sentences}
+
+- *C*: `bench/pads_straightforward.c`, one machine, the same numbers of the table, read from a file.
+- *none* has no bearing: what it takes is taken off where the cost of a film is told.
+
+`bench/pads.yaml`, a rotor with two bearings of five tilting pads and a rub, 256 speeds and 300 revolutions by dop853 at
+rtol 1e-6, takes `whirl run` {study:.3g} s of processor time: {half:.3g} s on two cores (aim: 30 s).
+"""
+
+
+def pads_programs(build, table):
+    found = []
+    add = adder(build, found)
+    for isa in INSTRUCTION_SETS:
+        add(f"whirl {isa}, pads", "bench_whirl_pads", isa=isa)
+    add("C -O3, pads", "bench_pads_c", table)
+    add(f"{BASE}, pads", "bench_pads_c_fast", table)
+    return found
+
+
+PADS_TILTING = "five tilting pads"
+PADS_FILMS = {"short film": 10, "finite film": 10, "five fixed pads": 50, PADS_TILTING: 50,
+              "five tilting pads without inertia": 50}
+
+
+def pads_costs(rates, isa):
+    """Nanoseconds a film and machine, by the kind of bearing: of four forces a step."""
+    seconds = {kind: 1 / rates[f"whirl {isa}, {kind}"] for kind in ["none", *PADS_FILMS]}
+    return {kind: 1e9 * (seconds[kind] - seconds["none"]) / (4 * films) for kind, films in PADS_FILMS.items()}
+
+
+def pads_sentences(rates):
+    widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa}, {PADS_TILTING}" in rates)
+    costs, own = pads_costs(rates, widest), rates[f"whirl {widest}, {PADS_TILTING}"]
+    films = ", ".join(f"{kind} {short(cost)} ({cost / costs['short film']:.1f})" for kind, cost in costs.items())
+    return [f"- A film costs a machine of the {widest} kernel, in ns (of a short film; aims: finite 2.2, a pad 5): {films}.",
+            f"- Five tilting pads, of straightforward C (aim: 10): {own / rates['C -O3']:.1f} times -O3, "
+            f"{own / rates[BASE]:.1f} times -O3 -march=native -ffast-math."]
+
+
+def measure_pads(options):
+    before = os.getloadavg()[0]
+    with tempfile.TemporaryDirectory() as folder:
+        table, out = os.path.join(folder, "table"), os.path.join(folder, "pads.h5")
+        subprocess.run([str(options.build / "bench" / "bench_pads_table"), table], check=True)
+        best, ends = measure_rounds(pads_programs(options.build, table), options)
+        used = []
+        for _ in range(options.study_rounds):
+            start = processor_seconds_of_children()
+            subprocess.run([str(options.build / "whirl"), "run", str(HERE / "pads.yaml"), "-q", "--threads=2", "--force",
+                            "-o", out], check=True)
+            used.append(processor_seconds_of_children() - start)
+    rates = {name.removeprefix("pads: "): rate for name, rate in best.items()}
+    same = [end for name, end in ends.items() if name.endswith(PADS_TILTING) or "C -O3" in name]
+    if max(same) - min(same) > 1e-9:
+        sys.exit(f"bench: bearings of pads end apart: {same}")
+    lines = ["| program | steps of RK4/s | of C, -O3 -march=native -ffast-math | of C, -O3 |", "|---|---:|---:|---:|"]
+    for name, rate in sorted(rates.items(), key=lambda item: -item[1]):
+        peer = name.endswith(PADS_TILTING) or "C -O3" in name
+        told = f"{ratio(rate, rates[BASE])} | {ratio(rate, rates['C -O3'])}" if peer else " | "
+        lines.append(f"| {name} | {short(rate)} | {told} |")
+    return PADS.format(rounds=options.rounds, before=before, after=os.getloadavg()[0], table="\n".join(lines),
+                       sentences="\n".join(pads_sentences(rates)), study=min(used), half=min(used) / 2)
+
+
 def wrapped(page):
     """The page with paragraphs and items in lines of at most 120 columns; tables, headings and pictures stay."""
     def filled(item):
@@ -818,6 +893,7 @@ def arguments():
     parser.add_argument("--overhung", action="store_true", help="measure the rotor of finite elements only, and print")
     parser.add_argument("--branches", action="store_true", help="measure continuation of orbits only, and print")
     parser.add_argument("--elements", action="store_true", help="measure kernels of elements only, and print")
+    parser.add_argument("--pads", action="store_true", help="measure bearings of pads only, and print")
     parser.add_argument("--map", action="store_true", help="measure a map only, and print")
     return parser.parse_args()
 
@@ -838,6 +914,9 @@ def main():
     if options.elements:
         say(wrapped(measure_elements(options)))
         return
+    if options.pads:
+        say(wrapped(measure_pads(options)))
+        return
     if options.map:
         say(wrapped(measure_map(options)))
         return
@@ -850,6 +929,7 @@ def main():
                        stations="\n".join(station_table(best)))
     page += measure_adaptive(options) + measure_overhung(options) + measure_branches(options) + measure_map(options)
     page += measure_elements(options)
+    page += measure_pads(options)
     if studies:
         page += STUDY.format(rounds=options.study_rounds, study="\n".join(study_table(best, studies)))
     page = wrapped(page)

@@ -1,0 +1,19 @@
+// Writes the table of a pad (src/rotor/pads/table.h) of pads.h, as the numbers that it is.
+//
+//   bench_pads_table FILE
+#include <stdio.h>
+
+#include "machines.h"
+#include "pads.h"
+#include "tables.h"
+
+int main(int argc, char **argv) {
+    const pad_table_key key = {.arc = PADS_ARC, .ratio = PADS_LENGTH / (2.0 * PADS_RADIUS), .law = CAVITATION_REYNOLDS};
+    double number;
+    must(pad_table_number(&key, &number));
+    const pad_table *table = pad_table_of(number);
+    FILE *to = argc > 1 ? fopen(argv[1], "wb") : NULL;
+    if (to && fwrite(table->coefficients, sizeof table->coefficients, 1, to) == 1 && fclose(to) == 0) return 0;
+    must((whirl_status){.code = WHIRL_IO_ERROR, .message = "the table is not written"});
+    return 1;
+}
