@@ -1,4 +1,4 @@
-/// Ten journals, each by itself in a bearing of five tilting pads with inertia, by RK4 in 1024 steps per revolution:
+/// Four journals, each by itself in a bearing of five tilting pads with inertia, by RK4 in 1024 steps per revolution:
 /// what whirl and a peer in straightforward C have in common.
 ///
 /// Time is tau = speed t, displacements are in clearances; s is the tilt of a pad times radius over clearance. Of a pad
@@ -24,6 +24,6 @@
 #define PADS_FIRST_PIVOT 0.4
 #define PADS_BETWEEN 1.25663706143591729539 ///< from pivot to pivot
 
-enum { PADS_JOURNALS = 10, PADS_COUNT = 5 };
+enum { PADS_JOURNALS = 4, PADS_COUNT = 5 };
 
 #endif

@@ -770,7 +770,7 @@ def measure_overhung(options):
 PADS = """
 ## Bearings of pads
 
-Ten journals, each by itself in a bearing (`bench/pads.h`), RK4 in 1024 steps per revolution: five tilting pads with
+Four journals, each by itself in a bearing (`bench/pads.h`), RK4 in 1024 steps per revolution: five tilting pads with
 inertia, whose films are tables, as whirl and as straightforward C have them; x of a journal after 20 revolutions agrees
 to 1e-9. By processor time of one core, the best of {rounds} alternating rounds; load average {before:.2f} before,
 {after:.2f} after.
@@ -798,8 +798,8 @@ def pads_programs(build, table):
 
 
 PADS_TILTING = "five tilting pads"
-PADS_FILMS = {"short film": 10, "finite film": 10, "five fixed pads": 50, PADS_TILTING: 50,
-              "five tilting pads without inertia": 50}
+PADS_FILMS = {"short film": 4, "finite film": 4, "five fixed pads": 20, PADS_TILTING: 20,
+              "five tilting pads without inertia": 20}
 
 
 def pads_costs(rates, isa):

@@ -1,4 +1,4 @@
-// Ten journals by themselves, each in a bearing of five pads (pads.h), in lanes of the instruction set that WHIRL_ISA
+// Four journals by themselves, each in a bearing of five pads (pads.h), in lanes of the instruction set that WHIRL_ISA
 // names: pads that tilt with inertia, as the peer has them, without, and fixed ones; beside them one plain film a
 // journal, short and of finite length, and no bearing, so that one sees what a film costs.
 //
