@@ -97,12 +97,12 @@ static void test_smooth(void **state) {
     double table;
     (void)state;
     assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
-    for (int axis = 0; axis < 3; axis++) {
+    for (int along = 0; along < 3; along++) {
         const double node[] = {PAD_LEAST_T + 9 * PAD_STEP_T, 3 * PAD_STEP_W, 5 * PAD_STEP_ALPHA};
         double force[7][2];
         for (int k = 0; k < 7; k++) {
             double at[] = {0.8, 0.1, 0.5};
-            at[axis] = node[axis] + step * (k - 3);
+            at[along] = node[along] + step * (k - 3);
             pads_look_up(table, at[0], at[1], 0.5 * at[2], force[k]);
         }
         for (int n = 0; n < 2; n++) {
