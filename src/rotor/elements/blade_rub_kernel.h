@@ -16,7 +16,7 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     num x, y;
     (void)w;
     n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
-    for (int j = 0; j < own->law; j++) {
+    for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
         const num tip[2] = {n_add(d[0], n_scale(length, x)), n_add(d[1], n_scale(length, y))};
         const num far = n_sqrt(n_fma(tip[0], tip[0], n_mul(tip[1], tip[1])));
