@@ -5,10 +5,10 @@
 ///
 ///     M(rate) = spring s + damper rate + (c, d) f(p, r)
 ///
-/// grows with the rate, for films dissipate what is squeezed, and has one zero, which Newton's method finds from rate
-/// 0, between the rates that are known to be on either side of it. It begins where
-/// a pad without spring and damper has it, r = lean p with p > 0: its direction there depends on the place alone. Lanes
-/// that have found theirs stay there: every lane does what it would do alone.
+/// grows with the rate, for films dissipate what is squeezed, and has one zero, which Newton's method finds between the
+/// rates that are known to be on either side of it. It begins where a pad without spring and damper has it, r = lean p
+/// with p > 0: its direction there depends on the place alone; else at rate 0. Lanes that have found theirs stay there:
+/// every lane does what it would do alone.
 #ifndef ROTOR_PADS_BALANCE_H
 #define ROTOR_PADS_BALANCE_H
 
@@ -57,19 +57,20 @@ VECTOR_INLINE vec pads_moment(pads_pivot *at, vec *V) {
     return v_fma(at->along[0], at->force[0], v_fma(at->along[1], at->force[1], held));
 }
 
-/// A step of Newton's method, or into the middle where that leaves what is known.
-VECTOR_INLINE void pads_step(pads_pivot *at) {
+/// A step of Newton's method, or into the middle where that leaves what is known. A lane that has found its rate takes
+/// the same step again and again, and makes it where all have, or with the last step.
+VECTOR_INLINE void pads_step(pads_pivot *at, bool last) {
     const vec zero = v_set(0.0), near = v_set(1e-7);
     vec V;
     const vec moment = pads_moment(at, &V);
     const vec newton = v_sub(at->rate, v_div(moment, at->steep));
-    const vec middle = v_mul(v_set(0.5), v_add(at->low, at->high));
     at->high = v_select(v_less(zero, moment), at->rate, at->high);
     at->low = v_select(v_less(moment, zero), at->rate, at->low);
+    const vec middle = v_mul(v_set(0.5), v_add(at->low, at->high));
     const vec above = v_select(v_less(newton, at->low), middle, newton);
     const vec next = v_select(v_less(at->high, newton), middle, above), move = v_sub(next, at->rate);
     const vec_mask moving = v_less(v_mul(near, V), v_abs(v_mul(at->twice, move)));
-    at->found = !v_any(moving);
+    at->found = last || !v_any(moving);
     if (!at->found) {
         at->rate = v_select(moving, next, at->rate);
         return;
@@ -93,7 +94,7 @@ static inline void pads_balance(pads_pivot *pads, size_t count) {
     for (int pass = 0; pass < PASSES && !all; pass++) {
         all = true;
         for (pads_pivot *at = pads; at < pads + count; at++) {
-            if (!at->found) pads_step(at);
+            if (!at->found) pads_step(at, pass == PASSES - 1);
             all = all && at->found;
         }
     }
