@@ -79,6 +79,13 @@ static file_head head_of(const pad_table_key *key, const pad_table *table) {
     return head;
 }
 
+static bool same_head(const file_head *one, const file_head *other) {
+    return memcmp(one->magic, other->magic, sizeof one->magic) == 0 && one->format == other->format &&
+           one->law == other->law && one->turbulence == other->turbulence && one->arc == other->arc &&
+           one->ratio == other->ratio && one->reynolds == other->reynolds && one->count == other->count &&
+           one->checksum == other->checksum;
+}
+
 /// A table from its file; NULL where there is none, or it is damaged or another one.
 static pad_table *read_table(const pad_table_key *key) {
     char path[PATH_LENGTH];
@@ -90,7 +97,7 @@ static pad_table *read_table(const pad_table_key *key) {
                 fread(table->coefficients, sizeof(float), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
     if (good) {
         own = head_of(key, table);
-        good = memcmp(&head, &own, sizeof head) == 0;
+        good = same_head(&head, &own);
     }
     if (in) fclose(in);
     if (good) return table;
