@@ -9,7 +9,7 @@ static void lane_numbers(const void *model, double *out) {
 }
 
 static bool elements_alike(const element *x, const element *y) {
-    return x->type == y->type && x->law == y->law && x->station == y->station &&
+    return x->type == y->type && x->law == y->law && x->states == y->states && x->station == y->station &&
            memcmp(x->port, y->port, sizeof x->port) == 0;
 }
 
