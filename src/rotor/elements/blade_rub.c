@@ -13,7 +13,7 @@ enum { MOST_BLADES = KERNEL_SWITCHES };
 /// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
 /// sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a length scale
 /// by tau; of each blade k_j in newtons by length scales to the power p, and l_j. Its law is the number of blades and
-/// whether a key names the power, which else is 1.
+/// whether keys name the power, which else is 1, and the friction, which else is 0.
 enum {
     BLADE_CASING,
     BLADE_POWER,
@@ -29,7 +29,7 @@ enum {
     BLADE_NUMBERS = BLADE_LENGTHS + MOST_BLADES
 };
 
-enum { BLADE_POWERED = 0x100 };
+enum { BLADE_POWERED = 0x100, BLADE_RUBS = 0x200 };
 
 #include "element.h"
 
@@ -108,7 +108,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
     if (status.code == WHIRL_OK) status = check_list(values, EXTENSION);
     if (status.code != WHIRL_OK) return status;
-    out->law = (int)values[BLADES].number | (values[POWER].given ? BLADE_POWERED : 0);
+    out->law = (int)values[BLADES].number | (values[POWER].given ? BLADE_POWERED : 0) |
+               (values[FRICTION].given ? BLADE_RUBS : 0);
     out->number[BLADE_CASING] = (values[RADIUS].number + values[GAP].number) / length;
     out->number[BLADE_POWER] = p - 1.0;
     out->number[BLADE_FRICTION] = copysign(values[FRICTION].number, to->turn);
@@ -164,7 +165,7 @@ static double contact_gap(const element *own) {
 }
 
 static int takes_power(const element *own) {
-    return own->number[BLADE_FRICTION] != 0.0;
+    return own->law & BLADE_RUBS ? 1 : 0;
 }
 
 /// Where blades stand tells of contact, too.

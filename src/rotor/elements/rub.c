@@ -102,9 +102,10 @@ static double contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
+/// With a radius it does even where its friction is 0, which it is not in all machines of a sweep.
 static int takes_power(const element *own) {
-    if (own->number[RUB_FRICTION] == 0.0) return 0;
-    return own->number[RUB_LEVER] == 0.0 ? -1 : 1;
+    if (own->number[RUB_LEVER] != 0.0) return 1;
+    return own->number[RUB_FRICTION] == 0.0 ? 0 : -1;
 }
 
 static bool contact_damped(const element *own) {

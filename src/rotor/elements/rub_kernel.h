@@ -126,7 +126,7 @@ static inline vec rub_normal(const element *rub, size_t stride, const vec *numbe
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
 }
 
-/// What friction does, two rows of `out`: not a number where the radius is not known.
+/// What friction does, two rows of `out`: not a number where it acts and the radius is not known.
 static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                vec *out) {
     const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);
@@ -135,9 +135,13 @@ static inline void rub_rubbing(const element *rub, size_t stride, const vec *num
     if (!rub_meet(rub, stride, number, NULL, q, v, &p)) return;
     const vec normal = v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
     const vec force = v_mul(normal, rub_friction(rub, stride, number, NULL, &p));
+    // A lane that does not touch has 0, whatever those beside it do.
+    const vec unknown = v_select(v_less(zero, v_abs(force)), none, zero);
     const vec_mask known = v_less(zero, v_abs(lever));
-    out[0] = v_select(known, v_mul(force, v_mul(number[RUB_METRES * stride], lever)), none);
-    out[stride] = v_select(known, v_mul(force, v_mul(number[RUB_WATTS * stride], rub_slip(&p, stride, number))), none);
+    const vec torque = v_mul(force, v_mul(number[RUB_METRES * stride], lever));
+    const vec power = v_mul(force, v_mul(number[RUB_WATTS * stride], rub_slip(&p, stride, number)));
+    out[0] = v_select(known, torque, unknown);
+    out[stride] = v_select(known, power, unknown);
 }
 
 /// The switching functions and, unless `rates` is NULL, their derivatives by time along (v, a). The slip is taken times
