@@ -64,6 +64,12 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// Sliding reverses; nothing touches.
+static bool touches(const element *own, size_t index) {
+    (void)own, (void)index;
+    return false;
+}
+
 static bool sharp(const element *own) {
     return own->law == FRICTION_SHARP;
 }
@@ -77,6 +83,7 @@ const element_type friction_element = {
     .kernels = kernels,
     .build = build,
     GENERIC_SWITCHES,
+    .touches = touches,
     .slides = sharp,
     .jumps = sharp,
 };
