@@ -60,10 +60,11 @@ static whirl_status add_field(whirl_layout *layout, const field_plan *plan, cons
     return whirl_ok();
 }
 
-static size_t range_count(const whirl_system *system) {
+/// On springs in the place of its bearings it is another machine, whose ranges are not those that results name.
+static size_t range_count(const whirl_system *system, const whirl_record_options *options) {
     whirl_law_range range;
     size_t count = 0;
-    while (system->range && system->range(system->model, count, NULL, &range)) count++;
+    while (!options->bearings && system->range && system->range(system->model, count, NULL, &range)) count++;
     return count;
 }
 
@@ -80,7 +81,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .station_count = system->probe_count,
         .contact_count = system->contact_count,
         .touch_count = whirl_touch_count(system),
-        .range_count = range_count(system),
+        .range_count = range_count(system, options),
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
         .options = options,
     };
