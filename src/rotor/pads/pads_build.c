@@ -119,7 +119,8 @@ static const double least_damper = 3e-4, soonest = 0.1;
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
     const double inertia = values[PADS_INERTIA].number, clock = to->clock, radius = values[PADS_RADIUS].number;
     if (inertia == 0.0) {
-        const double over = values[PADS_CLEARANCE].number / (radius * radius * strength);
+        // A shaft that stands still has films without force, in which pads stay where they are.
+        const double over = strength > 0.0 ? values[PADS_CLEARANCE].number / (radius * radius * strength) : 0.0;
         number[PADS_TILT_FORCE] = 1.0;
         number[PADS_TILT_SPRING] = values[PADS_SPRING].number * over;
         number[PADS_TILT_DAMPER] = fmax(values[PADS_DAMPER].number * clock * over,
