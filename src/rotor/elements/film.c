@@ -115,8 +115,9 @@ static whirl_status load_scale(const key_value *values, double speed, double *lo
     const oil own = oil_of(values);
     const bool viscous = oil_given(&own);
     double viscosity = 0.0;
-    if (values[LOAD].given &&
-        (viscous || values[OIL + OIL_DENSITY].given || values[RADIUS].given || values[LENGTH].given))
+    bool oily = values[RADIUS].given || values[LENGTH].given;
+    for (int key = OIL; key < OIL + OIL_KEYS; key++) oily = oily || values[key].given;
+    if (values[LOAD].given && oily)
         return whirl_fail(WHIRL_BAD_INPUT, "has both load and viscosity, radius or length, expected one way");
     if (values[TURBULENCE].choice && (values[LOAD].given || !values[OIL + OIL_DENSITY].given))
         return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
