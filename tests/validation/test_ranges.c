@@ -110,6 +110,38 @@ static void unknown_friction_is_missing(void **state) {
     }
 }
 
+/// In a sweep that begins without friction, and in lanes beside others that touch.
+static void friction_is_told_of_every_machine(void **state) {
+    static const char *const stators[] = {"rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: = f, radius: 50",
+                                          "blade_rub: {at: disc, blades: 4, gap: 0.2 mm, stiffness: 2e6, friction: = f"
+                                          ", radius: 50"};
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        char text[2048];
+        snprintf(text, sizeof text,
+                 "whirl: 1\nparameters: {f: 0.01}\nrotor:\n  speed: 200 rad/s\n  length_scale: 1 mm\n  stations:\n"
+                 "    disc: {mass: 10 kg, damping: 600 N.s/m, eccentricity: 0.4 mm}\n"
+                 "    free: {mass: 10 kg, damping: 600 N.s/m, eccentricity: = 1e-6+0.04*f}\n  elements:\n"
+                 "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n"
+                 "    - spring: {between: [free, ground], stiffness: 400 kN/m}\n"
+                 "    - rub: {at: free, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0.02}\n"
+                 "    - %s mm}\nstudy:\n  sweep: {parameter: f, from: 0, to: 0.02, points: 8}\n"
+                 "  integrate: {method: rk4, transient: 20, record: 5}\n  analyze: [rub]\n",
+                 stators[i]);
+        whirl_result *result = run(text);
+        const whirl_table *table = &result->tables[0];
+        for (size_t point = 0; point < table->count; point++) {
+            const double unknown = table_number(table, point, WHIRL_FIELD_RUB_TORQUE, 0);
+            const bool touched = table_number(table, point, WHIRL_FIELD_RUB_SHARE, 0) > 0.0;
+            assert_true(touched ? isnan(unknown) : unknown == 0.0);
+            assert_true((table_number(table, point, WHIRL_FIELD_RUB_TORQUE, 1) > 0.0) == (point > 0));
+        }
+        assert_true(table_number(table, 0, WHIRL_FIELD_RUB_SHARE, 0) == 0.0);
+        assert_true(table_number(table, 7, WHIRL_FIELD_RUB_SHARE, 0) > 0.0);
+        whirl_result_free(result);
+    }
+}
+
 // ---------------------------------------------------------------- ranges
 
 static void expect_left(const whirl_result *result, size_t table, const char *begin, size_t points, double reached,
@@ -163,8 +195,8 @@ static void balls_tell_their_pressure(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(annular_rub_takes_its_power), cmocka_unit_test(blades_take_their_power),
-        cmocka_unit_test(unknown_friction_is_missing), cmocka_unit_test(films_tell_where_they_end),
-        cmocka_unit_test(balls_tell_their_pressure),
+        cmocka_unit_test(unknown_friction_is_missing), cmocka_unit_test(friction_is_told_of_every_machine),
+        cmocka_unit_test(films_tell_where_they_end),   cmocka_unit_test(balls_tell_their_pressure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
