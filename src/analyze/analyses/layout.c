@@ -98,7 +98,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     return status;
 }
 
-/// Two, so that their rows are not taken for one.
+/// Two, as all that there may be one or more of here, so that their rows are not taken for one.
 static bool two_ranges(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
     (void)model, (void)seen, (void)out;
     return index < 2;
@@ -109,7 +109,7 @@ whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_probe probes[2] = {{.runout_count = 1, .runout = &runout}}; // one of two, so that rows of which there
                                                                             // is one a station are not taken for one
     const whirl_system system = {
-        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 1, .probes = probes, .range = two_ranges};
+        .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 2, .probes = probes, .range = two_ranges};
     const whirl_integrate_options integrate = whirl_integrate_default();
     whirl_record_options options = whirl_record_default();
     options.spectra = true;
