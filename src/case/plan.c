@@ -463,7 +463,7 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     const double *values = begin_values(reader, v, parts, bounds, &count);
     if (!values) return;
     *plan_next_origin(result) =
-        (plan_origin){.each = begin_places(reader, parts, first), .units = {parts->sweep.written}};
+        (plan_origin){.each = begin_places(reader, parts, first), .units = {parts->sweep.written}, .end = NAN};
     whirl_batch *batch = plan_add_batch(result, "branch", parts->branch.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = count;
