@@ -42,7 +42,7 @@ static whirl_status check_strays(const oil *of, int way) {
     if (warm && !of->keys[OIL_TEMPERATURE].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has %s without a temperature, expected that of the film, too", names[way]);
     if (way != OIL_DYNAMIC && !of->keys[OIL_DENSITY].given)
-        return whirl_fail(WHIRL_BAD_INPUT, "has a %s without a density, expected that of the oil, too", names[way]);
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s without a density, expected that of the oil, too", names[way]);
     return whirl_ok();
 }
 

@@ -98,7 +98,8 @@ static const whirl_key keys[KEY_COUNT] = {
         "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
         "and impellers out, and keep others"),
     [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MOST_PAIRS), NULL,
-               "of the rational function that in time stands for tables over frequencies, an even number",
+               "of the rational function that in time stands for tables over frequencies, an even number; fewer where "
+               "there are fewer than n + 2 frequencies",
                "Gustavsen, Semlyen 1999"},
     [FIT_ERROR] = NUMBER_KEY("fit_error", "", "1", DEFAULT("0.02"), WHIRL_POSITIVE,
                              "part by which that function may differ from the table, up to half way between its "

@@ -107,7 +107,7 @@ static void one_way_to_give_it_is_asked_for(void **unused) {
         {{{"kinematic_viscosity", 32e-6, NULL}, {"viscosity", 0.03, NULL}, {"density", 870.0, NULL}}, 3, "both"},
         {{{"density", 870.0, NULL}}, 1, "expected"},
         {{{"grade", 46.0, NULL}, {"density", 870.0, NULL}}, 2, "has grade without a temperature"},
-        {{{"grade", 46.0, NULL}, {"temperature", 330.0, NULL}}, 2, "has a grade without a density"},
+        {{{"grade", 46.0, NULL}, {"temperature", 330.0, NULL}}, 2, "has grade without a density"},
         {{{"viscosity", 0.03, NULL}, {"temperature", 330.0, NULL}}, 2, "has a temperature and viscosity"},
         {{{"viscosity", 0.03, NULL}, {"kinematic_100", 6e-6, NULL}}, 2, "without a grade"},
         {{{"viscosity", 0.03, NULL}, {"viscosities", 0.0, "0.03, 0.02"}}, 2, "alone, expected both"},
