@@ -344,10 +344,21 @@ static void go(const whirl_pads *bearing, const step *by, double share, whirl_pa
     }
 }
 
+/// Looks where a search begins: a little towards the load in the middle of tilting pads without preload, which hold
+/// nothing there, for their films are even.
+static whirl_status look_first(const solver *s, const double load[2], whirl_pads_state *state) {
+    const whirl_status status = look(s, state->at, true, true, state);
+    bool held = false;
+    for (size_t i = 0; i < s->bearing->count; i++) held = held || state->loaded[i];
+    if (status.code != WHIRL_OK || held) return status;
+    for (int c = 0; c < 2; c++) state->at[c] += 1e-3 * load[c] / hypot(load[0], load[1]);
+    return look(s, state->at, true, true, state);
+}
+
 /// Newton's method on a coarse grid, pads at rest at every step; steps are halved until less is lacking.
 static whirl_status find_coarsely(const solver *s, const double load[2], whirl_pads_state *state) {
     double lacking[2];
-    whirl_status status = look(s, state->at, true, true, state);
+    whirl_status status = look_first(s, load, state);
     for (int k = 0; k < MOST_STEPS && status.code == WHIRL_OK; k++) {
         const double before = lack(s->bearing, state, load, lacking);
         if (before < 1e-6) return status;
