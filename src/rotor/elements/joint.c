@@ -31,8 +31,9 @@ static const whirl_key keys[KEY_COUNT] = {
                              "where the driven shaft leans to, from the x axis towards y"),
     [YOKE] = NUMBER_KEY("yoke", "phi", "rad", DEFAULT("0"), WHIRL_ANY,
                         "where the pin in the driving shaft's yoke lies at t = 0, from the x axis towards y"),
-    [TORQUE] = CITED_NUMBER_KEY("torque", "T", "N m", REQUIRED, WHIRL_ANY,
-                                "torque that the driving shaft hands on, along the rotation", "Seherr-Thoss et al. 2006"),
+    [TORQUE] =
+        CITED_NUMBER_KEY("torque", "T", "N m", REQUIRED, WHIRL_ANY,
+                         "torque that the driving shaft hands on, along the rotation", "Seherr-Thoss et al. 2006"),
 };
 
 /// Numbers of a moment (along, across) on two tilts, seen from where the driven shaft leans to, with parts steady, by
