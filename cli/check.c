@@ -140,6 +140,10 @@ static void print_range(const whirl_result *told, const char *name, double from,
 /// "about 12 s on 2 cores"
 static void print_time(double seconds, bool settle, int cores) {
     char text[32];
+    if (isinf(seconds)) {
+        fputs("hours, or without an end: a revolution takes over 5 s of processor time", stdout);
+        return;
+    }
     duration_text(fmax(seconds, 1.0), text, sizeof text);
     printf("%sabout %s on %d core%s", settle ? "at most " : "", text, cores, cores == 1 ? "" : "s");
 }

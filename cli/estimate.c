@@ -1,7 +1,9 @@
 #include "estimate.h"
 
 #include <math.h>
+#include <signal.h>
 #include <string.h>
+#include <sys/time.h>
 #include <time.h>
 
 #include "whirl/ensemble.h"
@@ -13,20 +15,40 @@ static double now(void) {
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
+/// Set where a revolution takes longer than anybody waits for an estimate.
+static volatile bool over;
+
+static void set_over(int number) {
+    (void)number;
+    over = true;
+}
+
+/// Lets `over` become true after so many seconds of processor time; 0: never.
+static void limit_time(long seconds) {
+    const struct sigaction action = {.sa_handler = set_over};
+    const struct itimerval timer = {.it_value = {.tv_sec = seconds}};
+    over = false;
+    sigaction(SIGPROF, &action, NULL);
+    setitimer(ITIMER_PROF, &timer, NULL);
+}
+
 /// Notes that memory ran out, which is no reason to leave an estimate out in silence.
 static void note_memory(whirl_status *status, whirl_status made) {
     if (made.code == WHIRL_NO_MEMORY) *status = made;
 }
 
-/// Seconds of a revolution of so many copies of a machine side by side; NaN where it cannot be told.
+/// Seconds of a revolution of so many copies of a machine side by side; NaN where it cannot be told,
+/// infinite where it takes longer than LONGEST seconds.
 static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes,
                          whirl_status *status) {
-    enum { MOST = 50 };
+    enum { MOST = 50, LONGEST = 5 };
     const double enough = 0.02;
+    whirl_integrate_options own = *how;
+    own.stop = &over;
     whirl_ensemble *ensemble;
-    const whirl_status made = whirl_ensemble_takes(machine->system, how)
-                                  ? whirl_ensemble_new(machine->system, how, lanes, &ensemble)
-                                  : whirl_ensemble_alone(machine->system, how, lanes, 0, &ensemble);
+    const whirl_status made = whirl_ensemble_takes(machine->system, &own)
+                                  ? whirl_ensemble_new(machine->system, &own, lanes, &ensemble)
+                                  : whirl_ensemble_alone(machine->system, &own, lanes, 0, &ensemble);
     note_memory(status, made);
     if (made.code != WHIRL_OK) return (double)NAN;
     for (size_t i = 0; i < lanes; i++) {
@@ -34,15 +56,18 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
         note_memory(status, loaded);
         if (loaded.code != WHIRL_OK) lanes = i;
     }
+    limit_time(LONGEST);
     const double begun = now();
     double passed = 0.0;
     int done = 0;
-    while (lanes > 0 && done < MOST && passed < enough) {
+    while (lanes > 0 && done < MOST && passed < enough && !over) {
         whirl_ensemble_revolve(ensemble, lanes, NULL);
         passed = now() - begun;
         done++;
     }
     whirl_ensemble_free(ensemble);
+    if (over) return (double)INFINITY;
+    limit_time(0);
     return done > 0 ? passed / done : (double)NAN;
 }
 

@@ -77,7 +77,7 @@ static whirl_status count_rodas5p(phase_search *search, const whirl_integrate_op
     whirl_integrator *integrator;
     *count = INFINITY;
     const double most = fmax(1.0, most_rodas5p / pow((double)search->system->dimension, 3.0));
-    const whirl_status status = start(search->system, options, "rodas5p", fmin(most, 1e9), &integrator);
+    const whirl_status status = start(search->system, options, "rodas5p", fmin(most, 2e4), &integrator);
     if (status.code != WHIRL_OK) return status;
     const double settled = carry(integrator, search, COUNTED, false, steps);
     const double before = integrator->method->work(integrator);

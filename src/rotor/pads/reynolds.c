@@ -86,7 +86,7 @@ static void fill_source(const grid *g, const pad_place *at, double *source) {
         const double inside = at->b * (sin(east) - sin(west)) - at->a * (cos(west) - cos(east));
         for (int j = 0; j < g->along; j++) source[(i - 1) * g->along + j] = inside * width(g, j);
     }
-    double *last = source + (g->around - 2) * g->along;
+    double *last = source + (size_t)(g->around - 2) * (size_t)g->along;
     for (int j = 0; j < g->along; j++) {
         source[j] += g->between[0] * width(g, j) / g->step * g->edge[j];
         last[j] += g->between[g->around - 1] * width(g, j) / g->step * g->edge[j];

@@ -12,12 +12,17 @@ static bool is_even(const shaft_piece *piece) {
     return piece->outer[0] == piece->outer[1] && piece->inner[0] == piece->inner[1];
 }
 
+static bool is_of_one(const material *one, const material *other) {
+    return one->modulus == other->modulus && one->shear_modulus == other->shear_modulus &&
+           one->density == other->density;
+}
+
 /// Whether a piece goes on as the one before it.
 static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
     const shaft_piece *a = &one->piece, *b = &next->piece;
     return one->shaft == next->shaft && one->node[1] == next->node[0] && is_even(a) && is_even(b) &&
            a->outer[0] == b->outer[0] && a->inner[0] == b->inner[0] && a->flats == b->flats &&
-           memcmp(&a->of, &b->of, sizeof a->of) == 0;
+           is_of_one(&a->of, &b->of);
 }
 
 /// Adds a piece to the sections and to its shaft, whose centre is a sum of moments until all are there.
