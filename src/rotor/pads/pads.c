@@ -303,7 +303,7 @@ typedef struct step {
 /// Solves K* d = r, with pads that are held following: K* = K - K T by. Then their changes.
 static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2]) {
     double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
-    follower pads[WHIRL_MAX_PADS];
+    follower pads[WHIRL_MAX_PADS] = {{.t = {0.0}}};
     step out;
     for (size_t i = 0; i < bearing->count; i++) {
         const double(*k)[2] = state->of_pads[i][0];
