@@ -199,16 +199,17 @@ export class Diagram {
 
   /// Largest share of the time in contact, over all contacts.
   contact(point: number): number {
-    return this.largest(point, FIELD.RUB_SHARE, 0);
+    return this.largest(point, FIELD.RUB_SHARE, 0) || 0;
   }
 
-  /// A number of what there is several of, of the one that has most of it; 0 where none has any.
+  /// A number of what there is several of, of the one that has most of it; NaN where it is known of none.
   largest(point: number, field: string, column: number): number {
-    let most = 0;
+    let most = NaN;
     for (let which = 0; ; which++) {
       const found = this.column(field, which, column);
       if (!found) return most;
-      most = Math.max(most, found.data[point] || 0);
+      const own = found.data[point] ?? NaN;
+      if (!(own <= most) && !Number.isNaN(own)) most = own;
     }
   }
 

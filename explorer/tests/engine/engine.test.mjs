@@ -184,7 +184,9 @@ test('a diagram has a quantity for every number of its stations and contacts', a
       const shown = quantityOf(diagram, id, 1, [{ name: 'disc' }, { name: 'journal' }], units, 'c');
       for (const point of [0, 1]) {
         const number = diagram.number(point, name, extent === 'station' ? 1 : 0, column);
-        assert.ok(Number.isFinite(number), `${name} of point ${point}`);
+        // Without a radius of the shaft nobody knows the friction's torque.
+        const known = !/^rub\/(max_torque|torque|power)$/.test(name);
+        assert.equal(Number.isFinite(number), known, `${name} of point ${point}`);
         assert.equal(shown.column.data[point] * shown.factor, number, shown.label);
       }
     });
