@@ -19,9 +19,11 @@ static void watch_probe(const whirl_probe *probe, size_t p, const double *x, siz
 
 static void watch_contacts(const whirl_system *system, const double *x, size_t stride, const whirl_ensemble_seen *seen,
                            double *touching) {
-    double force[WHIRL_MAX_CONTACTS], friction[WHIRL_MAX_CONTACTS][2] = {{0.0}};
-    if (system->contact_count > 0) system->contacts(system->model, x, force);
-    if (system->contact_count > 0 && system->friction) system->friction(system->model, x, friction[0]);
+    double force[WHIRL_MAX_CONTACTS], friction[WHIRL_MAX_CONTACTS][2];
+    if (system->contact_count == 0) return;
+    for (size_t c = 0; c < system->contact_count; c++) force[c] = friction[c][0] = friction[c][1] = 0.0;
+    system->contacts(system->model, x, force);
+    if (system->friction) system->friction(system->model, x, friction[0]);
     for (size_t c = 0; c < system->contact_count; c++) {
         watch_contact(force[c] > 0.0 ? 1.0 : 0.0, 1.0, 1.0, &touching[c * stride], &seen->contact_share[c * stride],
                       &seen->contact_number[c * stride]);
