@@ -5,6 +5,7 @@
 
 #include "design.h"
 #include "doubts.h"
+#include "taylor.h"
 
 void doubt_value(const doubt_teller *to, const char *key, const char *format, ...) {
     char sentence[WHIRL_MESSAGE_SIZE];
@@ -30,6 +31,18 @@ void doubt_length(const doubt_teller *to, const char *key, double length, double
         doubt_value(to, key,
                     "is %.3g times the diameter: the short law is for up to 0.5, its force is too large beyond%s",
                     share, instead);
+}
+
+bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double clearance, bool turbulent_law) {
+    const double most = FIRST_VORTICES * sqrt(radius / clearance);
+    if (reynolds > most && !turbulent_law)
+        doubt_value(to, "density",
+                    "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
+                    reynolds, most);
+    if (reynolds < most && turbulent_law)
+        doubt_value(to, "turbulence", "is given, and the flow is laminar: Reynolds number %.3g, below %.3g", reynolds,
+                    most);
+    return reynolds >= most;
 }
 
 void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, void *context) {

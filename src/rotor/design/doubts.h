@@ -12,4 +12,8 @@ void doubt_clearance(const doubt_teller *to, const char *key, double clearance, 
 /// sentence.
 void doubt_length(const doubt_teller *to, const char *key, double length, double radius, const char *instead);
 
+/// Of a film by its Reynolds number rho Omega R c/mu, whose law is for laminar or for turbulent flow, and has the
+/// other. Gives whether the flow is turbulent.
+bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double clearance, bool turbulent_law);
+
 #endif

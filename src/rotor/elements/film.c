@@ -184,20 +184,15 @@ static void doubt_ratio(const doubt_teller *to, double ratio) {
 
 /// What factors of one Reynolds number make a force err by, in percent, against those of the local one: Ng and Pan's,
 /// of plain films of L/D 1/4 to 1 at an eccentricity ratio of .3, .5 and .8.
-static void doubt_factors(const doubt_teller *to, double reynolds, double first_vortices) {
+static void doubt_factors(const doubt_teller *to, double reynolds) {
     static const double rows[][4] = {
         {500, 2, 4, 10}, {1000, 3, 7, 17}, {2000, 5, 12, 30}, {5000, 9, 20, 57}, {10000, 11, 26, 84}};
     size_t i = 0;
     while (i + 1 < sizeof rows / sizeof *rows && reynolds > 1.01 * rows[i][0]) i++;
-    if (reynolds < first_vortices)
-        doubt_value(to, keys[TURBULENCE].name, "is given, and the flow is laminar: Reynolds number %.3g, below %.3g",
-                    reynolds, first_vortices);
-    else
-        doubt_value(
-            to, keys[TURBULENCE].name,
-            "has factors of one Reynolds number, %.3g: the force errs by up to %g %% at an eccentricity ratio of "
-            ".3, %g %% at .5, %g %% at .8; pad_bearing has local ones",
-            reynolds, rows[i][1], rows[i][2], rows[i][3]);
+    doubt_value(to, keys[TURBULENCE].name,
+                "has factors of one Reynolds number, %.3g: the force errs by up to %g %% at an eccentricity ratio of "
+                ".3, %g %% at .5, %g %% at .8; pad_bearing has local ones",
+                reynolds, rows[i][1], rows[i][2], rows[i][3]);
 }
 
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
@@ -208,14 +203,9 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     else
         doubt_length(to, keys[LENGTH].name, values[LENGTH].number, radius, ", or use law: finite");
     doubt_clearance(to, keys[CLEARANCE].name, clearance, radius);
-    // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
-    const double reynolds = reynolds_of(values, speed), most = 41.2 * sqrt(radius / clearance);
-    if (values[TURBULENCE].choice)
-        doubt_factors(to, reynolds, most);
-    else if (reynolds > most)
-        doubt_value(to, keys[OIL + OIL_DENSITY].name,
-                    "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
-                    reynolds, most);
+    const double reynolds = reynolds_of(values, speed);
+    const bool turbulent_law = values[TURBULENCE].choice != 0;
+    if (doubt_flow(to, reynolds, radius, clearance, turbulent_law) && turbulent_law) doubt_factors(to, reynolds);
 }
 
 static double bearing_clearance(const element *own) {

@@ -225,13 +225,5 @@ void pads_doubt(const key_value *values, double speed, const doubt_teller *to) {
     doubt_clearance(to, "clearance", clearance, radius);
     if (ratio < 0.1 || ratio > 2.0)
         doubt_value(to, "length", "is %.3g times the diameter, and bearings of pads have 0.1 to 2 times", ratio);
-    // Between cylinders, rho omega R c/mu up to which there are no vortices: Taylor 1923.
-    const double reynolds = reynolds_of(values, speed), most = 41.2 * sqrt(radius / clearance);
-    if (reynolds > most && !values[PADS_TURBULENCE].choice)
-        doubt_value(to, "density",
-                    "is so high that the flow is not laminar, as the law has it: Reynolds number %.3g, up to %.3g",
-                    reynolds, most);
-    if (reynolds < most && values[PADS_TURBULENCE].choice)
-        doubt_value(to, "turbulence", "is given, and the flow is laminar: Reynolds number %.3g, below %.3g", reynolds,
-                    most);
+    doubt_flow(to, reynolds_of(values, speed), radius, clearance, values[PADS_TURBULENCE].choice != 0);
 }

@@ -12,13 +12,14 @@
 #include "bracket.h"
 #include "clock.h"
 #include "mineral_oil.h"
+#include "taylor.h"
 #include "whirl/study.h"
 
 static const double pi = 3.14159265358979323846, um = 1e-6, zero_degrees = 273.15;
 
-/// Taylor's number, at which vortices begin (Taylor 1923), and at twice of which films count as turbulent; and the
-/// Reynolds number up to which factors of turbulence were fitted to 5 %.
-static const double first_vortices = 41.2, most_reynolds = 30000.0;
+/// Taylor's number, at which vortices begin, and at twice of which films count as turbulent; and the Reynolds number up
+/// to which factors of turbulence were fitted to 5 %.
+static const double first_vortices = FIRST_VORTICES, most_reynolds = 30000.0;
 
 static void fill_nan(double *out, size_t count) {
     for (size_t i = 0; i < count; i++) out[i] = NAN;
