@@ -146,3 +146,28 @@ double determinant(size_t n, const double *matrix) {
     for (size_t i = 0; i < n; i++) product *= pivots[i] == (lapack_int)i + 1 ? copy[i * n + i] : -copy[i * n + i];
     return product;
 }
+
+double switch_apart(const whirl_system *system, const double *x, size_t which, double step, double *largest) {
+    enum { MOST = 64 };
+    const size_t n = system->dimension;
+    double gradient[MOST], by_time, worst = 0.0;
+    assert_true(n <= MOST && system->switch_count <= MOST);
+    system->switch_gradient(system->model, 0.0, x, which, gradient, &by_time);
+    *largest = 0.0;
+    for (size_t i = 0; i < n; i++) *largest = fmax(*largest, fabs(gradient[i]));
+    for (size_t by = 0; by < n; by++) {
+        double y[MOST], values[2][MOST], slopes[2][MOST], unit[MOST] = {0}, curved[MOST];
+        for (int side = 0; side < 2; side++) {
+            memcpy(y, x, n * sizeof *y);
+            y[by] += side ? step : -step;
+            system->switches(system->model, 0.0, y, values[side]);
+            system->switch_gradient(system->model, 0.0, y, which, slopes[side], &by_time);
+        }
+        unit[by] = 1.0;
+        system->switch_curvature(system->model, 0.0, x, which, unit, curved);
+        worst = fmax(worst, fabs((values[1][which] - values[0][which]) / (2.0 * step) - gradient[by]));
+        for (size_t i = 0; i < n; i++)
+            worst = fmax(worst, fabs((slopes[1][i] - slopes[0][i]) / (2.0 * step) - curved[i]));
+    }
+    return worst;
+}

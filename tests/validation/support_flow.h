@@ -29,6 +29,10 @@ void rhs_jacobian(const whirl_system *system, double t, const double *x, double 
 /// The same exactly, as the system gives it.
 void exact_jacobian(const whirl_system *system, double t, const double *x, double *matrix);
 
+/// Largest difference of gradient and curvature of switch `which` at t = 0 from central differences by `step` of the
+/// switch and of the gradient, and the gradient's largest entry; of up to 64 coordinates and switches.
+double switch_apart(const whirl_system *system, const double *x, size_t which, double step, double *largest);
+
 /// Writes dx/dt at t.
 void evaluate_rhs(const whirl_system *system, double t, const double *x, double *dxdt);
 

@@ -10,7 +10,6 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
 
 whirl_result *run_case_at(const char *file, size_t batches, const double *values, size_t count,
                           void (*change)(whirl_batch *batch, const void *context), const void *context) {
@@ -43,4 +42,20 @@ double table_number(const whirl_table *table, size_t point, const char *field, s
     const double *value = whirl_table_field(table, point, field, which);
     if (!value) fail_msg("the result has no field %s", field);
     return value ? *value : NAN;
+}
+
+whirl_case *case_of_text(const char *text) {
+    char problems[4096];
+    whirl_case *object = NULL;
+    if (whirl_case_check(text, strlen(text), "case.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
+        fail_msg("%s", problems);
+    return object;
+}
+
+whirl_result *result_of_text(const char *text) {
+    whirl_case *object = case_of_text(text);
+    whirl_result *result;
+    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
+    whirl_case_free(object);
+    return result;
 }

@@ -19,17 +19,6 @@
 enum { SIZE = 4096 };
 static const double pi = 3.14159265358979323846, g = 9.80665;
 
-static whirl_result *run(const char *text) {
-    char problems[SIZE];
-    whirl_case *object = NULL;
-    whirl_result *result;
-    if (whirl_case_check(text, strlen(text), "case.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
-        fail_msg("%s", problems);
-    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
-    whirl_case_free(object);
-    return result;
-}
-
 static void relative(const char *table, const char *what, double expected, double obtained, double share) {
     check_within(table, what, expected, obtained, share * fabs(expected));
 }
@@ -58,7 +47,7 @@ static void films(void **state) {
                      "    - film: {at: right, clearance: 0.2 mm, load: %.17g N}\n    - gravity: %.17g m/s2\n"
                      "study:\n  statics: {}\n",
                      clockwise ? "clockwise" : "counter-clockwise", load, load, g);
-            whirl_result *result = run(text);
+            whirl_result *result = result_of_text(text);
             const whirl_table *table = &result->tables[0];
             const char *way = clockwise ? "clockwise" : "counter-clockwise";
             relative("Films at rest", words("eccentricity ratio %g, %s: found", e, way), e,
@@ -92,7 +81,7 @@ static whirl_result *bent(double bow, double angle, double eccentricity, double 
              "study:\n  unbalance: {}\n",
              ratio * sqrt(k / mass), 2.0 * zeta * sqrt(k * mass), eccentricity, bow, angle);
     *stiffness = k;
-    return run(text);
+    return result_of_text(text);
 }
 
 /// (e r^2 + delta exp(i phi))/(1 - r^2 + 2 i zeta r): Nicholas, Gunter, Allaire 1976.
@@ -133,7 +122,7 @@ static void slow_roll(void **state) {
         "    - bearing: {at: right, kxx: 9 MN/m}\nstudy:\n  unbalance: {}\n";
     static const double expected[] = {0.3, 0.0, 0.8, 0.6, 0.0}, angles[] = {200.0, 0.0, 0.0, 30.0, 0.0};
     (void)state;
-    whirl_result *result = run(text);
+    whirl_result *result = result_of_text(text);
     for (size_t s = 0; s < 5; s++) {
         check_within("Bows", words("slow roll, station %zu: amplitude, 0.1 mm", s), expected[s],
                      whirl_table_number(&result->tables[0], 0, WHIRL_FIELD_UNBALANCE_AMPLITUDE, s), 1e-8);
@@ -163,7 +152,7 @@ static void raised(void **state) {
              "    - bearing: {at: c, kxx: 1e14 N/m}\n    - gravity: %.17g m/s2\n"
              "study:\n  statics: {parameter: h, values: [0 mm, 2 mm]}\n  modes: {parameter: h, values: [0 mm, 2 mm]}\n",
              g);
-    whirl_result *result = run(text);
+    whirl_result *result = result_of_text(text);
     const whirl_table *statics = &result->tables[0], *modes = &result->tables[1];
     if (whirl_layout_field(&modes->layout, WHIRL_FIELD_STATICS_LOAD)) {
         statics = &result->tables[1];
@@ -193,7 +182,7 @@ static void raised_in_a_housing(void **state) {
         "mm}\n"
         "    - bearing: {at: housing, kxx: 5 MN/m, elevation: 0.5 mm}\nstudy:\n  modes: {}\n";
     (void)state;
-    whirl_result *result = run(text);
+    whirl_result *result = result_of_text(text);
     const double *disc = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_REST, 0);
     const double *housing = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_REST, 1);
     check_within("Raised bearings", "disc in a raised housing: along x, mm", 0.0, disc[0], 1e-12);
@@ -228,7 +217,7 @@ static void screening(void **state) {
                  "    - stage: {at: middle, power: 100 kW, diameter: 0.4 m, width: 10 mm}\n"
                  "study:\n  stability: {density: %d kg/m3}\n",
                  2.2 * rigid, dense ? 50 : 30);
-        whirl_result *result = run(text);
+        whirl_result *result = result_of_text(text);
         const whirl_table *table = &result->tables[0];
         relative("Screening", "beam: first critical speed on rigid supports, rad/s", rigid,
                  whirl_table_number(table, 0, WHIRL_FIELD_STABILITY_RIGID, 0), 2e-6);

@@ -307,28 +307,9 @@ static double uniform(uint64_t *seed, double low, double high) {
 
 /// Largest difference of a switch's gradient and curvature from differences of the switch and of the gradient.
 static double compare_switches(const whirl_system *system, const double *x) {
-    enum { MOST = 16 };
-    const size_t n = system->dimension;
-    const double step = 1e-5;
-    double worst = 0.0;
-    for (size_t which = 0; which < system->switch_count; which++) {
-        double gradient[MOST], by_time;
-        system->switch_gradient(system->model, 0.0, x, which, gradient, &by_time);
-        for (size_t by = 0; by < n; by++) {
-            double y[MOST], values[2][8], slopes[2][MOST], unit[MOST] = {0}, curved[MOST];
-            for (int side = 0; side < 2; side++) {
-                memcpy(y, x, n * sizeof *y);
-                y[by] += side ? step : -step;
-                system->switches(system->model, 0.0, y, values[side]);
-                system->switch_gradient(system->model, 0.0, y, which, slopes[side], &by_time);
-            }
-            unit[by] = 1.0;
-            system->switch_curvature(system->model, 0.0, x, which, unit, curved);
-            worst = fmax(worst, fabs((values[1][which] - values[0][which]) / (2.0 * step) - gradient[by]));
-            for (size_t i = 0; i < n; i++)
-                worst = fmax(worst, fabs((slopes[1][i] - slopes[0][i]) / (2.0 * step) - curved[i]));
-        }
-    }
+    double worst = 0.0, largest;
+    for (size_t which = 0; which < system->switch_count; which++)
+        worst = fmax(worst, switch_apart(system, x, which, 1e-5, &largest));
     return worst;
 }
 

@@ -55,26 +55,9 @@ static whirl_rotor *rotor_of(const machine *m) {
 
 /// Largest difference of gradient and curvature of a switch from differences, over the gradient's largest entry.
 static double compare(const whirl_system *system, const double *x, size_t which) {
-    const size_t n = system->dimension;
-    const double step = 1e-4;
-    double gradient[MOST], by_time, largest = 0.0, worst = 0.0;
-    system->switch_gradient(system->model, 0.0, x, which, gradient, &by_time);
-    for (size_t i = 0; i < n; i++) largest = fmax(largest, fabs(gradient[i]));
-    for (size_t by = 0; by < n; by++) {
-        double y[MOST], values[2][MOST_SWITCHES], slopes[2][MOST], unit[MOST] = {0}, curved[MOST];
-        for (int side = 0; side < 2; side++) {
-            memcpy(y, x, n * sizeof *y);
-            y[by] += side ? step : -step;
-            system->switches(system->model, 0.0, y, values[side]);
-            system->switch_gradient(system->model, 0.0, y, which, slopes[side], &by_time);
-        }
-        unit[by] = 1.0;
-        system->switch_curvature(system->model, 0.0, x, which, unit, curved);
-        worst = fmax(worst, fabs((values[1][which] - values[0][which]) / (2.0 * step) - gradient[by]));
-        for (size_t i = 0; i < n; i++)
-            worst = fmax(worst, fabs((slopes[1][i] - slopes[0][i]) / (2.0 * step) - curved[i]));
-    }
-    return worst / largest;
+    double largest;
+    const double apart = switch_apart(system, x, which, 1e-4, &largest);
+    return apart / largest;
 }
 
 static void switches_have_their_derivatives(void **state) {

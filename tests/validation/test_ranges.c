@@ -25,18 +25,6 @@ static void check_relative(const char *what, double obtained, double expected, d
     check_within("RA", words("%s%s", whose, what), expected, obtained, tolerance * fabs(expected));
 }
 
-static whirl_result *run(const char *text) {
-    whirl_case *object;
-    whirl_result *result;
-    whirl_problems problems = {0};
-    if (whirl_case_parse(text, strlen(text), "case", &problems, &object).code != WHIRL_OK)
-        fail_msg("%s", problems.count ? problems.items[0].message : "no case");
-    const whirl_status status = whirl_case_run(object, &(whirl_run_options){0}, &result);
-    if (status.code != WHIRL_OK) fail_msg("%s", status.message);
-    whirl_case_free(object);
-    return result;
-}
-
 // ---------------------------------------------------------------- friction
 
 /// A rotor that goes round in a circle of radius r, pressed to its stator all around: T = f N R, P = f N omega (R + r).
@@ -56,7 +44,7 @@ static void annular_rub_takes_its_power(void **state) {
                  "study:\n  response: {}\n  integrate: {method: %s, steps_per_revolution: 256, transient: 400, "
                  "record: 20}\n  analyze: [orbit, rub]\n",
                  rotations[i % 2], stators[i], methods[i]);
-        whirl_result *result = run(text);
+        whirl_result *result = result_of_text(text);
         const whirl_table *table = &result->tables[0];
         const double force = table_number(table, 0, WHIRL_FIELD_RUB_MAX_FORCE, 0);
         snprintf(whose, sizeof whose, "%.*s, %s: ", (int)strcspn(stators[i], ":"), stators[i], methods[i]);
@@ -77,12 +65,12 @@ static void annular_rub_takes_its_power(void **state) {
 /// Blades longer than the gap in the middle of their casing: each is pressed in by what it is longer.
 static void blades_take_their_power(void **state) {
     (void)state;
-    whirl_result *result =
-        run("whirl: 1\nrotor:\n  speed: 300 rad/s\n  length_scale: 1 mm\n  stations:\n    disc: {mass: 10 kg}\n"
-            "  elements:\n    - spring: {between: [disc, ground], stiffness: 4 MN/m, damping: 2000 N.s/m}\n"
-            "    - blade_rub: {at: disc, blades: 5, radius: 200 mm, gap: 0.5 mm, extension: 0.6 mm, stiffness: 1e6, "
-            "friction: 0.2}\nstudy:\n  response: {}\n  integrate: {method: dop853, transient: 3, record: 5}\n"
-            "  analyze: [orbit, rub]\n");
+    whirl_result *result = result_of_text(
+        "whirl: 1\nrotor:\n  speed: 300 rad/s\n  length_scale: 1 mm\n  stations:\n    disc: {mass: 10 kg}\n"
+        "  elements:\n    - spring: {between: [disc, ground], stiffness: 4 MN/m, damping: 2000 N.s/m}\n"
+        "    - blade_rub: {at: disc, blades: 5, radius: 200 mm, gap: 0.5 mm, extension: 0.6 mm, stiffness: 1e6, "
+        "friction: 0.2}\nstudy:\n  response: {}\n  integrate: {method: dop853, transient: 3, record: 5}\n"
+        "  analyze: [orbit, rub]\n");
     snprintf(whose, sizeof whose, "blades in the middle: ");
     const double torque = 5 * 0.2 * 1e6 * 0.1e-3 * 0.2006;
     check_relative("torque", table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_TORQUE, 0), torque, 1e-9);
@@ -102,7 +90,7 @@ static void unknown_friction_is_missing(void **state) {
                  "    - rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: %g}\nstudy:\n  response: {}\n"
                  "  integrate: {method: rk4, transient: 10, record: 5}\n  analyze: [rub]\n",
                  0.02 * frictions);
-        whirl_result *result = run(text);
+        whirl_result *result = result_of_text(text);
         const double *torque = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUB_MAX_TORQUE, 0);
         const double *power = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_RUB_POWER, 0);
         assert_true(frictions ? isnan(*torque) && isnan(*power) : *torque == 0.0 && *power == 0.0);
@@ -128,7 +116,7 @@ static void friction_is_told_of_every_machine(void **state) {
                  "    - %s mm}\nstudy:\n  sweep: {parameter: f, from: 0, to: 0.02, points: 8}\n"
                  "  integrate: {method: rk4, transient: 20, record: 5}\n  analyze: [rub]\n",
                  stators[i]);
-        whirl_result *result = run(text);
+        whirl_result *result = result_of_text(text);
         const whirl_table *table = &result->tables[0];
         for (size_t point = 0; point < table->count; point++) {
             const double unknown = table_number(table, point, WHIRL_FIELD_RUB_TORQUE, 0);
@@ -156,13 +144,13 @@ static void expect_left(const whirl_result *result, size_t table, const char *be
 /// A journal under loads to the wall: the very eccentricity of motion and rest.
 static void films_tell_where_they_end(void **state) {
     (void)state;
-    whirl_result *result =
-        run("whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 3000 rpm\n  length_scale: 0.1 mm\n  stations:\n"
-            "    journal: {mass: 20 kg, eccentricity: 1 um}\n  elements:\n"
-            "    - film: {at: journal, law: finite, clearance: 0.1 mm, viscosity: 18 mPa.s, radius: 25 mm, length: 25 "
-            "mm}\n    - gravity: = load\nstudy:\n  sweep: {parameter: load, values: [10, 2000]}\n"
-            "  modes: {parameter: load, values: [10, 2000]}\n  integrate: {method: dop853, transient: 30, record: 5}\n"
-            "  analyze: [orbit]\n");
+    whirl_result *result = result_of_text(
+        "whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 3000 rpm\n  length_scale: 0.1 mm\n  stations:\n"
+        "    journal: {mass: 20 kg, eccentricity: 1 um}\n  elements:\n"
+        "    - film: {at: journal, law: finite, clearance: 0.1 mm, viscosity: 18 mPa.s, radius: 25 mm, length: 25 "
+        "mm}\n    - gravity: = load\nstudy:\n  sweep: {parameter: load, values: [10, 2000]}\n"
+        "  modes: {parameter: load, values: [10, 2000]}\n  integrate: {method: dop853, transient: 30, record: 5}\n"
+        "  analyze: [orbit]\n");
     snprintf(whose, sizeof whose, "film: ");
     for (size_t t = 0; t < 2; t++) {
         const whirl_table *table = &result->tables[t];
@@ -180,10 +168,10 @@ static void films_tell_where_they_end(void **state) {
 /// ellipse errs by less than 1 % of the pressure.
 static void balls_tell_their_pressure(void **state) {
     (void)state;
-    whirl_result *result =
-        run("whirl: 1\nrotor:\n  speed: 0.001 rad/s\n  length_scale: 0.1 mm\n  stations:\n    hub: {mass: 1000 kg}\n"
-            "  elements:\n    - ball_bearing: {at: hub, balls: 9, stiffness: 1e10, inner: 15 mm, outer: 25 mm, angle: "
-            "-90 deg, clearance: -5 um}\n    - gravity: 10 m/s2\nstudy:\n  modes: {}\n");
+    whirl_result *result = result_of_text(
+        "whirl: 1\nrotor:\n  speed: 0.001 rad/s\n  length_scale: 0.1 mm\n  stations:\n    hub: {mass: 1000 kg}\n"
+        "  elements:\n    - ball_bearing: {at: hub, balls: 9, stiffness: 1e10, inner: 15 mm, outer: 25 mm, angle: "
+        "-90 deg, clearance: -5 um}\n    - gravity: 10 m/s2\nstudy:\n  modes: {}\n");
     const double *rest = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_MODES_REST, 0);
     const double depth = 5e-6 + 1e-4 * hypot(rest[0], rest[1]), load = 1e10 * depth * sqrt(depth);
     snprintf(whose, sizeof whose, "ball: ");

@@ -14,22 +14,12 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_study.h"
 #include "whirl/analyze.h"
 #include "whirl/case.h"
 #include "whirl/rotor.h"
 
 static const double pi = 3.14159265358979323846;
-
-static whirl_result *run(const char *text) {
-    char problems[4096];
-    whirl_case *object = NULL;
-    whirl_result *result;
-    if (whirl_case_check(text, strlen(text), "case.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
-        fail_msg("%s", problems);
-    require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
-    whirl_case_free(object);
-    return result;
-}
 
 /// A shaft that runs out, at rest or with an unbalance: text of the case.
 static whirl_result *run_out(bool clockwise, double eccentricity, const char *runout) {
@@ -42,7 +32,7 @@ static whirl_result *run_out(bool clockwise, double eccentricity, const char *ru
         "study:\n  response: {}\n  unbalance: {probe: 45 deg}\n  integrate: {method: rk4, steps_per_revolution: 256, "
         "transient: 40, record: 8}\n  keep: {waveform: 2, samples: 64}\n  analyze: [waveform, spectrum, orbit]\n",
         clockwise ? "clockwise" : "counter-clockwise", eccentricity, runout);
-    return run(text);
+    return result_of_text(text);
 }
 
 static const whirl_table *table_of(const whirl_result *result, const char *field) {
