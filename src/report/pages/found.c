@@ -35,22 +35,31 @@ static void end_sentence(const page *to) {
     fputs("</li>\n", to->stream);
 }
 
+/// A row of WHIRL_FIELD_MODES_CRITICAL: "2753.2 rpm", "unstable from 6100 rpm", or, of a parameter that is not the
+/// speed, "unstable from q = 1e+07 N/m".
+static void tell_change(const page *to, const whirl_shown_units *units, const whirl_table *table, const double *row) {
+    const char *const what = row[0] < 1.5 ? "" : row[0] < 2.5 ? "unstable from " : "stable from ";
+    const whirl_unit speed = margin_speed_unit(units), unit = whirl_shown_parameter(units, table->parameter);
+    if (row[0] < 1.5 || fabs(row[1] - row[2]) <= 1e-9 * row[2])
+        html_printf(to->stream, "%s%.5g %s", what, row[2] / speed.size, speed.name);
+    else
+        html_printf(to->stream, "%s%s = %.5g%s%s", what, table->parameter, row[1] / unit.size, *unit.name ? " " : "",
+                    unit.name);
+}
+
 /// Critical speeds with damping, as far as modes were followed over the speed.
 static void tell_critical(const page *to, size_t result, const whirl_table *table, void *context) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
-    const whirl_unit speed = margin_speed_unit(&to->units[result]);
     size_t *const told = context;
     size_t found = 0;
     html_printf(to->stream, "%s%s: ", (*told)++ ? "; " : "", table->name);
     for (size_t point = 0; point < table->count; point++) {
         const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
-            if (row[0] >= 1.0 && row[0] <= 3.0)
-                html_printf(to->stream, "%s%s%.5g %s", found++ ? ", " : "",
-                            row[0] < 1.5   ? ""
-                            : row[0] < 2.5 ? "unstable from "
-                                           : "stable from ",
-                            row[2] / speed.size, speed.name);
+            if (row[0] >= 1.0 && row[0] <= 3.0) {
+                fputs(found++ ? ", " : "", to->stream);
+                tell_change(to, &to->units[result], table, row);
+            }
     }
     if (!found) html_printf(to->stream, "none between the speeds that were looked at");
 }
