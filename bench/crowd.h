@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 typedef struct crowd_kind {
     size_t stations;

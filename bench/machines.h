@@ -2,7 +2,7 @@
 #ifndef BENCH_MACHINES_H
 #define BENCH_MACHINES_H
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 /// Stops the program with the sentence of a failure.
 void must(whirl_status status);

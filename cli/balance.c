@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 typedef struct balance_arguments {
     const char *path;

@@ -12,8 +12,8 @@
 #include "interrupt.h"
 #include "output.h"
 #include "progress.h"
-#include "whirl/bearing_table.h"
-#include "whirl/figure.h"
+#include "whirl/engine/bearing_table.h"
+#include "whirl/engine/figure.h"
 
 enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MOST_THREADS = 1024 };
 

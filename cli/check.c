@@ -15,7 +15,7 @@
 #include "phases.h"
 #include "progress.h"
 #include "summary.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 typedef struct check_arguments {
     case_arguments given; ///< its settings; the cases are argv from `first` on

@@ -4,7 +4,7 @@
 
 #include <argp.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 /// Exit statuses of the whole command.
 enum {

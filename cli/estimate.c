@@ -6,7 +6,7 @@
 #include <sys/time.h>
 #include <time.h>
 
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 /// Seconds of processor time.
 static double now(void) {

@@ -2,7 +2,7 @@
 #ifndef CLI_ESTIMATE_H
 #define CLI_ESTIMATE_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// Seconds that a batch takes on so many cores, to within a factor of two or so; of motions that settle at most. NaN
 /// where it is not known: of branches, of machines at rest, which take next to nothing, and of very large ones;

@@ -8,7 +8,7 @@
 #include "files.h"
 #include "guard.h"
 #include "output.h"
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS, KEY_LOG, KEY_PANELS, KEY_GNUPLOT };
 

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// True when the file is a result, by its first bytes, or a rotor that ROSS has saved; complains then, and says what
 /// can be done with it.

@@ -3,7 +3,7 @@
 #define CLI_JOURNAL_H
 
 #include "journal_names.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 /// What a run asks of its journal.
 typedef struct journal_wish {

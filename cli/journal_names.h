@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 enum { JOURNAL_NAME_SIZE = 4096 };
 

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 /// What was seen of the machines of a batch.
 typedef struct phases {

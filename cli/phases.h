@@ -2,8 +2,8 @@
 #ifndef CLI_PHASES_H
 #define CLI_PHASES_H
 
-#include "whirl/rotor.h"
-#include "whirl/study.h"
+#include "whirl/engine/rotor.h"
+#include "whirl/engine/study.h"
 
 /// Lines on standard output where forces of the batch's machines have phases of their own: by which phase sections are
 /// taken (that of the shaft, or of the keyphasor of `rotor`), after how many revolutions forces repeat, or that they

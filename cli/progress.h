@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 typedef struct progress_view {
     bool terminal;

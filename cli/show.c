@@ -6,7 +6,7 @@
 
 #include "case_arguments.h"
 #include "files.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 typedef struct show_arguments {
     int first; ///< of the results in argv

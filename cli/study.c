@@ -14,7 +14,7 @@
 #include "progress.h"
 #include "ranks.h"
 #include "together.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 enum { PATH_SIZE = 4096 };
 

@@ -2,7 +2,7 @@
 #ifndef CLI_SUMMARY_H
 #define CLI_SUMMARY_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// One line a batch: points, revolutions, steps.
 void summarize_study(const whirl_study *study);

@@ -1,5 +1,5 @@
-# What libwhirl.so exports, from the headers themselves: the functions of headers that say "Stable interface" have the
-# version WHIRL_<ABI>, all others that of the minor version, for a program that was compiled with its headers and would be
+# What libwhirl.so exports, from the headers themselves: the functions of the stable headers, include/whirl/*.h, have the
+# version WHIRL_<ABI>, all others (include/whirl/engine) that of the minor version, for a program that was compiled with its headers and would be
 # met by another one is refused by the dynamic linker instead (docs/abi.md). Nothing else is seen from outside.
 
 # Appends the names of the functions that a header declares.
@@ -24,22 +24,19 @@ endfunction()
 
 # Writes the version script of the linker. Headers that change are read again.
 function(whirl_exports script)
-  file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/whirl/*.h)
-  list(APPEND headers ${PROJECT_SOURCE_DIR}/cmake/version.h.in ${PROJECT_SOURCE_DIR}/src/rotor/assembly.h
-       ${PROJECT_SOURCE_DIR}/src/rotor/element.h)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${headers})
-  set(stable "")
-  set(others "")
-  foreach(header ${headers})
-    file(STRINGS ${header} says REGEX "^/// Stable interface")
-    if(says)
-      whirl_declared(${header} stable)
-    else()
-      whirl_declared(${header} others)
-    endif()
+  file(GLOB stable_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/whirl/*.h)
+  file(GLOB other_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/whirl/engine/*.h)
+  list(APPEND stable_headers ${PROJECT_SOURCE_DIR}/cmake/version.h.in)
+  list(APPEND other_headers ${PROJECT_SOURCE_DIR}/src/rotor/assembly.h ${PROJECT_SOURCE_DIR}/src/rotor/element.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${stable_headers} ${other_headers})
+  foreach(kind stable other)
+    set(${kind} "")
+    foreach(header ${${kind}_headers})
+      whirl_declared(${header} ${kind})
+    endforeach()
   endforeach()
-  list(REMOVE_ITEM others ${stable})
+  list(REMOVE_ITEM other ${stable})
   whirl_version_node(WHIRL_${WHIRL_ABI} "${stable}" first)
-  whirl_version_node(WHIRL_${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} "${others}" second)
+  whirl_version_node(WHIRL_${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} "${other}" second)
   file(CONFIGURE OUTPUT ${script} CONTENT "${first}  local:\n    *;\n};\n\n${second}};\n" @ONLY)
 endfunction()

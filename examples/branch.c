@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static void release_rotor(void *rotor) {
     whirl_rotor_free(rotor);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static whirl_status build(double speed, whirl_rotor **rotor) {
     const double clearance = 100e-6;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static void duffing(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     const double gamma = *(const double *)model;

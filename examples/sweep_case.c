@@ -1,7 +1,7 @@
 // A study from a case file: load, change, run, read.
 #include <stdio.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static int complain(whirl_status status) {
     fprintf(stderr, "%s\n", status.message);

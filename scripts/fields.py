@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The names of the fields of results in all languages:  scripts/fields.py [--check]
 
-include/whirl/fields.h says them; Python, Octave and the explorer have the files that are written here. With --check nothing
+include/whirl/engine/fields.h says them; Python, Octave and the explorer have the files that are written here. With --check nothing
 is written: fails where a file is not what it would be, and for every literal of a field's name anywhere else.
 """
 
@@ -13,9 +13,9 @@ import tokenize
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-HEADER = ROOT / "include/whirl/fields.h"
+HEADER = ROOT / "include/whirl/engine/fields.h"
 NAMES = dict(re.findall(r'^#define WHIRL_FIELD_(\w+)\s+\\?\s*"([^"]+)"', HEADER.read_text(), re.MULTILINE))
-WRITTEN = "written by scripts/fields.py from include/whirl/fields.h"
+WRITTEN = "written by scripts/fields.py from include/whirl/engine/fields.h"
 
 PYTHON = f'''"""Names of the fields of results; {WRITTEN}."""
 
@@ -59,8 +59,8 @@ def check():
              if not (ROOT / name).exists() or (ROOT / name).read_text() != text]
     listed = subprocess.run(["git", "ls-files", *PRODUCT], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     for name in listed.split():
-        if name not in FILES and name != "include/whirl/fields.h":
-            wrong += [f"{name}:{line}: {literal} has a name in include/whirl/fields.h" for line, literal in literals(ROOT / name)]
+        if name not in FILES and name != "include/whirl/engine/fields.h":
+            wrong += [f"{name}:{line}: {literal} has a name in include/whirl/engine/fields.h" for line, literal in literals(ROOT / name)]
     return wrong
 
 

@@ -35,9 +35,9 @@ for folder in src/*/; do
     while IFS=: read -r file header; do
         case " $base ${below[$layer]} " in
         *" $header "*) ;;
-        *) fail "$file includes whirl/$header, which is not below $layer" ;;
+        *) fail "$file includes the public header $header, which is not below $layer" ;;
         esac
-    done < <(grep -roE '#include "whirl/[a-z_]+\.h"' "$folder" | sed -E 's,#include "whirl/([^"]*)",\1,')
+    done < <(grep -roE '#include "whirl/[a-z_/]+\.h"' "$folder" | sed -E 's,#include "whirl/(engine/)?([^"]*)",\2,')
     while IFS=: read -r file header; do
         [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || compgen -G "src/base/$header" >/dev/null ||
             compgen -G "src/base/*/$header" >/dev/null ||
@@ -130,6 +130,20 @@ while read -r line; do
     [ -n "$line" ] && fail "$line: a system header that this test does not know"
 done < <(grep -rE '#include <[a-z0-9_A-Z/]+\.h>' src --include=*.c --include=*.h | grep -vE "<($known)\.h>|<(hdf5|H5[A-Za-z]*|cvodes/|nvector/|sun[a-z]*/)")
 
+# ---- the stable interface rests on nothing that may change
+
+while read -r line; do
+    [ -n "$line" ] && fail "a stable header includes one that may change: $line"
+done < <(grep -nE '#include "whirl/engine' include/whirl/*.h cmake/version.h.in | grep -v '^include/whirl/engine\.h:')
+for header in include/whirl/*.h; do
+    name=whirl/$(basename "$header")
+    case $name in whirl/whirl.h | whirl/engine.h) continue ;; esac
+    grep -q "\"$name\"" include/whirl/whirl.h || fail "whirl/whirl.h lacks the stable header $name"
+done
+for header in include/whirl/engine/*.h; do
+    grep -q "\"whirl/engine/$(basename "$header")\"" include/whirl/engine.h || fail "whirl/engine.h lacks $header"
+done
+
 # ---- the library
 
 while read -r header line text; do
@@ -146,7 +160,7 @@ done < <(awk '
     }
     /^$/ { commented = 0 }
     { depth += gsub(/\{/, "{") - gsub(/\}/, "}"); if (depth < 0 || /extern "C"/) depth = 0 }
-' include/whirl/*.h cmake/version.h.in)
+' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in)
 
 if [ -n "$library" ] && [ -e "$library" ]; then
     exported=$(nm -D --defined-only --without-symbol-versions "$library" | awk '$2 != "A" {print $3}')
@@ -154,7 +168,7 @@ if [ -n "$library" ] && [ -e "$library" ]; then
     [ -z "$foreign" ] || fail "libwhirl.so exports: $foreign"
     # Each function of the headers is there, and nothing that no header declares.
     declared=$({
-        sed -E 's,//.*,,' include/whirl/*.h cmake/version.h.in | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
+        sed -E 's,//.*,,' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in | grep -v typedef | grep -oE '\bwhirl_[a-z0-9_]+\(' | tr -d '('
         sed -nE 's/^#define [a-z_]+ (whirl_[a-z_]+)$/\1/p' src/rotor/assembly.h src/rotor/element.h
     } | sort -u)
     missing=$(comm -23 <(echo "$declared") <(sort -u <<<"$exported"))

@@ -8,7 +8,7 @@
 #include <time.h>
 
 #include "mex.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 enum { MOST_MACHINES = 64, MOST_ELEMENTS = 16, WORD = 256 };
 

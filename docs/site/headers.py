@@ -108,10 +108,11 @@ def symbols(xml, header, told):
 
 INDEX = """# C API
 
-One page a public header; `#include <whirl/whirl.h>` has them all. What fails gives a `whirl_status` with a sentence.
+One page a public header. `#include <whirl/whirl.h>` has those that are *stable*, which serve programs that were compiled
+with the headers of another version. `#include <whirl/engine.h>` has the engine behind them, too, whose structs grow: a
+program that uses it runs with libraries of the same minor version ([the ABI](../docs/abi.md)). What fails gives a
+`whirl_status` with a sentence.
 
-Headers that are *stable* serve programs that were compiled with the headers of another version; structs of the others
-grow, and a program that uses them runs with libraries of the same minor version ([the ABI](../docs/abi.md)).
 What elements of your own are compiled with has [pages of its own](element/index.md).
 """
 ELEMENTS = """# Headers for elements
@@ -134,15 +135,18 @@ def write_pages(xml, folder, projects):
     becomes a folder of what Breathe reads, a folder a header."""
     pages, told = [], set()
     shutil.rmtree(projects, ignore_errors=True)
-    for path in sorted(xml.glob("*_8h.xml")):
+    for path in sorted(xml.glob("*_8h.xml"), key=lambda path: (path.name.startswith("engine_2"), path.name)):
         header = ElementTree.parse(path).getroot()[0]
-        name = header.findtext("compoundname")
-        project_of(xml, header, projects / name)
+        project = header.findtext("compoundname")
+        name = header.find("location").get("file").partition("whirl/")[2]
+        project_of(xml, header, projects / project)
         title = f"whirl/{name}"
         body = [text for _, text in sorted(symbols(xml, header, told), key=lambda symbol: symbol[0])]
         words = description(header)
         page = f"{title}\n{'=' * len(title)}\n\n{words}\n\n" + "\n\n".join(body) + "\n"
         first = re.match(r".*?\.(?=\s|$)|.*", words, re.DOTALL)[0]
-        pages.append((name[:-2], " ".join(first.split()), "stable" if "Stable interface" in words else ""))
-        (folder / f"{name[:-2]}.rst").write_text(page)
+        pages.append((name[:-2], " ".join(first.split()), "" if name.startswith("engine") else "stable"))
+        written = folder / f"{name[:-2]}.rst"
+        written.parent.mkdir(exist_ok=True)
+        written.write_text(page)
     return pages

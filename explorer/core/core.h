@@ -6,8 +6,8 @@
 #define EXPLORER_CORE_H
 
 #include "text.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 #if defined(__EMSCRIPTEN__)
 #include <emscripten.h>

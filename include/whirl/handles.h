@@ -20,13 +20,13 @@
 extern "C" {
 #endif
 
-/// What a run found (whirl/result.h).
+/// What a run found (whirl/engine/result.h).
 typedef struct whirl_result whirl_result;
 
 /// The points of one part of a study, in a result.
 typedef struct whirl_table whirl_table;
 
-/// Where finished points are kept (whirl/study.h, whirl/journal.h).
+/// Where finished points are kept (whirl/engine/study.h, whirl/engine/journal.h).
 typedef struct whirl_keeper whirl_keeper;
 
 // ---------------------------------------------------------------- results

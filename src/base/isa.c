@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 #include "vector.h"
 

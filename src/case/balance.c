@@ -1,5 +1,5 @@
 // Reading what is known of a rotor that is to be balanced: the same tree, tables and problems as for cases.
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 // What a case says of the rotor that is to be balanced: influence coefficients, modes, loads on bearings.
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 #include <complex.h>
 #include <math.h>
@@ -9,8 +9,8 @@
 
 #include "matrix.h"
 #include "settings.h"
-#include "whirl/case.h"
-#include "whirl/linear.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/linear.h"
 
 static const double moment = 1e-6, two_pi = 6.283185307179586476925; // kg m that responses are found for
 

@@ -8,7 +8,7 @@
 #include "file.h"
 #include "keys.h"
 #include "problem.h"
-#include "whirl/bearing_table.h"
+#include "whirl/engine/bearing_table.h"
 
 enum { VERSION = 1 };
 

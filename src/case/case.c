@@ -14,7 +14,7 @@
 #include "schema.h"
 #include "source.h"
 #include "unit_words.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 // ---------------------------------------------------------------- checks with values
 

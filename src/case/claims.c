@@ -1,5 +1,5 @@
 // Reading a claims file: the same tree, tables and problems as for cases.
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 /// As whirl_claims_load, from memory; `name` stands for the file in messages.
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,

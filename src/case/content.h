@@ -5,7 +5,7 @@
 #include "machine.h"
 #include "parameters.h"
 #include "plan.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 /// Everything that follows from the text and the overrides; replaced as a whole by whirl_case_set.
 typedef struct case_content {

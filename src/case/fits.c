@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 /// An eigenvalue in SI.
 typedef struct eigenvalue {

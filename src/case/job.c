@@ -1,6 +1,6 @@
 // Cases and runs of them through handles.
 #include "whirl/job.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 #include <stdint.h>
 #include <stdio.h>

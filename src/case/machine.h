@@ -3,8 +3,8 @@
 #define CASE_MACHINE_H
 
 #include "settings.h"
-#include "whirl/model.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/model.h"
+#include "whirl/engine/rotor.h"
 
 /// Parts that have names.
 typedef struct named_list {

@@ -8,7 +8,7 @@
 
 #include "problem.h"
 #include "schema.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static whirl_record_options record_options(valuation *v, const plan_parts *parts, int steps) {
     whirl_record_options options = whirl_record_default();

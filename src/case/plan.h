@@ -4,7 +4,7 @@
 
 #include "machine.h"
 #include "schema.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// The state that one station starts from.
 typedef struct plan_start {

@@ -6,8 +6,8 @@
 #include "plan.h"
 #include "problem.h"
 #include "schema.h"
-#include "whirl/analyze.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/integrate.h"
 
 void plan_read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
                     setting_list *part) {

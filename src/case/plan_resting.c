@@ -10,7 +10,7 @@
 #include "name_list.h"
 #include "problem.h"
 #include "schema.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 // ---------------------------------------------------------------- reading
 

@@ -7,9 +7,9 @@
 #include <limits.h>
 
 #include "keys.h"
-#include "whirl/case.h"
-#include "whirl/claims.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/claims.h"
+#include "whirl/engine/study.h"
 
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
 

@@ -2,8 +2,8 @@
 #ifndef CASE_SCHEMA_H
 #define CASE_SCHEMA_H
 
-#include "whirl/analyze.h"
-#include "whirl/descriptor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/descriptor.h"
 
 enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 1000 };
 

@@ -3,7 +3,7 @@
 #define CASE_SETTINGS_H
 
 #include "parameters.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { SETTINGS_MAX = 64 };
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "fits.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// A place of a study that stands for others, and whom its warnings are told to.
 typedef struct warner {

@@ -5,7 +5,7 @@
 
 #include "note.h"
 #include "value.h"
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 typedef struct import_reader {
     const char *file;

@@ -1,5 +1,5 @@
 // A file of another program in, a case out.
-#include "whirl/import.h"
+#include "whirl/engine/import.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -7,8 +7,8 @@
 #include <string.h>
 
 #include "ross.h"
-#include "whirl/case.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
 

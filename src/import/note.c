@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 
 enum { NOTE_SIZE = 800, NAMES_SIZE = 320 };

@@ -5,7 +5,7 @@
 
 #include "page.h"
 #include "ross.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { POINTS = 101, COMMENT_SIZE = 160 };
 

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "ross.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// By their nodes; layers stay in the order of the file.
 static void sort_pieces(ross_rotor *rotor) {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "ross.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 // ---------------------------------------------------------------- the shaft
 

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "ross.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// "Seal 1 (R0)" becomes "seal_1_r0".
 void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]) {

@@ -1,5 +1,5 @@
 // Ensembles: lanes of machines in one block of memory, and the kernel that carries them.
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 #include <math.h>
 #include <stdlib.h>

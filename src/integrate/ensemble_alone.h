@@ -3,7 +3,7 @@
 #define INTEGRATE_ENSEMBLE_ALONE_H
 
 #include "rk4_lanes.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 typedef struct alone_lanes {
     whirl_integrate_options options;

@@ -5,7 +5,7 @@
 
 #include "method.h"
 #include "turns.h"
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 static const method *const methods[] = {
     &auto_method, &rk4_method, &dop853_method, &rodas5p_method, &cvode_adams_method, &cvode_bdf_method, NULL};

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "members.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 #define WORD(TYPE, name, field, part, key, fallback, choices, meaning)                                                 \
     MEMBER(whirl_integrate_options, TYPE, name, field, part, false, key, "", "", WHIRL_KEY_CHOICE, false, fallback,    \

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "members.h"
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
     return probe->x != probe->y || probe->along_y == (which == 1);

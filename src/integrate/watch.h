@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 /// What a fold begins with.
 static inline double fold_none(whirl_fold fold) {

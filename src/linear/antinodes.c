@@ -1,7 +1,7 @@
 // Unbalances by rule: where a mode moves most, as large as what the bearings there carry.
 #include <math.h>
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 static const double least = 0.1;
 

@@ -2,7 +2,7 @@
 #ifndef LINEAR_DIRECTION_H
 #define LINEAR_DIRECTION_H
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 /// Twice the signed area that two shapes share, out [2], a Hermitian form: that of a shape with itself is its
 /// direction, but for its size. Above 0 forward.

@@ -3,7 +3,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 /// |a* b|^2 / (|a|^2 |b|^2): 1 where the shapes are one, 0 where they have nothing in common.
 static double likeness(const double *a, const double *b, size_t dimension) {

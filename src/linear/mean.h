@@ -2,7 +2,7 @@
 #ifndef LINEAR_MEAN_H
 #define LINEAR_MEAN_H
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 /// A system with workspace.
 typedef struct mean_system {

@@ -2,7 +2,7 @@
 #ifndef LINEAR_MODES_H
 #define LINEAR_MODES_H
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 /// For `count` modes and as many real eigenvalues, none of which are there yet; NULL without memory.
 whirl_modes *modes_allocate(size_t dimension, size_t count);

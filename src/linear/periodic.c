@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 static whirl_integrate_options tight(void) {
     whirl_integrate_options options = whirl_integrate_default();

@@ -1,5 +1,5 @@
 // What balancing found, for people and for programs.
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // Balancing as a text, for programs in other languages.
-#include "whirl/balance.h"
-#include "whirl/case.h"
+#include "whirl/engine/balance.h"
+#include "whirl/engine/case.h"
 #include "whirl/handles.h"
 #include "written.h"
 

@@ -1,5 +1,5 @@
 // What was computed of a bearing, for people.
-#include "whirl/bearing_table.h"
+#include "whirl/engine/bearing_table.h"
 
 #include <math.h>
 #include <stdio.h>

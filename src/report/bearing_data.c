@@ -4,7 +4,7 @@
 
 #include "document.h"
 #include "number.h"
-#include "whirl/bearing_table.h"
+#include "whirl/engine/bearing_table.h"
 
 static const double rpm = 3.14159265358979323846 / 30.0;
 

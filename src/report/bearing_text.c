@@ -1,9 +1,9 @@
 // A bearing as a text, for programs in other languages.
 #include <stdlib.h>
 
-#include "whirl/bearing_table.h"
-#include "whirl/case.h"
-#include "whirl/figure.h"
+#include "whirl/engine/bearing_table.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/figure.h"
 #include "whirl/handles.h"
 #include "written.h"
 

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 /// A number; null for what is missing or infinite, which JSON has no number for.
 json_t *document_number(double value);

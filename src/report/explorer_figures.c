@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "shown_kinds.h"
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 static bool has_no_view(const whirl_result *result) {
     const whirl_kind *kind = result->table_count > 0 ? whirl_analysis_kind(result->tables[0].analyses) : NULL;

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// Writes `,"figures": [...]`, the documents of docs/figures.md, of a machine at rest whose study the explorer has no
 /// view of; of all others nothing. False without memory.

@@ -9,8 +9,8 @@
 #include "document.h"
 #include "margins_json.h"
 #include "quantities.h"
-#include "whirl/report.h"
-#include "whirl/result.h"
+#include "whirl/engine/report.h"
+#include "whirl/engine/result.h"
 #include "whirl/version.h"
 
 static json_t *numbers_array(bool *well, const double *values, size_t count) {

@@ -2,9 +2,9 @@
 #ifndef REPORT_MACHINE_AT_H
 #define REPORT_MACHINE_AT_H
 
-#include "whirl/case.h"
-#include "whirl/result.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/study.h"
 
 /// The case that a result came from, with the parameters that the run used; NULL where it holds none that can be read.
 /// Freed by whirl_case_free.

@@ -9,7 +9,7 @@
 #include "machine_at.h"
 #include "quantities.h"
 #include "regimes.h"
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 bool motions_beside(const whirl_table *table) {
     static const char name[] = "motions";

@@ -3,7 +3,7 @@
 #ifndef REPORT_MOTIONS_TOLD_H
 #define REPORT_MOTIONS_TOLD_H
 
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 /// Whether a table is of motions that stand beside studies of machines at rest (study: motions).
 bool motions_beside(const whirl_table *table);

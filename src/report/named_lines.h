@@ -2,7 +2,7 @@
 #ifndef REPORT_NAMED_LINES_H
 #define REPORT_NAMED_LINES_H
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 enum { LINE_NAME_SIZE = 48 };
 

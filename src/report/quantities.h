@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/analyze.h"
-#include "whirl/result.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
 
 enum { LABEL_SIZE = 128 };
 

@@ -2,7 +2,7 @@
 #ifndef REPORT_RANGES_TOLD_H
 #define REPORT_RANGES_TOLD_H
 
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 enum { RANGES_TOLD_SIZE = 1024 };
 

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#include "whirl/analyze.h"
-#include "whirl/result.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/result.h"
 
 typedef enum regime_class {
     CLASS_P1 = 0,

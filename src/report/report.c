@@ -11,7 +11,7 @@
 #include "page.h"
 #include "print.h"
 #include "report_file.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 /// What is made on the way, freed by report_free.
 typedef struct report {

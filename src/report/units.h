@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 enum { UNIT_LABEL_SIZE = 160 };
 

@@ -12,8 +12,8 @@
 #include <stddef.h>
 
 #include "body.h"
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
 
 // Elements outside the library find these by names of the library.
 #define assembly_find whirl_assembly_find

@@ -12,7 +12,7 @@
 #include "assembly.h"
 #include "keys.h"
 #include "vector.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 #include "whirl/status.h"
 
 // Elements outside the library find these by names of the library.

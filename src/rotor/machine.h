@@ -6,7 +6,7 @@
 #include "coupling.h"
 #include "element.h"
 #include "lanes.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 struct whirl_rotor {
     double speed, clock, length;
@@ -66,7 +66,7 @@ FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 /// What rotors give to lanes.h besides (rotor_lanes.c), once their parts are there.
 void rotor_lanes_fill(whirl_rotor *rotor);
 
-/// What rotors give to whirl/system.h (rotor_system.c): fills in the functions of the rotor's system.
+/// What rotors give to whirl/engine/system.h (rotor_system.c): fills in the functions of the rotor's system.
 void rotor_system_fill(whirl_rotor *rotor);
 
 #endif

@@ -1,5 +1,5 @@
 // The equations of motion of a rotor in SI, as programs have them that integrate on their own.
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #include <math.h>
 

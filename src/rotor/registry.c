@@ -3,7 +3,7 @@
 
 #include "registry.h"
 #include "shafts.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #define ADDRESS(name) &name##_element,
 const element_type *const element_types[] = {ELEMENTS(ADDRESS) NULL};

@@ -2,7 +2,7 @@
 #ifndef ROTOR_REPEATS_H
 #define ROTOR_REPEATS_H
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 /// The smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is whole, to rounding; 0 where there is none.
 size_t repeats_of(double ratio);

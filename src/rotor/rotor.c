@@ -1,5 +1,5 @@
 // The rotor: what stations and elements build together, in one block, and the system that it makes.
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #define STORE_FORMAT_H
 
 #include "shape.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <stdbool.h>
 

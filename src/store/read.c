@@ -7,7 +7,7 @@
 #include "h5file.h"
 #include "items.h"
 #include "room.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define STORE_READ_H
 
 #include "bytes.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// Takes the blocks of a result's tables, point by point. An error ends the reading. Without `take` no number is read.
 typedef struct block_taker {

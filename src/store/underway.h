@@ -6,7 +6,7 @@
 #ifndef STORE_UNDERWAY_H
 #define STORE_UNDERWAY_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 #include <stdint.h>
 

@@ -5,7 +5,7 @@
 #include "h5file.h"
 #include "items.h"
 #include "room.h"
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "user.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 /// A system with what a run of it needs: its one station, where it has none, and the values of all points.
 typedef struct prepared {

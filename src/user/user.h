@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "lanes.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 #include "whirl/user_system.h"
 
 enum {

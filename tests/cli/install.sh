@@ -10,7 +10,7 @@ cmake --install "$build" --prefix "$folder/first" >/dev/null
 mv first prefix # nothing may hang on where it was put first
 prefix=$folder/prefix
 
-for file in bin/whirl include/whirl/whirl.h include/whirl/version.h share/man/man1/whirl.1 \
+for file in bin/whirl include/whirl/whirl.h include/whirl/engine/case.h include/whirl/version.h share/man/man1/whirl.1 \
     share/bash-completion/completions/whirl share/whirl/cases/paper.yaml; do
     [ -e "$prefix/$file" ] || { echo "not installed: $file"; exit 1; }
 done
@@ -21,7 +21,7 @@ if [ -e "$build/whirl-mpi" ]; then "$prefix/bin/whirl-mpi" --version >/dev/null;
 
 cat >program.c <<'END'
 #include <stdio.h>
-#include <whirl/whirl.h>
+#include <whirl/engine.h>
 
 /* F0 = 1, journal at rest at e = 0.5: the film's force by Capone's formula. */
 int main(void) {

@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/ensemble.h"
 
 static const char frame[] = "whirl: 1\n"
                             "rotor:\n"

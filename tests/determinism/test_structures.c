@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/ensemble.h"
 
 static const char text[] = "whirl: 1\n"
                            "rotor:\n"

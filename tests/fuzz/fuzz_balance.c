@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "whirl/balance.h"
-#include "whirl/case.h"
+#include "whirl/engine/balance.h"
+#include "whirl/engine/case.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

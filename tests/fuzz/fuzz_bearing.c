@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "whirl/bearing_table.h"
-#include "whirl/case.h"
-#include "whirl/figure.h"
+#include "whirl/engine/bearing_table.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/figure.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -4,7 +4,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

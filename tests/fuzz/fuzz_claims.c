@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "claims_read.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

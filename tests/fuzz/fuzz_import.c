@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/case.h"
-#include "whirl/import.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/import.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

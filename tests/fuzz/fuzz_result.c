@@ -9,7 +9,7 @@
 
 #include "checksums.h"
 #include "read.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 size_t LLVMFuzzerMutate(uint8_t *data, size_t size, size_t most);

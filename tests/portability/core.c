@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "whirl/integrate.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/rotor.h"
 
 static int failures;
 

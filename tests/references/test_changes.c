@@ -14,8 +14,8 @@
 #include "support_branch.h"
 #include "support_check.h"
 #include "support_peer.h"
-#include "whirl/ensemble.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
+#include "whirl/engine/ensemble.h"
 
 enum { N = 8, MOST_CHANGES = 4 };
 

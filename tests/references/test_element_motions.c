@@ -11,7 +11,7 @@
 
 #include "support_check.h"
 #include "support_known.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 /// A line of the table: machine, parameter, where its first station starts, motion ("?": the program cannot tell).
 typedef struct row {

@@ -14,7 +14,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_peer.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 enum { N = 4, STATE = 1, CONTACTS = STATE + N, MULTIPLIERS };
 

@@ -16,7 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const char case_text[] =
     "whirl: 1\n"

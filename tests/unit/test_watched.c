@@ -1,5 +1,6 @@
-// What is watched stands in one list (whirl/watched.h): every line of it is found in the fields of a point, with the
-// record's numbers, and in all that walks these: result files, journals, CSV, JSON, reports and the explorer's page.
+// What is watched stands in one list (whirl/engine/watched.h): every line of it is found in the fields of a point, with
+// the record's numbers, and in all that walks these: result files, journals, CSV, JSON, reports and the explorer's
+// page.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,7 +15,7 @@
 #include <jansson.h>
 
 #include "read_all.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const char text[] = "whirl: 1\n"
                            "rotor:\n"

@@ -2,8 +2,8 @@
 #ifndef SUPPORT_BRANCH_H
 #define SUPPORT_BRANCH_H
 
-#include "whirl/case.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/orbit.h"
 
 enum { FAMILY_NUMBERS = 8 };
 

@@ -3,7 +3,7 @@
 #ifndef SUPPORT_BRUTE_H
 #define SUPPORT_BRUTE_H
 
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -5,8 +5,8 @@
 #include <complex.h>
 #include <stddef.h>
 
-#include "whirl/integrate.h"
-#include "whirl/system.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/system.h"
 
 enum { MAX_DIMENSION = 32 };
 

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 char *replace_all(char *text, const char *from, const char *to) {
     size_t count = 0;

@@ -2,9 +2,9 @@
 #ifndef SUPPORT_IMPORT_H
 #define SUPPORT_IMPORT_H
 
-#include "whirl/case.h"
-#include "whirl/import.h"
-#include "whirl/linear.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/import.h"
+#include "whirl/engine/linear.h"
 
 /// `text` with every `from` replaced by `to`; at least one is there. Frees it.
 char *replace_all(char *text, const char *from, const char *to);

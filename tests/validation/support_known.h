@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/analyze.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/rotor.h"
 
 enum { KNOWN_DIMENSION = 8, KNOWN_PARAMETERS = 8 };
 

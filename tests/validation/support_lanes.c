@@ -13,7 +13,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 static void carry_alone(const whirl_system *system, const whirl_integrate_options *options, int revolutions,
                         double *x) {

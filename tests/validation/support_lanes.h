@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// Carries `count` rotors of one structure over revolutions from a state [dimension], in lanes and one by one by the
 /// integrator, with `steps` a revolution or to rounding: where they end [count][dimension].

@@ -2,7 +2,7 @@
 #ifndef SUPPORT_RECORD_H
 #define SUPPORT_RECORD_H
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Records `record` revolutions after `transient`, by RK4, without waveforms; all recorded revolutions are watched.
 whirl_record *record_motion(const whirl_system *system, const double *start, int steps_per_revolution, int transient,

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// x'' = strength fx + rho cos tau, y'' = strength fy - weight + rho sin tau.
 whirl_rotor *make_film_rotor(double strength, double weight, double rho);

@@ -4,8 +4,8 @@
 
 #include <stddef.h>
 
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 /// Runs the first of the `batches` of cases/FILE.yaml at the values [count], every verdict confirmed, with the evidence
 /// added, after `change` had the batch in hand. Freed by whirl_result_free.

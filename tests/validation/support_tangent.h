@@ -4,8 +4,8 @@
 #ifndef SUPPORT_TANGENT_H
 #define SUPPORT_TANGENT_H
 
-#include "whirl/integrate.h"
-#include "whirl/system.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/system.h"
 
 enum { MAX_TANGENT = 4 };
 

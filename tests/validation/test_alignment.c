@@ -12,9 +12,9 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/analyze.h"
-#include "whirl/case.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/rotor.h"
 
 enum { SIZE = 4096 };
 static const double pi = 3.14159265358979323846, g = 9.80665;

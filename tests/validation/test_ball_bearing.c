@@ -14,7 +14,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_lanes.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 /// Nb 8, C_b 1.334e10 N/m^1.5, m 20 kg, c 200 N s/m, W 196 N along x, g_0 3 um; lengths in um, `cage` over `speed`.
 static whirl_rotor *make_bearing(double speed, double cage, double angle) {

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 static const double pi = 3.14159265358979323846;
 

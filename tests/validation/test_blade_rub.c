@@ -12,7 +12,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 enum { MOST = 10, STATES = 9 };

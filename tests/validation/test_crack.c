@@ -12,8 +12,8 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/ensemble.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/rotor.h"
 
 enum { N = 4 };
 

@@ -13,9 +13,9 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
 
 enum { TEXT_SIZE = 4096, MOST = 32 };
 

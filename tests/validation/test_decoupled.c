@@ -13,7 +13,7 @@
 #include <cmocka.h>
 
 #include "support_flow.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const double pi = 3.14159265358979323846;
 

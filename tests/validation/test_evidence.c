@@ -11,7 +11,7 @@
 
 #include "support_check.h"
 #include "support_rotor.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 enum { BLOCK = 8 };
 

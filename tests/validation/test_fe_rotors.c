@@ -14,8 +14,8 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/linear.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/linear.h"
 
 enum { TEXT_SIZE = 8192 };
 

@@ -12,8 +12,8 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/ensemble.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

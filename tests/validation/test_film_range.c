@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -11,7 +11,7 @@
 #include "support_flow.h"
 #include "support_record.h"
 #include "support_rotor.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -10,7 +10,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// A journal at 8000 rad/s, with 5 N or none, in a ring without weight: speeds and places by Brent's method on the
 /// closed forms of both short films and of Petroff's drag.

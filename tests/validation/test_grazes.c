@@ -18,7 +18,7 @@
 
 #include "support_check.h"
 #include "support_rotor.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 enum { ALL = 10000, FEW = 320, BLOCK = 160, STEPS = 16384, BISECTIONS = 50 };
 

@@ -13,7 +13,7 @@
 
 #include "support_check.h"
 #include "support_import.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static const char rotors[] = WHIRL_CASES "/../tests/rotors/";
 

@@ -16,7 +16,7 @@
 #include "support_flow.h"
 #include "support_lanes.h"
 #include "support_record.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 

@@ -13,8 +13,8 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_rotor.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

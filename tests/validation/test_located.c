@@ -11,8 +11,8 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/case.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST = 24, MOST_SWITCHES = 16 };
 

@@ -12,8 +12,8 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST = 24 };
 static const double two_pi = 6.283185307179586476925;

@@ -12,9 +12,9 @@
 
 #include <cmocka.h>
 
-#include "whirl/ensemble.h"
-#include "whirl/integrate.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/rotor.h"
 
 /// ROWS: x, y, x', y' of a disc; told with the perturbation of each.
 enum { DISCS = 80, ROWS = 4, TOLD = 2 * ROWS, REVOLUTIONS = 5 };

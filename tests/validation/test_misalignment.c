@@ -15,10 +15,10 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_study.h"
-#include "whirl/analyze.h"
-#include "whirl/case.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -12,7 +12,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const double speed = 200.0, scale = 1e-3, mass = 3.0, eccentricity = 2e-5;
 static const double stiffness = 2e5, branch = 3e5, damping = 900.0;

@@ -13,8 +13,8 @@
 
 #include "support_brute.h"
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 static const whirl_probe probe = {.name = "mass", .x = 0, .y = 0, .vx = 1, .vy = 1};
 

@@ -13,7 +13,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_rotor.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

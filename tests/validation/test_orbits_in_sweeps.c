@@ -12,7 +12,7 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 static const char *const id = "early";
 

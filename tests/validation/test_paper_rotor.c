@@ -12,7 +12,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_rotor.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 typedef struct e1_row {
     double r_k;

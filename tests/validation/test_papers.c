@@ -12,8 +12,8 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/case.h"
-#include "whirl/claims.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/claims.h"
 
 /// cases/FILE.yaml with a parameter assigned ("": none), but for its first `skipped` batches.
 static whirl_result *run_paper(const char *file, const char *assignments[], size_t skipped) {

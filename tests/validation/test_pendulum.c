@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 static const double pi = 3.14159265358979323846, damping = 0.1, force = 2.1;
 

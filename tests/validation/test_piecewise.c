@@ -11,8 +11,8 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/ensemble.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
 

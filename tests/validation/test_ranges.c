@@ -11,8 +11,8 @@
 
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/case.h"
-#include "whirl/result.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
 
 /// p of 1 N, Pa: of a ball of 10 mm on a race of 15 mm with a groove of 5.2 mm, by the elliptic integrals themselves.
 static const double hertz_of_1_n = 2.25656085e8;

@@ -15,7 +15,7 @@
 #include "lorenz.h"
 #include "support_check.h"
 #include "support_rotor.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 static void ueda_rhs(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
     (void)model, (void)forcing;

@@ -15,7 +15,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_lanes.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 typedef long double complex number;
 

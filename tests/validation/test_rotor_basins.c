@@ -13,7 +13,7 @@
 #include "equations.h"
 #include "support_check.h"
 #include "support_study.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 enum { N = 8, COARSE = 512, FINE = 1024, SETTLE = 800, LONG = 3000, WATCH = 28, MOST = 8, SOME = 9, MORE = 21 };
 

@@ -12,7 +12,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { N = 4 };
 

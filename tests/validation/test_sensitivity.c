@@ -14,7 +14,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 

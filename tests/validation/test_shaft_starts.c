@@ -12,7 +12,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -11,8 +11,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 enum { GROWN = 64 }; ///< revolutions in which half-speed whirl grows from the rest of a film to its limit
 

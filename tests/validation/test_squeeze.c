@@ -11,8 +11,8 @@
 
 #include "support_check.h"
 #include "support_flow.h"
-#include "whirl/analyze.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/rotor.h"
 
 typedef long double complex number;
 

@@ -14,8 +14,8 @@
 
 #include "support_brute.h"
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 // ---------------------------------------------------------------- two wells
 

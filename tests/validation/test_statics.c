@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST = 8 };
 static const double g = 9.80665, modulus = 2.1e11, density = 7800.0, diameter = 0.3;

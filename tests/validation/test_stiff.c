@@ -12,9 +12,9 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/ensemble.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/study.h"
 
 static const char pump[] =
     "whirl: 1\n"

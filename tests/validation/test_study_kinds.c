@@ -8,8 +8,8 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/case.h"
-#include "whirl/study.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/study.h"
 
 #include <stdio.h>
 #include <stdlib.h>

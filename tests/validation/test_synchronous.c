@@ -14,7 +14,7 @@
 #include "support_cases.h"
 #include "support_check.h"
 #include "support_rotor.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 enum { X, Y, FORWARD, BACKWARD };
 

@@ -13,7 +13,7 @@
 #include "support_check.h"
 #include "support_study.h"
 #include "support_torus.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 static const double pi = 3.14159265358979323846;
 

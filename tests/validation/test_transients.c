@@ -13,7 +13,7 @@
 #include "lorenz.h"
 #include "support_check.h"
 #include "support_rotor.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 enum { TRANSIENT = 1100, RECORD = 100, IN_THE_END = 60000 };
 

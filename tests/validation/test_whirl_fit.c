@@ -13,13 +13,13 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/analyze.h"
-#include "whirl/case.h"
-#include "whirl/integrate.h"
-#include "whirl/linear.h"
-#include "whirl/result.h"
-#include "whirl/rotor.h"
-#include "whirl/study.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/rotor.h"
+#include "whirl/engine/study.h"
 
 enum { POINTS = 26, TEXT = POINTS * 26, COEFFICIENTS = 8, MOST = 32, WHOLE = 16384 };
 

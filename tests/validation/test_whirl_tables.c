@@ -13,11 +13,11 @@
 #include <cmocka.h>
 
 #include "support_check.h"
-#include "whirl/analyze.h"
-#include "whirl/case.h"
-#include "whirl/integrate.h"
-#include "whirl/linear.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST_STATIONS = 3, TEXT = 32 * 32 * 26 };
 

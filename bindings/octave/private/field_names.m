@@ -1,5 +1,5 @@
 function names = field_names()
-% FIELD_NAMES  Names of the fields of results; written by scripts/fields.py from include/whirl/fields.h.
+% FIELD_NAMES  Names of the fields of results; written by scripts/fields.py from include/whirl/engine/fields.h.
 names.poincare_section = 'poincare/section';
 names.orbit_max_radius = 'orbit/max_radius';
 names.orbit_min_radius = 'orbit/min_radius';

@@ -12,7 +12,7 @@ import whirl._library
 
 
 def compile_with(folder, declarations):
-    (folder / "both.c").write_text('#include "whirl/whirl.h"\n' + declarations)
+    (folder / "both.c").write_text('#include "whirl/engine.h"\n' + declarations)
     built = pathlib.Path(os.environ.get("WHIRL_BUILD", ROOT / "build")) / "include"
     words = ["cc", "-std=c17", "-fsyntax-only", f"-I{ROOT}/include", f"-I{built}", folder / "both.c"]
     return subprocess.run(words, capture_output=True, text=True)

@@ -1,4 +1,4 @@
-"""Names of the fields of results; written by scripts/fields.py from include/whirl/fields.h."""
+"""Names of the fields of results; written by scripts/fields.py from include/whirl/engine/fields.h."""
 
 
 class FIELD:

@@ -1,4 +1,4 @@
-// Names of the fields of results; written by scripts/fields.py from include/whirl/fields.h.
+// Names of the fields of results; written by scripts/fields.py from include/whirl/engine/fields.h.
 export const FIELD = {
   POINCARE_SECTION: 'poincare/section',
   ORBIT_MAX_RADIUS: 'orbit/max_radius',

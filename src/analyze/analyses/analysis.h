@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 enum { MAX_ANALYSIS_FIELDS = 40 };
 
@@ -19,7 +19,7 @@ typedef struct block_shape {
 
 /// A field before the sizes are known.
 typedef struct field_plan {
-    const char *name; ///< of whirl/fields.h
+    const char *name; ///< of whirl/engine/fields.h
     const char *unit; ///< as whirl_field.unit
     const char *meaning;
     whirl_extent extent;
@@ -49,7 +49,8 @@ void fill_seen(const whirl_record *record, size_t probe, size_t count, double *s
 /// [dimension][2]: the largest displacement of any station is 1, at the instant of its peak.
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view);
 
-/// Fields of what is watched (whirl/watched.h): their numbers, their plans, and how they are filled from a record.
+/// Fields of what is watched (whirl/engine/watched.h): their numbers, their plans, and how they are filled from a
+/// record.
 #define WATCHED_INDEX(array, ...) WATCHED_##array,
 #define WATCHED_PLAN(array, extent, columns, fold, square, name, unit, meaning)                                        \
     [WATCHED_##array] = {name, unit, meaning, extent, columns, NULL},

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// The mean of `values` [count] and its standard error: that of the means of 32 and of 16 blocks, the larger one, so
 /// that correlation from one value to the next counts as long as it dies out within a block.

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Numbers of a row: order, x, y, forward, backward.
 enum { SPECTRUM_COLUMNS = 5 };

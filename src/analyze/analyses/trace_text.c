@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -2,7 +2,7 @@
 #ifndef ANALYZE_AT_REST_H
 #define ANALYZE_AT_REST_H
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Looks for the equilibrium of a recorded motion that hardly moves (record->rest). Does nothing for others.
 /// WHIRL_NO_MEMORY alone is an error.

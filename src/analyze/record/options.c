@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "members.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 #define WHOLE(name, field, part, key, fallback, low, high, refined, meaning)                                           \
     MEMBER(whirl_record_options, WHOLE, name, field, part, refined, key, "", "1", WHIRL_KEY_WHOLE, false, fallback,    \

@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "record_block.h"
-#include "whirl/ensemble.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/orbit.h"
 
 /// The states of an orbit at equal distances in time: the first at its beginning, which is its end, too.
 typedef struct path {

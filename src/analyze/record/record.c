@@ -1,5 +1,5 @@
 // Recording to the end: one motion, or all that a source gives.
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// To the end, or until the monitor asks for a stop; it is told of every revolution of every motion.
 static whirl_status record_all(const whirl_system *system, const whirl_integrate_options *integrate,

@@ -4,7 +4,7 @@
 
 #include "archive.h"
 #include "section.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Where a motion that has settled on P-`period` after `revolution` revolutions goes on: it leaves out what is left of
 /// the transient but for the last 64 revolutions, or as many as three of a period beyond 64 need.

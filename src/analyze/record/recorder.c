@@ -15,7 +15,7 @@
 #include "settling.h"
 #include "steps.h"
 #include "twin.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 #define NO_LANE ((size_t)-1)
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// How far from the motion something counts as near, over the size of its box.
 static const double margin = 0.1;

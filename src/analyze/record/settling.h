@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "archive.h"
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;

@@ -4,9 +4,9 @@
 #define ANALYZE_SHOTS_H
 
 #include "archive.h"
-#include "whirl/analyze.h"
-#include "whirl/ensemble.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/orbit.h"
 
 /// A motion on its way onto an orbit; one block, freed by free.
 typedef struct shot {

@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Fills record->steps of a finished motion, by a few of its revolutions. Methods with a tolerance are left out.
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 /// A second trajectory close to the first, drawn back to its distance after every revolution (Benettin et al. 1980).
 typedef struct trajectory_twin {

@@ -1,5 +1,5 @@
 // Influence coefficients and corrections by complex least squares.
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 
 #include <complex.h>
 
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 static inline double complex balance_number(const double of[2]) {
     return of[0] + of[1] * I;

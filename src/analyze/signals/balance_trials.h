@@ -2,7 +2,7 @@
 #ifndef ANALYZE_BALANCE_TRIALS_H
 #define ANALYZE_BALANCE_TRIALS_H
 
-#include "whirl/balance.h"
+#include "whirl/engine/balance.h"
 
 /// Trial weights of all unknowns, by the model.
 void balance_propose(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out);

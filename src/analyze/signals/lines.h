@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "transform.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Finds up to WHIRL_MAX_LINES lines of a Hann-windowed signal, largest first, with `order` in bins. `power` [bins] is
 /// the squared amplitude at the whole bins 0, 1, ...; lines are looked for from bin 2 (below, they cannot be told from

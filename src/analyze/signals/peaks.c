@@ -1,7 +1,7 @@
 // Peaks of a response over the speed: amplification factors, and the margins that they ask for.
 #include <math.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// A response at rising speeds.
 typedef struct curve {

@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "transform.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Of a record of `samples_per_revolution`, whose first sample stands one step after the mark. `size`: the largest
 /// displacement that there is, below 1e-12 of which an amplitude is rounding and has no phase.

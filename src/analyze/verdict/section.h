@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 typedef struct section {
     size_t count, dimension;

@@ -6,7 +6,7 @@
 #include "confidence.h"
 #include "section.h"
 #include "steps.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 const char *whirl_regime_name(whirl_regime regime) {
     static const char *const names[] = {

@@ -1,4 +1,4 @@
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 #include <math.h>
 #include <stdio.h>

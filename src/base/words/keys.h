@@ -1,13 +1,13 @@
 /// How tables of keys are written: a whirl_key by its kind, without the members that the kind has no use for.
 ///
 /// Behind the name stands whether the key must be given: REQUIRED, OPTIONAL (it may be left out) or DEFAULT("0"), text
-/// in its unit. Ranges are those of whirl/descriptor.h; CITED_ keys tell the source of their definition.
+/// in its unit. Ranges are those of whirl/engine/descriptor.h; CITED_ keys tell the source of their definition.
 #ifndef BASE_KEYS_H
 #define BASE_KEYS_H
 
 #include <math.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 #define REQUIRED true, ""
 #define OPTIONAL false, ""

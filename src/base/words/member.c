@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "number.h"
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 const whirl_key *whirl_group_at(const whirl_group *group, size_t index) {
     if (index < group->key_count) return &group->keys[index];

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 /// A whirl_member: `field` of STRUCT, of type WHIRL_MEMBER_<TYPE>, with the parts of its key behind the others.
 #define MEMBER(STRUCT, TYPE, name, field, part, refined, ...)                                                          \

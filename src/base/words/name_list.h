@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 /// Takes the first name off the list (cut to WHIRL_NAME_SIZE - 1 bytes); false where there is none.
 bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]);

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 enum { LONGEST_WORD = 31 };
 

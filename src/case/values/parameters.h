@@ -10,9 +10,9 @@
 #include "expression.h"
 #include "quantity.h"
 #include "tree.h"
-#include "whirl/case.h"
-#include "whirl/descriptor.h"
-#include "whirl/result.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
 
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };

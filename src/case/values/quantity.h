@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 enum { WHY_SIZE = 240 };
 

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 /// Gives every problem, in the order of problems_sort, what stands at its place in the text of the file.
 void problems_quote(whirl_problems *problems, const char *text, size_t length);

@@ -3,7 +3,7 @@
 #define CASE_PROBLEM_H
 
 #include "tree.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 enum { SHOWN_SIZE = 64 };
 

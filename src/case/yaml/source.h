@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 #include "whirl/status.h"
 
 /// Reads at most one byte more than TREE_MAX_BYTES, whatever the size of the file; pipes and devices too. *text is

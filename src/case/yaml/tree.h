@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "arena.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 #include "whirl/status.h"
 
 enum { TREE_MAX_BYTES = 1 << 20, TREE_MAX_DEPTH = 32, TREE_MAX_NODES = 100000 };

@@ -1,10 +1,10 @@
-/// What an instant adds to all that is watched (whirl/watched.h), written once over the vector type.
+/// What an instant adds to all that is watched (whirl/engine/watched.h), written once over the vector type.
 #ifndef INTEGRATE_WATCHED_KERNEL_H
 #define INTEGRATE_WATCHED_KERNEL_H
 
 #include "vector.h"
-#include "whirl/system.h"
-#include "whirl/watched.h"
+#include "whirl/engine/system.h"
+#include "whirl/engine/watched.h"
 
 /// The values of an instant of a station.
 #define WATCHED_VALUES(array, extent, columns, ...) vec array[columns];

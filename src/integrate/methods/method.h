@@ -2,7 +2,7 @@
 #ifndef INTEGRATE_METHOD_H
 #define INTEGRATE_METHOD_H
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 enum { SPARE_ROWS = 4 };
 

@@ -6,8 +6,8 @@
 #include <stddef.h>
 
 #include "lanes.h"
-#include "whirl/system.h"
-#include "whirl/watched.h"
+#include "whirl/engine/system.h"
+#include "whirl/engine/watched.h"
 
 /// What is observed, all [...][stride vectors].
 typedef struct lanes_observe {

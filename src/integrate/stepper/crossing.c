@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 enum { DEGREE = CROSSING_DEGREE, CHECKS = 2, SAMPLES = DEGREE + 1 + CHECKS, MAX_DEPTH = 14, MAX_REFINEMENTS = 80 };
 _Static_assert(SAMPLES + 1 == CROSSING_ROWS, "a row for every sample and one for what is refined");

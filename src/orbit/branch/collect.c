@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "distance.h"
-#include "whirl/ensemble.h"
+#include "whirl/engine/ensemble.h"
 
 whirl_collect_options whirl_collect_default(const double *low, const double *high) {
     return (whirl_collect_options){.orbit = whirl_orbit_default(),

@@ -2,7 +2,7 @@
 #ifndef ORBIT_DISTANCE_H
 #define ORBIT_DISTANCE_H
 
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 /// Of two states [dimension], over the largest coordinate of the first; what turns is left out.
 double states_distance(const whirl_system *system, const double *a, const double *b);

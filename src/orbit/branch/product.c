@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 /// Rounds through all factors: after them what is smaller by a factor of two is apart to rounding. What is like in size
 /// by as many powers of two need not be apart.

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 bool rest_slope(shooting *s, const double *node, double *slope, bool derivatives) {
     const size_t d = s->dimension, n = s->kept_count;

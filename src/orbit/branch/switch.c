@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "follower.h"
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 /// The same orbit as one of twice as many revolutions.
 static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {

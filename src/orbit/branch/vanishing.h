@@ -2,7 +2,7 @@
 #ifndef ORBIT_VANISHING_H
 #define ORBIT_VANISHING_H
 
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 /// The function that goes through zero where an orbit is special: for folds and crossings the product of (multiplier -
 /// 1), for doublings of (multiplier + 1), for pairs on the unit circle of (product of two - 1), each over what it may

@@ -2,7 +2,7 @@
 #ifndef ORBIT_PART_H
 #define ORBIT_PART_H
 
-#include "whirl/system.h"
+#include "whirl/engine/system.h"
 
 /// dx/dt = stretch f(from + stretch t, x) of `whole`, t from 0 to own.period. It stays where it was made: the system
 /// points to it.

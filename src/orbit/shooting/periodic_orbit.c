@@ -6,7 +6,7 @@
 #include "describe.h"
 #include "equations.h"
 #include "newton.h"
-#include "whirl/linear.h"
+#include "whirl/engine/linear.h"
 
 whirl_orbit_options whirl_orbit_default(void) {
     whirl_orbit_options options = {

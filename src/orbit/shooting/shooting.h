@@ -3,8 +3,8 @@
 #define ORBIT_SHOOTING_H
 
 #include "part.h"
-#include "whirl/ensemble.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/orbit.h"
 
 enum {
     MOST_BESIDE = 2, ///< machines beside the present one

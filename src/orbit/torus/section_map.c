@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "turns.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 static whirl_status check(const whirl_system *system, size_t revolutions) {
     const size_t repeats = system->turns ? system->repeats : 1;

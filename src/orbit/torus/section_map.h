@@ -2,8 +2,8 @@
 #ifndef ORBIT_SECTION_MAP_H
 #define ORBIT_SECTION_MAP_H
 
-#include "whirl/ensemble.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/integrate.h"
 #include "whirl/status.h"
 
 typedef struct section_map {

@@ -1,5 +1,5 @@
 // Tori of one machine.
-#include "whirl/torus.h"
+#include "whirl/engine/torus.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #define ORBIT_TORUS_EQUATIONS_H
 
 #include "section_map.h"
-#include "whirl/torus.h"
+#include "whirl/engine/torus.h"
 
 /// Unknowns: the nodes [count][n] of the curve, n what does not turn on and on; the angle by which the map turns it,
 /// rad; the parameter, where machines are one of a family. Equations: P(x_j) - x(theta_j + angle) at every node, and

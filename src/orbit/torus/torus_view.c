@@ -9,7 +9,7 @@
 
 #include "harmonics.h"
 #include "turns.h"
-#include "whirl/torus.h"
+#include "whirl/engine/torus.h"
 
 typedef double complex number;
 

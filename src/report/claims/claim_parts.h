@@ -7,7 +7,7 @@
 
 #include "quantities.h"
 #include "regimes.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 /// A claim beside the table it is compared with.
 typedef struct claim_view {

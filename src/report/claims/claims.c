@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "claim_parts.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 static bool near(double a, double b) {
     return fabs(a - b) <= 1e-9 * fmax(fabs(a), fabs(b));

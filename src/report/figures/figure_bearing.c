@@ -6,7 +6,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
-#include "whirl/bearing_table.h"
+#include "whirl/engine/bearing_table.h"
 
 static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6;
 

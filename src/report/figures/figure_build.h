@@ -2,7 +2,7 @@
 #ifndef REPORT_FIGURE_BUILD_H
 #define REPORT_FIGURE_BUILD_H
 
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 /// A range of numbers.
 typedef struct span {

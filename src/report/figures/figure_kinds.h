@@ -8,7 +8,7 @@
 
 #include "figure_build.h"
 #include "units.h"
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 /// What figures are made from.
 typedef struct drawing {

@@ -7,7 +7,7 @@
 
 #include "figure_build.h"
 #include "units.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 typedef struct map_cells {
     size_t plane, columns, rows;

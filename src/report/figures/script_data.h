@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 /// Writes a JSON string, quotes included. '<', '>' and '&' are escaped, so that no text is ever markup; bytes that are
 /// not UTF-8 become U+FFFD.

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "summary.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 const double margin_decrement = 0.1;
 

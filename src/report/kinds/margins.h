@@ -2,8 +2,8 @@
 #ifndef REPORT_MARGINS_H
 #define REPORT_MARGINS_H
 
-#include "whirl/result.h"
-#include "whirl/shown.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 

@@ -6,7 +6,7 @@
 
 #include "margins.h"
 #include "name_list.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 /// Whether a list of names has one.
 static bool lists(const char *list, const char *wanted) {

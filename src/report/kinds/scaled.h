@@ -3,7 +3,7 @@
 #ifndef REPORT_SCALED_H
 #define REPORT_SCALED_H
 
-#include "whirl/shown.h"
+#include "whirl/engine/shown.h"
 
 /// The scale of a table's responses: lengths in m peak to peak.
 typedef struct scaled {

@@ -10,8 +10,8 @@
 #include "machine_at.h"
 #include "motions_told.h"
 #include "shown_kinds.h"
-#include "whirl/case.h"
-#include "whirl/model.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/model.h"
 
 // ---------------------------------------------------------------- what was found
 

@@ -7,9 +7,9 @@
 
 #include "claim_parts.h"
 #include "units.h"
-#include "whirl/claims.h"
-#include "whirl/figure.h"
-#include "whirl/result.h"
+#include "whirl/engine/claims.h"
+#include "whirl/engine/figure.h"
+#include "whirl/engine/result.h"
 
 enum { FOLDER_NAME_SIZE = 96, FIGURE_FILE_SIZE = 208 };
 

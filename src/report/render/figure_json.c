@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "document.h"
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "texts"};
 static const char *const marks[] = {"disc", "ring", "square", "frame", "up", "down", "diamond", "cross"};

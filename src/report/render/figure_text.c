@@ -1,7 +1,7 @@
 // Figures as texts, for programs in other languages.
 #include <stdlib.h>
 
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 #include "whirl/handles.h"
 #include "written.h"
 

@@ -6,7 +6,7 @@
 #include "gnuplot.h"
 #include "gnuplot_script.h"
 #include "report_file.h"
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 static whirl_status write_json(const whirl_figure *figure, const char *folder, const char *name) {
     report_file file;

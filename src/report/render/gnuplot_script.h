@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "whirl/figure.h"
+#include "whirl/engine/figure.h"
 
 /// Writes the numbers of a figure, a block a series in the order of panels and series.
 void gnuplot_write_data(FILE *data, const whirl_figure *figure);

@@ -7,7 +7,7 @@
 #include "motions_told.h"
 #include "ranges_told.h"
 #include "shown_kinds.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 /// Motions of a table with several starts that began where those of neighbours ended.
 static size_t count_from_neighbours(const whirl_table *table) {

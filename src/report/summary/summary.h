@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "whirl/result.h"
-#include "whirl/shown.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 enum { VERDICT_SIZE = 96, SUMMARY_VERDICTS = WHIRL_MAX_PERIOD + 8 };
 

@@ -6,7 +6,7 @@
 
 #include "regimes.h"
 #include "summary.h"
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 enum { LONGEST_LIST = 12 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 const char *summary_plural(double count) {
     return count == 1 ? "" : "s";

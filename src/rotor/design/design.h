@@ -3,7 +3,7 @@
 #define ROTOR_DESIGN_H
 
 #include "element.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// A station, a shaft or a material.
 typedef struct design_part {

@@ -6,7 +6,7 @@
 #include "film_tangent.h"
 #include "oil.h"
 #include "registry.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// Phases of a film that the ground holds.
 static inline void begin(const element *own, const block *b, size_t k, film_work *work, size_t at) {

@@ -16,7 +16,7 @@ enum { RUN_UP_SIZE, RUN_UP_SPEED, RUN_UP_ACCELERATION, RUN_UP_ANGLE, RUN_UP_NUMB
 const element_kernels ISA(run_up_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { AT, MOMENT, ANGLE, SPEED, ACCELERATION, KEY_COUNT };
 

@@ -2,7 +2,7 @@
 #include "shafts.h"
 
 #include "registry.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
 

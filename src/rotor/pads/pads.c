@@ -7,7 +7,7 @@
 #include "bracket.h"
 #include "centred.h"
 #include "reynolds.h"
-#include "whirl/bearing.h"
+#include "whirl/engine/bearing.h"
 
 /// Of places and tilts for derivatives; forces are good to 1e-6 and better, differences are of fourth order.
 static const double difference = 0.02;

@@ -8,7 +8,7 @@
 #include "doubts.h"
 #include "elements/pads_look_up.h"
 #include "turbulence.h"
-#include "whirl/bearing.h"
+#include "whirl/engine/bearing.h"
 
 static oil oil_of(const key_value *values) {
     return (oil){&values[PADS_OIL]};

@@ -15,7 +15,7 @@
 
 #include <stdbool.h>
 
-#include "whirl/bearing.h"
+#include "whirl/engine/bearing.h"
 #include "whirl/status.h"
 
 /// What becomes of pressures below 0.

@@ -3,7 +3,7 @@
 #ifndef ROTOR_TURBULENCE_H
 #define ROTOR_TURBULENCE_H
 
-#include "whirl/bearing.h"
+#include "whirl/engine/bearing.h"
 
 /// What a slope of pressure drives is divided by, around the bearing and along its axis: 12 G of the literature
 /// inverted, (1 + .0136/12 Re^.90, 1 + .0043/12 Re^.96) of Ng and Pan 1965.

@@ -1,5 +1,5 @@
 // What a design is made of: sections of its shafts, masses of its stations, sums of both.
-#include "whirl/model.h"
+#include "whirl/engine/model.h"
 
 #include <math.h>
 #include <stdlib.h>

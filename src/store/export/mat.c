@@ -6,7 +6,7 @@
 #include "bytes.h"
 #include "stored.h"
 #include "utf8.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <matio.h>
 #include <stdint.h>

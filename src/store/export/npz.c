@@ -3,7 +3,7 @@
 #include "atomic_file.h"
 #include "stored.h"
 #include "utf8.h"
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <stdint.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #ifndef STORE_FINISHED_H
 #define STORE_FINISHED_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 typedef struct finished {
     whirl_table

@@ -2,7 +2,7 @@
 #ifndef STORE_IDENTITY_H
 #define STORE_IDENTITY_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// Lines "label\tvalue\n", in UTF-8; to be freed. `build` adds what else the bits depend on: whirl's sources and how
 /// they are compiled, the kind of arithmetic, the mathematical functions of the system. WHIRL_BAD_INPUT for an unknown

@@ -1,5 +1,5 @@
-// Journals: see whirl/journal.h and journal_frame.h.
-#include "whirl/journal.h"
+// Journals: see whirl/engine/journal.h and journal_frame.h.
+#include "whirl/engine/journal.h"
 
 #include <errno.h>
 #include <stdint.h>

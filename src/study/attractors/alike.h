@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// What is remembered of points that were looked at.
 typedef struct alike alike;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 double whirl_missed_share(size_t starts) {
     return starts > 0 ? 1.0 - pow(0.05, 1.0 / (double)starts) : 1.0;

@@ -2,7 +2,7 @@
 #ifndef STUDY_MOTION_H
 #define STUDY_MOTION_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 /// A copy: it lasts, whatever point of its table is asked for next.
 typedef struct motion {

@@ -2,7 +2,7 @@
 #ifndef STUDY_CRITICAL_H
 #define STUDY_CRITICAL_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// A machine of a batch at rest, with its modes.
 typedef struct resting_machine {

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/linear.h"
-#include "whirl/study.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/study.h"
 
 /// The machine that unbalances are placed on.
 typedef struct placing {

@@ -1,5 +1,5 @@
 // Derivatives by a parameter: extrapolated differences of machines beside it, and the motion with its sensitivity.
-#include "whirl/sensitivity.h"
+#include "whirl/engine/sensitivity.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 // Branches of tori as the rows of a table.
 #include <math.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 static void find_largest_line(const whirl_table *table, whirl_tori *own) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_AMPLITUDE);

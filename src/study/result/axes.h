@@ -2,7 +2,7 @@
 #ifndef STUDY_AXES_H
 #define STUDY_AXES_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 enum { MAP_AXES = 3 }; ///< at most
 

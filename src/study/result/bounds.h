@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 enum {
     BOUNDS = 6 ///< mean, least and largest x and y of a station

@@ -1,7 +1,7 @@
 // Why motions of a table are undetermined, and what would tell them.
 #include <math.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 size_t whirl_table_doubts(const whirl_table *table, whirl_doubt doubts[WHIRL_REMEDIES]) {
     size_t count = 0;

@@ -2,8 +2,8 @@
 #include "whirl/handles.h"
 
 #include "attractors.h"
-#include "whirl/result.h"
-#include "whirl/shown.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
 #include "build.h"
 #include "isa.h"
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <stdio.h>
 #include <string.h>

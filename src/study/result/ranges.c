@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 const char *whirl_result_law_range(const whirl_result *result, size_t index) {
     char name[WHIRL_NAME_SIZE];

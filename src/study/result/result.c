@@ -1,5 +1,5 @@
 // Results in memory: what all layers above read.
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include "kept.h"
 #include "room.h"

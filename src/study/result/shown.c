@@ -1,5 +1,5 @@
-// In which units numbers are shown: see whirl/shown.h.
-#include "whirl/shown.h"
+// In which units numbers are shown: see whirl/engine/shown.h.
+#include "whirl/engine/shown.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 static const whirl_parameter *find_parameter(const whirl_result *result, const char *name) {
     for (size_t i = 0; i < result->parameter_count; i++)

@@ -1,5 +1,5 @@
 // Verification: the points of a study by two methods at three tolerances each, set beside each other.
-#include "whirl/verify.h"
+#include "whirl/engine/verify.h"
 
 #include <math.h>
 #include <omp.h>

@@ -1,5 +1,5 @@
 // Journal bearings by themselves over load and speed: points that know nothing of one another, on all threads.
-#include "whirl/bearing_table.h"
+#include "whirl/engine/bearing_table.h"
 
 #include <math.h>
 #include <omp.h>
@@ -13,7 +13,7 @@
 #include "clock.h"
 #include "mineral_oil.h"
 #include "taylor.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 static const double pi = 3.14159265358979323846, um = 1e-6, zero_degrees = 273.15;
 

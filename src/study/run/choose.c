@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// Adds what the machine of one point costs.
 static whirl_status probe(const whirl_study *study, const whirl_batch *batch, size_t point, whirl_method_cost *sum) {

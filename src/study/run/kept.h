@@ -2,7 +2,7 @@
 #ifndef STUDY_KEPT_H
 #define STUDY_KEPT_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// Leaves the blocks of the table of that batch with the keeper; states have `dimension` numbers. Freed by
 /// kept_free.

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "members.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {

@@ -3,7 +3,7 @@
 #define STUDY_PASSES_H
 
 #include "tracker.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// What is known of a map that is refined (refined_map.h).
 typedef struct refined_map refined_map;

@@ -2,7 +2,7 @@
 #ifndef STUDY_SETTLED_H
 #define STUDY_SETTLED_H
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// How branches of a batch are followed within its bounds, up to so many points.
 whirl_branch_options settled_options(const whirl_batch *batch, size_t most_points);

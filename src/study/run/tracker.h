@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "first_error.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 typedef struct tracker {
     const whirl_run_options *options;

@@ -15,7 +15,7 @@
 #include "support_check.h"
 #include "support_flow.h"
 #include "support_peer.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static whirl_rotor *rotor_at(double r_k) {
     whirl_case *object;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 enum { MOST_DIMENSIONS = 8 };
 

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "confidence.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static whirl_verdict verdict_of(whirl_regime regime, int period, whirl_confidence agreement) {
     return (whirl_verdict){.regime = regime,

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static const double two_pi = 6.283185307179586;
 

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "near.h"
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 
 static const double two_pi = 6.283185307179586;
 

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
+#include "whirl/engine/case.h"
 
 static const char good_case[] = "whirl: 1\n"                                                                   // 1
                                 "title: A rotor\n"                                                             // 2

@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "claims_read.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 static whirl_claims *load_paper(void) {
     whirl_claims *claims = NULL;

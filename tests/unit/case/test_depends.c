@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "lanes.h"
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// A number from -0.4 to 0.4 (xorshift, Marsaglia 2003).
 static double draw(uint64_t *seed) {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// A word or number for the key that is not its default.
 static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE]) {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 static double value_of(const whirl_case *object, const char *name) {
     double value = NAN;

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
-#include "whirl/import.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/import.h"
 
 /// Two elements, a disc in the middle, a bearing with a table and one on a support.
 static const char good[] = "ross_version = \"2.3.0\"\n"

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/case.h"
-#include "whirl/import.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/import.h"
 
 #define STEEL "{name = \"Steel\", rho = 7810.0, E = 211e9, G_s = 81.2e9}\n"
 #define PIECE(n, length) "[ShaftElement_" #n "]\nL = " #length "\nidl = 0\nodl = 0.05\nn = " #n "\nmaterial = " STEEL

@@ -10,8 +10,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/ensemble.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/ensemble.h"
+#include "whirl/engine/rotor.h"
 
 enum { DIMENSION = 4, MOST = 5, ALONE = 6, TOGETHER = 4 };
 

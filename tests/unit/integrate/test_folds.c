@@ -1,5 +1,5 @@
-// What is watched is folded as its line in whirl/watched.h says: each fold, of values and of squares, beside closed
-// forms of a sinusoid that is seen at equal distances over whole periods.
+// What is watched is folded as its line in whirl/engine/watched.h says: each fold, of values and of squares, beside
+// closed forms of a sinusoid that is seen at equal distances over whole periods.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

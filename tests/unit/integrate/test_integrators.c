@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -13,7 +13,7 @@
 
 #include "orthonormal.h"
 #include "saltation.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 static double uniform(uint64_t *seed) {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;

@@ -12,7 +12,7 @@
 #include <cmocka.h>
 
 #include "rodas5p_tableau.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
 
 enum { S = RODAS5P_STAGES };
 

@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "matrix.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 enum { N = 6 };
 

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 enum { SAMPLE_RECORD = 24, SAMPLE_TURNS = 4, SAMPLE_STEPS = 16 };
 

@@ -7,7 +7,7 @@
 #include <cmocka.h>
 
 #include "sample.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 typedef struct made_point {
     double value, number, special, angle, criticality, second;

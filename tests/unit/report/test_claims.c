@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "sample.h"
-#include "whirl/claims.h"
+#include "whirl/engine/claims.h"
 
 /// Compares one claim with the sample result; what was found goes to `found` [600].
 static whirl_agreement compare(const whirl_claim *claim, char *found) {

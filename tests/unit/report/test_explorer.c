@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/report.h"
+#include "whirl/engine/report.h"
 
 #include "../read_all.h"
 

@@ -15,8 +15,8 @@
 
 #include "regimes.h"
 #include "sample.h"
-#include "whirl/figure.h"
-#include "whirl/report.h"
+#include "whirl/engine/figure.h"
+#include "whirl/engine/report.h"
 
 /// A folder of its own for every test, the working folder while it runs.
 static int enter_folder(void **state) {

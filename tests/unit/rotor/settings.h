@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static inline whirl_setting value(const char *key, double number) {
     return (whirl_setting){key, number, NULL};

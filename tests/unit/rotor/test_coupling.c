@@ -11,7 +11,7 @@
 
 #include "machine.h"
 #include "settings.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 

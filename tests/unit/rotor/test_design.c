@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "element.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static void refused(whirl_status status, const char *words) {
     assert_int_equal(status.code, WHIRL_BAD_INPUT);

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 enum { MOST = 10 };
 

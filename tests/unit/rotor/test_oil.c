@@ -8,8 +8,8 @@
 
 #include <cmocka.h>
 
-#include "whirl/rotor.h"
-#include "whirl/system.h"
+#include "whirl/engine/rotor.h"
+#include "whirl/engine/system.h"
 
 enum { MOST = 8 };
 

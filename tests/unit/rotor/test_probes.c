@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "settings.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static void add_rub(whirl_design *design, const char *station, double gap) {
     const whirl_setting rub[] = {{"at", 0, station}, {"gap", gap, NULL}, {"stiffness", 1e6, NULL}};

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "settings.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 /// The 2015 paper's rotor in SI.
 static whirl_rotor *paper_rotor(const char *signs, double r_k) {

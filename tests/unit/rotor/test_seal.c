@@ -8,7 +8,7 @@
 #include <cmocka.h>
 
 #include "black.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 #define GEOMETRY                                                                                                       \
     {"radius", 0.05, NULL}, {"length", 0.05, NULL}, {"density", 1000.0, NULL}, {"viscosity", 1e-3, NULL}, {            \

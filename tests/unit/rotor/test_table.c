@@ -9,7 +9,7 @@
 #include <cmocka.h>
 
 #include "table.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 static void near(double found, double expected) {
     if (!(fabs(found - expected) <= 1e-13 * fmax(1.0, fabs(expected))))

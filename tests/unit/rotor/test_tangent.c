@@ -14,7 +14,7 @@
 #include "lanes.h"
 #include "settings.h"
 #include "vector.h"
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 
 typedef long double complex number;
 

@@ -3,7 +3,7 @@
 #define UNIT_STORE_KEPT_H
 
 #include "synthetic.h"
-#include "whirl/journal.h"
+#include "whirl/engine/journal.h"
 
 enum { KEPT_SIZE = 7, KEPT_DIMENSION = 3, KEPT_POINTS = SYNTHETIC_POINTS + 1 };
 

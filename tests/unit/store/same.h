@@ -2,7 +2,7 @@
 #ifndef UNIT_STORE_SAME_H
 #define UNIT_STORE_SAME_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <string.h>
 

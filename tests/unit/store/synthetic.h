@@ -3,7 +3,7 @@
 #ifndef UNIT_STORE_SYNTHETIC_H
 #define UNIT_STORE_SYNTHETIC_H
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 typedef struct follower {
     double rate, start[1];

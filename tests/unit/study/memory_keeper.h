@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 #ifndef KEEPER_SLOTS
 #define KEEPER_SLOTS 128 // a test that needs more says so

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 /// A study with one batch, "sweep" of `parameter` over the values (borrowed), by RK4 of so many steps per revolution,
 /// without waveforms; what else is to be is set in batches[0].

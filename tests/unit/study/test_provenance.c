@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 #include "whirl/version.h"
 
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/study.h"
+#include "whirl/engine/study.h"
 
 // ---------------------------------------------------------------- the sequence
 

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static inline void good(whirl_status status) {
     if (status.code != WHIRL_OK) fail_msg("%s", status.message);

@@ -16,7 +16,7 @@
 #include <cmocka.h>
 
 #include "near.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const double two_pi = 6.283185307179586476925, pi = 3.14159265358979323846, b = 0.4, c = 0.1;
 

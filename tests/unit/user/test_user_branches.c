@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "near.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 static const double two_pi = 6.283185307179586476925;
 

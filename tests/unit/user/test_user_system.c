@@ -11,7 +11,7 @@
 #include <cmocka.h>
 
 #include "near.h"
-#include "whirl/whirl.h"
+#include "whirl/engine.h"
 
 enum { SPEEDS = 9 };
 

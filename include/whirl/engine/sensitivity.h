@@ -8,9 +8,9 @@
 #ifndef WHIRL_SENSITIVITY_H
 #define WHIRL_SENSITIVITY_H
 
+#include "whirl/engine/study.h"
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/study.h"
-#include "whirl/system.h"
 
 #ifdef __cplusplus
 extern "C" {

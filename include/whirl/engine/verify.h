@@ -6,10 +6,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/analyze.h"
-#include "whirl/integrate.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/study.h"
 #include "whirl/status.h"
-#include "whirl/study.h"
 
 #ifdef __cplusplus
 extern "C" {

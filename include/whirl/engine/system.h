@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/claims.h"
-#include "whirl/result.h"
+#include "whirl/engine/claims.h"
+#include "whirl/engine/result.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/rotor.h"
+#include "whirl/engine/rotor.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

@@ -19,9 +19,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/study.h"
 #include "whirl/status.h"
-#include "whirl/study.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -10,8 +10,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
 
 #ifdef __cplusplus
 extern "C" {

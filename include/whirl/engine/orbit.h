@@ -11,9 +11,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -1,6 +1,6 @@
 /// A journal bearing by itself over load and speed, as `whirl bearing` computes it: from a file (YAML,
 /// docs/guide/15-bearings.md) to a table of where the journal rests, stiffness, damping, film, flow and power. All in
-/// SI; what it is computed with, and its frame, stand in whirl/bearing.h.
+/// SI; what it is computed with, and its frame, stand in whirl/engine/bearing.h.
 #ifndef WHIRL_BEARING_TABLE_H
 #define WHIRL_BEARING_TABLE_H
 
@@ -8,15 +8,15 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/bearing.h"
-#include "whirl/descriptor.h"
+#include "whirl/engine/bearing.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/// As in whirl/case.h, whirl/study.h and whirl/figure.h.
+/// As in whirl/engine/case.h, whirl/engine/study.h and whirl/engine/figure.h.
 struct whirl_problems;
 struct whirl_progress;
 struct whirl_figure;

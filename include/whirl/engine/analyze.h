@@ -10,14 +10,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/fields.h"
-#include "whirl/integrate.h"
-#include "whirl/linear.h"
-#include "whirl/orbit.h"
+#include "whirl/engine/fields.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/orbit.h"
+#include "whirl/engine/system.h"
+#include "whirl/engine/torus.h"
+#include "whirl/engine/watched.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
-#include "whirl/torus.h"
-#include "whirl/watched.h"
 
 #ifdef __cplusplus
 extern "C" {

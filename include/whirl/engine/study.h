@@ -8,11 +8,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/analyze.h"
-#include "whirl/integrate.h"
-#include "whirl/result.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -173,10 +173,10 @@ typedef struct whirl_kept_state {
 } whirl_kept_state;
 
 /// Keeps finished points outside of a run, so that a later run of the same study can go on from them (a journal, see
-/// whirl/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed more
-/// than once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is four
-/// times the round of refinement, one more at the second tolerance, two and three more for copies of chaotic motions
-/// that are followed; there `block` is shorter. All functions are called by one thread at a time.
+/// whirl/engine/journal.h). A point is known by its batch and its slot in the batch's table. Where points are computed
+/// more than once, `batch` tells the passes apart: it is the batch's index plus batch_count times the pass, which is
+/// four times the round of refinement, one more at the second tolerance, two and three more for copies of chaotic
+/// motions that are followed; there `block` is shorter. All functions are called by one thread at a time.
 struct whirl_keeper {
     /// Takes a finished point: its block [size] and, in pass 0, the state [dimension] that a carried point starts from,
     /// all NaN where the motion diverged. An error ends the run.

@@ -5,12 +5,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/rotor.h"
+#include "whirl/engine/study.h"
 #include "whirl/job.h"
-#include "whirl/result.h"
-#include "whirl/rotor.h"
 #include "whirl/status.h"
-#include "whirl/study.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/analyze.h"
+#include "whirl/engine/analyze.h"
 #include "whirl/handles.h"
 #include "whirl/status.h"
 

@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 
 #ifdef __cplusplus
 extern "C" {

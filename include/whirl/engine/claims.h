@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/case.h"
-#include "whirl/orbit.h"
-#include "whirl/result.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/orbit.h"
+#include "whirl/engine/result.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

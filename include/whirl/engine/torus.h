@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/orbit.h"
+#include "whirl/engine/orbit.h"
 
 #ifdef __cplusplus
 extern "C" {

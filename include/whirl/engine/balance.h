@@ -11,14 +11,14 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/// As in whirl/case.h.
+/// As in whirl/engine/case.h.
 struct whirl_problems;
 
 /// Bounds of balancing.

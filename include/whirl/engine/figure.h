@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "whirl/result.h"
+#include "whirl/engine/result.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

@@ -5,9 +5,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/descriptor.h"
+#include "whirl/engine/descriptor.h"
+#include "whirl/engine/system.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
 
 #ifdef __cplusplus
 extern "C" {

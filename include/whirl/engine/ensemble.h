@@ -9,10 +9,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "whirl/integrate.h"
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/system.h"
+#include "whirl/engine/watched.h"
 #include "whirl/status.h"
-#include "whirl/system.h"
-#include "whirl/watched.h"
 
 #ifdef __cplusplus
 extern "C" {

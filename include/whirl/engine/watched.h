@@ -4,7 +4,7 @@
 #ifndef WHIRL_WATCHED_H
 #define WHIRL_WATCHED_H
 
-#include "whirl/fields.h"
+#include "whirl/engine/fields.h"
 
 /// What there is one of.
 typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
