@@ -10,7 +10,7 @@
 
 #include "design/black.h"
 #include "element_laws.h"
-#include "elements/film_ratio.h"
+#include "elements/films/film_ratio.h"
 #include "isa.h"
 #include "lanes.h"
 #include "machines.h"

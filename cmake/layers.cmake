@@ -1,7 +1,7 @@
 # A layer: all of src/<name>, and of the rooms in it, as an object library that sees the public headers and its own folder
 # only.
 #   whirl_layer(<name> NEEDS <layers below> LIBRARIES <imported targets>)
-# What lies in its folders kernels and elements is compiled once for every instruction set (whirlKernels.cmake); the
+# What lies in its folder kernels and in the rooms of its folder elements is compiled once for every instruction set (whirlKernels.cmake); the
 # processor is asked when the program runs.
 set_property(GLOBAL PROPERTY WHIRL_LAYERS "")
 
@@ -19,9 +19,9 @@ function(whirl_layer name)
   if(WHIRL_MATRIX)
     list(FILTER sources EXCLUDE REGEX "/matrix[.]cc$")
   endif()
-  file(GLOB kernels CONFIGURE_DEPENDS ${folder}/kernels/*.c ${folder}/elements/*.c)
+  file(GLOB kernels CONFIGURE_DEPENDS ${folder}/kernels/*.c ${folder}/elements/*/*.c)
   foreach(kernel ${kernels})
-    whirl_kernel(${kernel} ${PROJECT_BINARY_DIR}/kernels/${name} sources)
+    whirl_kernel(${kernel} ${folder} ${PROJECT_BINARY_DIR}/kernels/${name} sources)
   endforeach()
   add_library(whirl_${name} OBJECT ${sources})
   target_include_directories(whirl_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include

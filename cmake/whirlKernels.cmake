@@ -18,13 +18,11 @@ endif()
 set(WHIRL_ROUNDING -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`. What is
-# compiled must find `source` by the name of its folder and its own: paths that say where a tree lies would keep
-# compilers' caches from serving several trees.
-function(whirl_kernel source folder result)
+# compiled must find `source` by its place in `root`: paths that say where a tree lies would keep compilers' caches from
+# serving several trees.
+function(whirl_kernel source root folder result)
   get_filename_component(stem ${source} NAME_WE)
-  get_filename_component(kernels ${source} DIRECTORY)
-  get_filename_component(layer ${kernels} DIRECTORY)
-  file(RELATIVE_PATH included ${layer} ${source})
+  file(RELATIVE_PATH included ${root} ${source})
   foreach(isa ${WHIRL_ISAS})
     separate_arguments(isa)
     list(POP_FRONT isa suffix number)
@@ -41,9 +39,9 @@ endfunction()
 function(whirl_element target source)
   get_filename_component(source ${source} ABSOLUTE)
   get_filename_component(folder ${source} DIRECTORY)
-  whirl_kernel(${source} ${CMAKE_CURRENT_BINARY_DIR}/kernels/${target} files)
-  set_property(SOURCE ${files} APPEND PROPERTY COMPILE_OPTIONS ${WHIRL_ROUNDING})
   get_filename_component(above ${folder} DIRECTORY)
+  whirl_kernel(${source} ${above} ${CMAKE_CURRENT_BINARY_DIR}/kernels/${target} files)
+  set_property(SOURCE ${files} APPEND PROPERTY COMPILE_OPTIONS ${WHIRL_ROUNDING})
   set_source_files_properties(${files} PROPERTIES INCLUDE_DIRECTORIES "${folder};${above}" OBJECT_DEPENDS ${source})
   target_sources(${target} PRIVATE ${files})
 endfunction()

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """The coefficients of films of finite length:
 
-    scripts/film-table.py | clang-format --assume-filename=x.h >src/rotor/elements/film_table.h
+    scripts/film-table.py | clang-format --assume-filename=x.h >src/rotor/elements/films/film_table.h
 
 The force of a closed film of finite length without negative pressures (Guembel's condition) is that of the short film
 times a complex ratio R, a function of p = e cos a and beta = atan(e sin a/sqrt(1 - e^2)), with the eccentricity ratio e
@@ -87,7 +87,7 @@ def finite_force(e, length, angles, axial=10):
 
 
 def short_force(e, angles):
-    """That of the short film in (L/D)^2 of that unit (Capone 1991; src/rotor/elements/film_kernel.h)."""
+    """That of the short film in (L/D)^2 of that unit (Capone 1991; src/rotor/elements/films/film_kernel.h)."""
     A, B, q = np.cos(angles), np.sin(angles), 1.0 - e**2
     P, U, W = e * B, e * A, np.sqrt(q)
     angle, E = 0.5 * np.pi + np.arctan2(P, W), U * W / (W**2 + P**2)

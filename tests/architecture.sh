@@ -46,7 +46,7 @@ for folder in src/*/; do
             grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
     while IFS=: read -r file header; do
-        [ -e "$folder$(basename "$(dirname "$file")")/$header" ] && [[ $header != ../../* ]] && continue
+        [[ $(realpath -m "$(dirname "$file")/$header") == "$root/$folder"* ]] && continue
         [ "$layer $header" = "integrate ../../rotor/instances.h" ] || fail "$file includes $header of another layer"
     done < <(grep -roE '#include "\.\./[^"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
 done

@@ -10,10 +10,10 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "elements/film_kernel.h"
-#include "elements/rub_kernel.h"
-#include "elements/shaft_kernel.h"
-#include "elements/station_kernel.h"
+#include "elements/films/film_kernel.h"
+#include "elements/contacts/rub_kernel.h"
+#include "elements/shafts/shaft_kernel.h"
+#include "elements/shafts/station_kernel.h"
 #include "lanes.h"
 
 /// Coordinates: of the disc, which has the one contact, then of the journal.

@@ -23,7 +23,7 @@ cp -r "$source/src" "$source/include" "$source/cmake" copy
 was=$(hash_of "$source")
 grep -q "$was" "$whirl" || fail "the program does not have the hash $was of its sources"
 [ "$(hash_of "$folder/copy")" = "$was" ] || fail "the hash is another one in another folder"
-for file in src/rotor/elements/film_kernel.h src/base/vector.h src/integrate/kernels/rk4_lanes.c include/whirl/engine/system.h cmake/layers.cmake cmake/whirlKernels.cmake; do
+for file in src/rotor/elements/films/film_kernel.h src/base/vector.h src/integrate/kernels/rk4_lanes.c include/whirl/engine/system.h cmake/layers.cmake cmake/whirlKernels.cmake; do
     echo >>"copy/$file"
     is=$(hash_of "$folder/copy")
     [ "$is" != "$was" ] || fail "the hash does not see a change of $file"

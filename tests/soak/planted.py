@@ -17,7 +17,7 @@ TESTS, SANITIZED, THREADS = "tests", "sanitized tests", "studies of threads"
 
 # Layer, what is wrong, file, line as it is, line with the fault, phase.
 FAULTS = [
-    ("rotor", "friction of a rub along y has the other sign", "src/rotor/elements/rub_kernel.h",
+    ("rotor", "friction of a rub along y has the other sign", "src/rotor/elements/contacts/rub_kernel.h",
      "a[j] = v_fnma(p.push, v_fma(f, p.x, p.y), a[j]);", "a[j] = v_fnma(p.push, v_fnma(f, p.x, p.y), a[j]);", TESTS),
     ("integrate", "a digit of dop853", "src/integrate/methods/dop853_tableau.h",
      "{0.02958758547680685, 0, 0.08876275643042054}", "{0.02958758547680685, 0, 0.08876275642042054}", TESTS),

@@ -39,7 +39,7 @@ def test_tends_to_the_short_film(film):
 
 
 def test_table_is_the_generators(film):
-    text = (ROOT / "src/rotor/elements/film_table.h").read_text()
+    text = (ROOT / "src/rotor/elements/films/film_table.h").read_text()
     body = text[text.index("film_table[FILM_COEFFICIENTS]") : text.index("film_errors")]
     rows = [
         [float(number) for number in row.split(",")]

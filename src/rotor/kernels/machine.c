@@ -6,7 +6,7 @@
 
 #include "block.h"
 #include "body_kernel.h"
-#include "elements/station_kernel.h"
+#include "elements/shafts/station_kernel.h"
 #include "instances.h"
 
 static block block_of(const lanes_view *view) {

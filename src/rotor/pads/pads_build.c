@@ -6,7 +6,7 @@
 
 #include "centred.h"
 #include "doubts.h"
-#include "elements/pads_look_up.h"
+#include "elements/films/pads_look_up.h"
 #include "turbulence.h"
 #include "whirl/engine/bearing.h"
 

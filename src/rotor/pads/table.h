@@ -42,7 +42,7 @@ enum {
 
 /// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: by 6e-8 of a force they are rounded,
 /// which is as smooth as they are. Of a pad that tilts freely, about where its film has no moment about the pivot:
-/// r/p at the nodes of t and w (elements/pads_balance.h).
+/// r/p at the nodes of t and w (elements/films/pads_balance.h).
 typedef struct pad_table {
     float coefficients[PAD_COEFFICIENTS];
     float lean[PAD_T_NODES][PAD_W_NODES];

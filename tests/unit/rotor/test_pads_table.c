@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "elements/pads_look_up.h"
+#include "elements/films/pads_look_up.h"
 
 static const double pi = 3.14159265358979323846;
 

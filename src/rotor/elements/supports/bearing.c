@@ -1,7 +1,7 @@
 // A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
 // what moves in it; constant, or of the speed and the frequency of whirl by a table, for which in time a rational
 // function stands.
-#define KERNEL_FILE "elements/bearing_kernel.h"
+#define KERNEL_FILE "elements/supports/bearing_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 16 // two for each axis and pair
 #define KERNEL_FEWER_STATES

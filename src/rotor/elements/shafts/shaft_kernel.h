@@ -12,7 +12,7 @@
 #ifndef ROTOR_SHAFT_KERNEL_H
 #define ROTOR_SHAFT_KERNEL_H
 
-#include "../element.h"
+#include "../../element.h"
 #include "vector.h"
 
 /// kbar and dk over m omega^2 at either station.

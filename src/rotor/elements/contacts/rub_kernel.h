@@ -14,7 +14,7 @@
 #ifndef ROTOR_RUB_KERNEL_H
 #define ROTOR_RUB_KERNEL_H
 
-#include "../element.h"
+#include "../../element.h"
 #include "vector.h"
 
 /// Gap, k/(m omega^2), c/(m omega), f, R (the surface's speed by tau), v_0, all in length scales; newtons of a unit of

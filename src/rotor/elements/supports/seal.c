@@ -1,5 +1,5 @@
 // An annular seal with a turning fluid: its keys and the numbers of its kernel.
-#define KERNEL_FILE "elements/seal_kernel.h"
+#define KERNEL_FILE "elements/supports/seal_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS SEAL_NUMBERS

@@ -1,5 +1,5 @@
 // A spring and damper between two stations, or a station and the ground, with play between them.
-#define KERNEL_FILE "elements/spring_kernel.h"
+#define KERNEL_FILE "elements/supports/spring_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS SPRING_NUMBERS
@@ -9,7 +9,7 @@
 /// In newtons and length scales; of tilts in N m and the unit of the first one.
 enum { SPRING_STIFFNESS, SPRING_DAMPING, SPRING_GAP, SPRING_NUMBERS };
 
-#include "along.h"
+#include "elements/along.h"
 #include "generic.h"
 #include "registry.h"
 

@@ -1,5 +1,5 @@
 // The unbalance that a balance quality grade lets a rotor have, on two planes.
-#define KERNEL_FILE "elements/unbalance_grade_kernel.h"
+#define KERNEL_FILE "elements/loads/unbalance_grade_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS RESIDUAL_NUMBERS

@@ -1,5 +1,5 @@
 // Blades that pass a casing: its keys and the numbers of its kernel.
-#define KERNEL_FILE "elements/blade_rub_kernel.h"
+#define KERNEL_FILE "elements/contacts/blade_rub_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
 #define KERNEL_NUMBERS BLADE_NUMBERS

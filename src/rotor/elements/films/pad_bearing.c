@@ -1,11 +1,11 @@
 // A journal bearing of fixed pads: two grooves, lobes, halves.
-#define KERNEL_FILE "elements/pads_kernel.h"
+#define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS PADS_NUMBERS
 #define KERNEL_SWITCHES 0
 
-#include "elements/pads_look_up.h"
+#include "elements/films/pads_look_up.h"
 #include "generic.h"
 #include "pads_build.h"
 #include "registry.h"

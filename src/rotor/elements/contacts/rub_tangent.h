@@ -7,7 +7,7 @@
 #define ROTOR_RUB_TANGENT_H
 
 #include "rub_kernel.h"
-#include "tangent.h"
+#include "elements/tangent.h"
 
 /// Derivatives of N/r, where it touches.
 static inline void rub_push_tangent(const element *rub, size_t stride, const vec *number, const rub_place *p,

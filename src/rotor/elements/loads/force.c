@@ -1,5 +1,5 @@
 // A harmonic force or moment from outside, at the speed of the shaft or with a phase of its own.
-#define KERNEL_FILE "elements/harmonic_kernel.h"
+#define KERNEL_FILE "elements/loads/harmonic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
 #define KERNEL_NUMBERS HARMONIC_OWN

@@ -1,5 +1,5 @@
 // An elastomer mount between two stations, or a station and the ground: its damping fades with the frequency.
-#define KERNEL_FILE "elements/mount_kernel.h"
+#define KERNEL_FILE "elements/supports/mount_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 2
 #define KERNEL_NUMBERS MOUNT_NUMBERS

@@ -1,5 +1,5 @@
 // A cracked shaft that breathes by its weight: its keys and the numbers of its kernel.
-#define KERNEL_FILE "elements/crack_kernel.h"
+#define KERNEL_FILE "elements/shafts/crack_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS CRACK_NUMBERS

@@ -17,7 +17,7 @@
 #ifndef ROTOR_FILM_KERNEL_H
 #define ROTOR_FILM_KERNEL_H
 
-#include "../element.h"
+#include "../../element.h"
 #include "elementary.h"
 #include "vector.h"
 

@@ -1,7 +1,7 @@
 // Ball and roller bearings, whose stiffness varies as their balls or rollers pass: keys and the numbers of the kernel.
 #include "rolling.h"
 
-#define KERNEL_FILE "elements/rolling_kernel.h"
+#define KERNEL_FILE "elements/supports/rolling_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES ROLLING_STATES
 #define KERNEL_NUMBERS ROLLING_NUMBERS

@@ -1,6 +1,6 @@
 // An unbalance while the speed runs up or down evenly, for designs of the library. Speed and angle are states; the
 // rotor's own speed is but the unit of time.
-#define KERNEL_FILE "elements/run_up_kernel.h"
+#define KERNEL_FILE "elements/loads/run_up_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 2
 #define KERNEL_NUMBERS RUN_UP_NUMBERS

@@ -13,7 +13,7 @@
 #define ROTOR_FILM_TANGENT_H
 
 #include "film_kernel.h"
-#include "tangent.h"
+#include "elements/tangent.h"
 
 /// The quantities above.
 typedef struct film_slopes {

@@ -1,5 +1,5 @@
 // A floating ring between a journal and its housing.
-#define KERNEL_FILE "elements/floating_ring_kernel.h"
+#define KERNEL_FILE "elements/films/floating_ring_kernel.h"
 #define KERNEL_AXES 4 // x and y of the journal from the ring, of the ring from the housing
 #define KERNEL_STATES 1
 #define KERNEL_NUMBERS RING_NUMBERS

@@ -1,12 +1,12 @@
 // A journal bearing of pads that tilt, with their tilts as states.
-#define KERNEL_FILE "elements/pads_kernel.h"
+#define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES PADS_STATES
 #define KERNEL_FEWER_STATES
 #define KERNEL_NUMBERS PADS_NUMBERS
 #define KERNEL_SWITCHES 0
 
-#include "elements/pads_balance.h"
+#include "elements/films/pads_balance.h"
 #include "generic.h"
 #include "pads_build.h"
 #include "registry.h"

@@ -1,7 +1,7 @@
 // The kernels of a rolling bearing with dents, whose races and rolling elements have angles of their own.
 #include "rolling.h"
 
-#define KERNEL_FILE "elements/rolling_kernel.h"
+#define KERNEL_FILE "elements/supports/rolling_kernel.h"
 #define ROLLING_DENTED
 #define KERNEL_AXES 2
 #define KERNEL_STATES DENTED_STATES

@@ -1,5 +1,5 @@
 // A universal joint between two shafts at an angle that stands still: what it does to them twice a turn.
-#define KERNEL_FILE "elements/joint_kernel.h"
+#define KERNEL_FILE "elements/shafts/joint_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS JOINT_NUMBERS

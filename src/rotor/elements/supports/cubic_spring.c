@@ -1,5 +1,5 @@
 // A spring between two stations, or a station and the ground, whose stiffness changes with the square of displacement.
-#define KERNEL_FILE "elements/cubic_spring_kernel.h"
+#define KERNEL_FILE "elements/supports/cubic_spring_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS CUBIC_NUMBERS
@@ -9,7 +9,7 @@
 /// In newtons and length scales; of tilts in N m and the unit of the first one.
 enum { CUBIC_STIFFNESS, CUBIC_CUBE, CUBIC_DAMPING, CUBIC_NUMBERS };
 
-#include "along.h"
+#include "elements/along.h"
 #include "generic.h"
 #include "registry.h"
 

@@ -1,5 +1,5 @@
 // What a flexible coupling does to the ends of two shafts that stand beside each other: reactions after Gibbons.
-#define KERNEL_FILE "elements/coupling_load_kernel.h"
+#define KERNEL_FILE "elements/loads/coupling_load_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS REACTION_NUMBERS

@@ -1,5 +1,5 @@
 // Dry friction between two stations, or a station and the ground: a force of one size against their sliding.
-#define KERNEL_FILE "elements/friction_kernel.h"
+#define KERNEL_FILE "elements/contacts/friction_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS FRICTION_NUMBERS
@@ -10,7 +10,7 @@
 enum { FRICTION_FORCE, FRICTION_SLIP_SQUARE, FRICTION_NUMBERS };
 enum { FRICTION_SMOOTH, FRICTION_SHARP };
 
-#include "along.h"
+#include "elements/along.h"
 #include "generic.h"
 #include "registry.h"
 

@@ -1,5 +1,5 @@
 // What tilting_pad is made where its pivots yield along the radius: two more states a pad.
-#define KERNEL_FILE "elements/pads_kernel.h"
+#define KERNEL_FILE "elements/films/pads_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES PADS_YIELDING_STATES
 #define KERNEL_FEWER_STATES
@@ -7,7 +7,7 @@
 #define KERNEL_SWITCHES 0
 #define PADS_YIELD 1
 
-#include "elements/pads_balance.h"
+#include "elements/films/pads_balance.h"
 #include "generic.h"
 #include "pads_build.h"
 #include "registry.h"

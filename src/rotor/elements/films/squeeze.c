@@ -1,5 +1,5 @@
 // A squeeze film damper, short or long, with half the film or all of it.
-#define KERNEL_FILE "elements/squeeze_kernel.h"
+#define KERNEL_FILE "elements/films/squeeze_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS SQUEEZE_NUMBERS

@@ -1,5 +1,5 @@
 // A stator that a station touches, by laws of impact and friction: its keys and the numbers of its kernel.
-#define KERNEL_FILE "elements/contact_kernel.h"
+#define KERNEL_FILE "elements/contacts/contact_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
 #define KERNEL_FEWER_STATES

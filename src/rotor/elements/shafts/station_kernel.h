@@ -4,7 +4,7 @@
 #ifndef ROTOR_STATION_KERNEL_H
 #define ROTOR_STATION_KERNEL_H
 
-#include "../element.h"
+#include "../../element.h"
 #include "vector.h"
 
 /// Damping and pull alone.

@@ -1,5 +1,5 @@
 // A seat that can lift (a loose pedestal): a spring and damper along one axis with two or three slopes.
-#define KERNEL_FILE "elements/looseness_kernel.h"
+#define KERNEL_FILE "elements/contacts/looseness_kernel.h"
 #define KERNEL_AXES 1
 #define KERNEL_STATES 0
 #define KERNEL_NUMBERS LOOSENESS_NUMBERS

@@ -1,5 +1,5 @@
 // A radial magnetic bearing with its control: its keys and the numbers of its kernel.
-#define KERNEL_FILE "elements/magnetic_kernel.h"
+#define KERNEL_FILE "elements/supports/magnetic_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 25
 #define KERNEL_FEWER_STATES
