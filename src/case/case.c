@@ -38,7 +38,7 @@ static void check_machine_at(case_reader *reader, case_content *content, size_t 
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
     if (status.code == WHIRL_OK) return;
     char at[PLAN_GIVEN_TEXT];
-    given_text(given, count, at, sizeof at);
+    given_text(&content->parameters, given, count, at, sizeof at);
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 

@@ -119,14 +119,10 @@ static whirl_status describe_given(const case_content *content, const whirl_batc
     if (batch->given_count == 0) return whirl_ok();
     snprintf(name, sizeof name, "%s with", batch->name);
     for (size_t i = 0; i < batch->given_count; i++) {
-        const size_t used = strlen(text);
-        const size_t index = parameters_find(&content->parameters, batch->given[i].name);
-        const char *const known = known_unit(content, index);
-        const whirl_unit written = formula_unit(&content->parameters, content->parameters.items[index].text, known);
-        const bool as_written = written.size > 0.0;
-        const char *const unit = as_written ? written.name : known;
-        snprintf(text + used, sizeof text - used, "%s%s = %.10g%s%s", i ? ", " : "", batch->given[i].name,
-                 as_written ? batch->given[i].value / written.size : batch->given[i].value, *unit ? " " : "", unit);
+        const whirl_given *own = &batch->given[i];
+        char value[3 * WHIRL_NAME_SIZE];
+        value_text(&content->parameters, own->name, own->value, value, sizeof value);
+        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s = %s", i ? ", " : "", own->name, value);
     }
     return whirl_result_add_fact(result, name, text);
 }

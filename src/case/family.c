@@ -95,7 +95,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
         whirl_given given[PLAN_MAX_GIVEN];
         const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
         if (status.code == WHIRL_NO_MEMORY || count == 0) return status;
-        given_text(given, count, at, sizeof at);
+        given_text(&object->content.parameters, given, count, at, sizeof at);
         return whirl_fail(status.code, "at %s: %.300s", at, status.message);
     }
     *machine = (whirl_machine){.system = whirl_rotor_system(m->rotor),

@@ -136,7 +136,7 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
     if (!has_tables(&content->machine)) return whirl_ok();
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, false, &tables);
-    if (count > 0) given_text(given, count, at, sizeof at);
+    if (count > 0) given_text(&content->parameters, given, count, at, sizeof at);
     if (status.code == WHIRL_OK && whirl_rotor_system(tables)->frequency_count > 0)
         status = tell(content, &v, tables, at, result, doubt);
     whirl_rotor_free(tables);

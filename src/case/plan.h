@@ -111,7 +111,7 @@ whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start
 
 /// The values of parameters at which a batch has its machines: of those that vary (NaN: none) and of those that it is
 /// given; how many.
-enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (WHIRL_NAME_SIZE + 32) };
+enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32) };
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
 

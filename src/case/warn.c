@@ -52,7 +52,7 @@ static void take_doubt(void *context, size_t index, const char *key, const char 
     char path[160], text[WHIRL_MESSAGE_SIZE], at[PLAN_GIVEN_TEXT] = "";
     node_path(element->place, path, sizeof path);
     snprintf(path + strlen(path), sizeof path - strlen(path), ".%s", key);
-    if (varies(w, element)) given_text(w->given, w->given_count, at, sizeof at);
+    if (varies(w, element)) given_text(&w->content->parameters, w->given, w->given_count, at, sizeof at);
     snprintf(text, sizeof text, "%s%s%s", sentence, *at ? ", at " : "", at);
     warn(w, path, text);
 }
@@ -87,12 +87,13 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
 /// Of `count` values, one every `stride`, that are one and the same.
 static void warn_of_range(warner *w, const char *batch, const char *name, const double *values, size_t stride,
                           size_t count) {
-    char path[2 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
+    char path[2 * WHIRL_NAME_SIZE], all[3 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
     for (size_t i = 1; i < count; i++)
         if (values[i * stride] != values[0]) return;
     if (count < 2) return;
+    value_text(&w->content->parameters, name, values[0], all, sizeof all);
     snprintf(path, sizeof path, "study.%s.%s", batch, name);
-    snprintf(text, sizeof text, "all %zu values are %.10g: the range is empty", count, values[0]);
+    snprintf(text, sizeof text, "all %zu values are %s: the range is empty", count, all);
     warn(w, path, text);
 }
 

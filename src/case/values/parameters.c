@@ -450,11 +450,23 @@ static whirl_status take_given(valuation *v, const whirl_given *given, size_t co
     return whirl_ok();
 }
 
-void given_text(const whirl_given *given, size_t count, char *text, size_t size) {
+void value_text(const parameter_table *parameters, const char *name, double value, char *text, size_t size) {
+    const size_t index = parameters_find(parameters, name);
+    const bool known = index < parameters->count;
+    const char *const own = known ? parameter_expected_unit(&parameters->items[index]) : "";
+    const char *const si = strcmp(own, "1") == 0 ? "" : own;
+    const whirl_unit written = known ? formula_unit(parameters, parameters->items[index].text, si) : (whirl_unit){0};
+    const char *const unit = written.size > 0.0 ? written.name : si;
+    snprintf(text, size, "%.10g%s%s", written.size > 0.0 ? value / written.size : value, *unit ? " " : "", unit);
+}
+
+void given_text(const parameter_table *parameters, const whirl_given *given, size_t count, char *text, size_t size) {
     *text = '\0';
     for (size_t i = 0, used = 0; i < count && used < size; i++) {
         const char *before = i == 0 ? "" : i + 1 == count ? " and " : ", ";
-        snprintf(text + used, size - used, "%s%s = %.10g", before, given[i].name, given[i].value);
+        char value[3 * WHIRL_NAME_SIZE];
+        value_text(parameters, given[i].name, given[i].value, value, sizeof value);
+        snprintf(text + used, size - used, "%s%s = %s", before, given[i].name, value);
         used += strlen(text + used);
     }
 }

@@ -117,8 +117,11 @@ typedef struct valuation {
     size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
-/// "a = 1, b = 2 and c = 3", of any that are given.
-void given_text(const whirl_given *given, size_t count, char *text, size_t size);
+/// "90 um": a value of a parameter, in the unit in which the case writes it, else in SI.
+void value_text(const parameter_table *parameters, const char *name, double value, char *text, size_t size);
+
+/// "a = 1 mm, b = 2 and c = 3", of any that are given.
+void given_text(const parameter_table *parameters, const whirl_given *given, size_t count, char *text, size_t size);
 
 /// Evaluates all parameters with those `given` [count] at their values, the others as the case has them.
 /// WHIRL_BAD_INPUT when there is none of such a name, or one has no finite value. Closed by valuation_close, after a
