@@ -21,11 +21,13 @@ enum {
 
 #include "doubts.h"
 #include "generic.h"
+#include "oil.h"
 #include "registry.h"
 
 const element_kernels ISA(floating_ring_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
 
 enum {
     AT,
@@ -35,11 +37,12 @@ enum {
     CLEARANCE,
     RADIUS,
     LENGTH,
-    VISCOSITY,
-    OUTER_CLEARANCE,
+    OIL,
+    OUTER_CLEARANCE = OIL + OIL_KEYS,
     OUTER_RADIUS,
     OUTER_LENGTH,
     OUTER_VISCOSITY,
+    OUTER_KINEMATIC,
     KEY_COUNT
 };
 
@@ -51,43 +54,61 @@ static const whirl_key keys[KEY_COUNT] = {
     [CLEARANCE] = NUMBER_KEY("clearance", "c_i", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance of the inner film"),
     [RADIUS] = NUMBER_KEY("radius", "R_i", "m", REQUIRED, WHIRL_POSITIVE, "radius of the inner film"),
     [LENGTH] = NUMBER_KEY("length", "L_i", "m", REQUIRED, WHIRL_POSITIVE, "length of the inner film"),
-    [VISCOSITY] = NUMBER_KEY("viscosity", "mu_i", "Pa s", REQUIRED, WHIRL_POSITIVE,
-                             "dynamic viscosity of the oil within the ring"),
+    OIL_ROWS(OIL, "dynamic viscosity of the oil within the ring; required without kinematic_viscosity"),
     [OUTER_CLEARANCE] =
         NUMBER_KEY("outer_clearance", "c_o", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance of the outer film"),
     [OUTER_RADIUS] = NUMBER_KEY("outer_radius", "R_o", "m", REQUIRED, WHIRL_POSITIVE, "radius of the outer film"),
     [OUTER_LENGTH] = NUMBER_KEY("outer_length", "L_o", "m", REQUIRED, WHIRL_POSITIVE, "length of the outer film"),
     [OUTER_VISCOSITY] = NUMBER_KEY("outer_viscosity", "mu_o", "Pa s", OPTIONAL, WHIRL_POSITIVE,
                                    "dynamic viscosity of the oil around it; as within where absent"),
+    [OUTER_KINEMATIC] = NUMBER_KEY("outer_kinematic_viscosity", "nu_o", "m2/s", OPTIONAL, WHIRL_POSITIVE,
+                                   "in its place, with the density"),
 };
 
 typedef struct ring_side {
     double clearance, radius, length, viscosity;
 } ring_side;
 
-static ring_side side_of(const key_value *values, bool outer) {
-    const double within = values[VISCOSITY].number;
-    if (!outer) return (ring_side){values[CLEARANCE].number, values[RADIUS].number, values[LENGTH].number, within};
-    return (ring_side){values[OUTER_CLEARANCE].number, values[OUTER_RADIUS].number, values[OUTER_LENGTH].number,
-                       values[OUTER_VISCOSITY].given ? values[OUTER_VISCOSITY].number : within};
+static whirl_status find_sides(const key_value *values, ring_side *inner, ring_side *outer) {
+    const oil within = {&values[OIL]};
+    const key_value *density = &values[OIL + OIL_DENSITY], *dynamic = &values[OUTER_VISCOSITY];
+    const key_value *kinematic = &values[OUTER_KINEMATIC];
+    *inner = (ring_side){values[CLEARANCE].number, values[RADIUS].number, values[LENGTH].number, 0.0};
+    *outer = (ring_side){values[OUTER_CLEARANCE].number, values[OUTER_RADIUS].number, values[OUTER_LENGTH].number, 0.0};
+    if (dynamic->given && kinematic->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has both %s and %s, expected one of them", keys[OUTER_VISCOSITY].name,
+                          keys[OUTER_KINEMATIC].name);
+    if (kinematic->given && !density->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s without a density, expected that of the oil, too",
+                          keys[OUTER_KINEMATIC].name);
+    const whirl_status status = oil_viscosity(&within, &inner->viscosity);
+    outer->viscosity = dynamic->given     ? dynamic->number
+                       : kinematic->given ? kinematic->number * density->number
+                                          : inner->viscosity;
+    return status;
+}
+
+/// What a film's drag is of the difference of speeds of its two sides, N m s.
+static double drag_of(const ring_side *of) {
+    return 6.28318530717958647692 * of->viscosity * of->radius * of->radius * of->radius * of->length / of->clearance;
 }
 
 /// Three numbers of a film from `first` on.
 static void build_side(const ring_side *of, double inertia, const assembly *to, double *first) {
-    const double round = 6.28318530717958647692 * of->radius * of->radius * of->radius * of->length;
     const double size = of->viscosity * to->clock * of->radius * of->length * of->length * of->length;
     first[0] = to->length / of->clearance;
     first[1] = size / (4.0 * of->clearance * of->clearance);
-    first[2] = of->viscosity * round / (of->clearance * inertia * to->clock);
+    first[2] = drag_of(of) / (inertia * to->clock);
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const ring_side inner = side_of(values, false), outer = side_of(values, true);
+    ring_side inner, outer;
     const double own = to->stations[values[AT].station[0]].ratio;
     element around = *out;
     if (values[RING].station[0] == values[AT].station[0])
         return whirl_fail(WHIRL_BAD_INPUT, "has journal and ring at one station, expected two");
-    whirl_status status = element_in_housing(&values[AT], &values[RING], to, out);
+    whirl_status status = find_sides(values, &inner, &outer);
+    if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[RING], to, out);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[RING], &values[FROM], to, &around);
     if (status.code != WHIRL_OK) return status;
     // Places: of the journal and the ring; from these: of the ring and the housing.
@@ -105,12 +126,17 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+/// The ring turns between the journal and the housing, by their drags, where both are in the middle.
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
-    (void)speed;
+    ring_side side[2];
+    if (find_sides(values, &side[0], &side[1]).code != WHIRL_OK) return;
+    const double drag[] = {drag_of(&side[0]), drag_of(&side[1])}, density = values[OIL + OIL_DENSITY].number;
     for (int outer = 0; outer < 2; outer++) {
-        const ring_side side = side_of(values, outer);
-        doubt_length(to, keys[outer ? OUTER_LENGTH : LENGTH].name, side.length, side.radius, "");
-        doubt_clearance(to, keys[outer ? OUTER_CLEARANCE : CLEARANCE].name, side.clearance, side.radius);
+        const ring_side *of = &side[outer];
+        const double shear = fabs(speed) * drag[!outer] / (drag[0] + drag[1]);
+        doubt_length(to, keys[outer ? OUTER_LENGTH : LENGTH].name, of->length, of->radius, "");
+        doubt_clearance(to, keys[outer ? OUTER_CLEARANCE : CLEARANCE].name, of->clearance, of->radius);
+        doubt_flow(to, density * shear * of->radius * of->clearance / of->viscosity, of->radius, of->clearance, false);
     }
 }
 

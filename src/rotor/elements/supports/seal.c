@@ -45,6 +45,7 @@ enum {
     LENGTH,
     DENSITY,
     VISCOSITY,
+    KINEMATIC,
     PRESSURE,
     LOSS,
     SWIRL,
@@ -79,6 +80,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", OPTIONAL, WHIRL_POSITIVE, "density of the liquid; with black"),
     [VISCOSITY] =
         NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, "dynamic viscosity of it; with black"),
+    [KINEMATIC] = NUMBER_KEY("kinematic_viscosity", "nu", "m2/s", OPTIONAL, WHIRL_POSITIVE,
+                             "kinematic viscosity of it, in place of viscosity; with black"),
     [PRESSURE] = NUMBER_KEY("pressure", "Delta_p", "Pa", OPTIONAL, WHIRL_POSITIVE,
                             "pressure that drops over inlet and seal; with black"),
     [LOSS] =
@@ -93,9 +96,11 @@ static const whirl_key keys[KEY_COUNT] = {
 
 /// The middle of the seal: as given, or by its geometry.
 static black_coefficients middle_of(const key_value *values, double speed) {
-    const black_seal seal = {values[RADIUS].number,  values[LENGTH].number,    values[CLEARANCE].number,
-                             values[DENSITY].number, values[VISCOSITY].number, values[PRESSURE].number,
-                             values[LOSS].number,    values[SWIRL].number};
+    const double density = values[DENSITY].number;
+    const double viscosity = values[KINEMATIC].given ? values[KINEMATIC].number * density : values[VISCOSITY].number;
+    const black_seal seal = {
+        values[RADIUS].number,   values[LENGTH].number, values[CLEARANCE].number, density, viscosity,
+        values[PRESSURE].number, values[LOSS].number,   values[SWIRL].number};
     if (values[LAW].choice) return black_find(&seal, speed);
     return (black_coefficients){.stiffness = values[STIFFNESS].number,
                                 .damping = values[DAMPING].number,
@@ -114,9 +119,12 @@ static whirl_status check_law(const key_value *values) {
         if (!black && values[k].given)
             return whirl_fail(WHIRL_BAD_INPUT, "has %s, which law muszynska does not know, expected law black",
                               keys[k].name);
-        if (black && !values[k].given && k < LOSS)
+        if (black && !values[k].given && k < LOSS && k != VISCOSITY && k != KINEMATIC)
             return whirl_fail(WHIRL_BAD_INPUT, "has no %s, expected one with law black", keys[k].name);
     }
+    if (black && values[VISCOSITY].given == values[KINEMATIC].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s, expected one of viscosity and kinematic_viscosity with law black",
+                          values[VISCOSITY].given ? "both" : "neither");
     return black || values[RATIO].given ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "has no ratio, expected one");
 }
 
