@@ -259,6 +259,7 @@ def test_results_and_tables_are_as_dictionaries(good):
     assert list(good) == list(good.keys()) == ["sweep"] and len(good) == 1
     assert dict(good.items())["sweep"] is good["sweep"] and list(good.values()) == [good["sweep"]]
     assert list(good["sweep"].keys()) == list(good["sweep"])
+    assert good.get("sweep") is good["sweep"] and good.get("modes") is None
 
 
 def test_a_notebook_shows_something(good, monkeypatch):

@@ -247,6 +247,10 @@ class Result:
         """Both: ``for name, table in result.items(): ...``"""
         return self.tables.items()
 
+    def get(self, name: str, default: Table | None = None) -> Table | None:
+        """A table, or ``default`` where the result has none of the name."""
+        return self.tables.get(name, default)
+
     @property
     def plot(self) -> Plots:
         """Figures in Matplotlib as the report draws them, such as ``result.plot.bifurcation()``."""

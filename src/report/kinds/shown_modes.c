@@ -6,6 +6,14 @@
 #include "shown_kinds.h"
 #include "summary.h"
 
+/// What rounding leaves of no damping, over the frequency.
+static const double rounding = 1e-10;
+
+/// A damping ratio, 0 where it is nothing but rounding.
+static double shown_ratio(double ratio) {
+    return fabs(ratio) < rounding ? 0.0 : ratio;
+}
+
 // ---------------------------------------------------------------- the summary
 
 /// The peak of loops of control, and the zone that it is in.
@@ -16,6 +24,17 @@ static void print_sensitivity(FILE *out, const whirl_table *table, size_t point)
     if (isfinite(peak))
         fprintf(out, "  peak sensitivity of the loops of control %.7g at %.6g Hz: zone %c of ISO 14839-3\n", peak,
                 frequency / 6.283185307179586, zone);
+}
+
+/// "stable", "unstable" or, where the largest real part is nothing but rounding, "undamped".
+static const char *stability_name(const whirl_table *table, size_t point) {
+    const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    double fastest = 0.0;
+    for (size_t i = 0; field && frequency && i < field->rows; i++) fastest = fmax(fastest, frequency[i]);
+    if (fabs(stability) <= rounding * fastest) return "undamped";
+    return stability > 0.0 ? "unstable" : "stable";
 }
 
 /// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
@@ -30,7 +49,7 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
         const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
         fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i],
-                frequency[i] / 6.283185307179586, *whirls ? 10 : 0, ratio[i], whirls);
+                frequency[i] / 6.283185307179586, *whirls ? 10 : 0, shown_ratio(ratio[i]), whirls);
     }
     const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
     const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
@@ -44,8 +63,8 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
                 frequency && isfinite(frequency[0]) ? "" : "no ", known[0], known[1]);
     print_sensitivity(out, table, point);
     if (isfinite(stability))
-        fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n",
-                stability > 0 ? "unstable" : "stable", rigid > 0 ? " other" : "", stability);
+        fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n", stability_name(table, point),
+                rigid > 0 ? " other" : "", stability);
 }
 
 /// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".
@@ -63,7 +82,7 @@ static void print_critical(FILE *out, const whirl_shown_units *units, const whir
                     rows[5] > 0.05    ? "forward"
                     : rows[5] < -0.05 ? "backward"
                                       : "to and fro",
-                    rows[3], rows[4]);
+                    rows[3], shown_ratio(rows[4]));
         }
     }
 }
@@ -130,7 +149,8 @@ static void write_row(FILE *stream, const double *row, double unit) {
     fprintf(stream,
             "<tr><th>%s</th><td class=\"number\">%.9g</td><td class=\"number\">%.6g</td><td class=\"number\">%.6g</td>"
             "<td class=\"number\">%.4g</td><td>%s</td></tr>\n",
-            kinds[(int)row[0]], row[1] / unit, row[2] * 60.0 / 6.283185307179586, row[3] / 6.283185307179586, row[4],
+            kinds[(int)row[0]], row[1] / unit, row[2] * 60.0 / 6.283185307179586, row[3] / 6.283185307179586,
+            shown_ratio(row[4]),
             row[5] > 0.05    ? "forward"
             : row[5] < -0.05 ? "backward"
                              : "to and fro");
