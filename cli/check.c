@@ -12,6 +12,7 @@
 #include "cores.h"
 #include "estimate.h"
 #include "files.h"
+#include "limit.h"
 #include "phases.h"
 #include "progress.h"
 #include "summary.h"
@@ -77,26 +78,33 @@ static whirl_status begin_look(look *l, const whirl_study *study, const whirl_ba
 }
 
 /// Carries the machines that go side by side with one of them over a few revolutions, by a method that is stable: films
-/// stiffen as a motion grows. One that cannot go on stays at its start.
+/// stiffen as a motion grows. One that cannot go on stays at its start, and all where they are when it takes too long.
 static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) {
-    enum { REVOLUTIONS = 10 };
+    enum { REVOLUTIONS = 10, MOST_SECONDS = 1 };
     whirl_integrate_options stable = batch->integrate;
     whirl_ensemble *lanes;
     size_t in[LOOKED_AT], used = 0;
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
+    const volatile bool *over = stable.stop = limit_begin(MOST_SECONDS);
     const whirl_status status = whirl_ensemble_new(l->machines[first].system, &stable, l->count - first, &lanes);
-    if (status.code != WHIRL_OK) return status;
+    if (status.code != WHIRL_OK) {
+        limit_end();
+        return status;
+    }
     for (size_t i = first; i < l->count; i++) {
         if (l->carried[i]) continue;
         l->carried[i] = whirl_ensemble_load(lanes, used, l->machines[i].system, l->x[i]).code == WHIRL_OK;
         if (l->carried[i]) in[used++] = i;
     }
-    for (int i = 0; i < REVOLUTIONS; i++) whirl_ensemble_revolve(lanes, used, NULL);
-    for (size_t lane = 0; lane < used; lane++)
-        if (whirl_ensemble_motion(lanes, lane) == WHIRL_BOUNDED) whirl_ensemble_state(lanes, lane, l->x[in[lane]]);
+    for (int i = 0; i < REVOLUTIONS && !*over; i++) {
+        whirl_ensemble_revolve(lanes, used, NULL);
+        for (size_t lane = 0; lane < used && !*over; lane++)
+            if (whirl_ensemble_motion(lanes, lane) == WHIRL_BOUNDED) whirl_ensemble_state(lanes, lane, l->x[in[lane]]);
+    }
     whirl_ensemble_free(lanes);
+    limit_end();
     return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 

@@ -1,11 +1,10 @@
 #include "estimate.h"
 
 #include <math.h>
-#include <signal.h>
 #include <string.h>
-#include <sys/time.h>
 #include <time.h>
 
+#include "limit.h"
 #include "whirl/engine/ensemble.h"
 
 /// Seconds of processor time.
@@ -13,23 +12,6 @@ static double now(void) {
     struct timespec time;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time); // whatever else the computer is busy with
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
-
-/// Set where a revolution takes longer than anybody waits for an estimate.
-static volatile bool over;
-
-static void set_over(int number) {
-    (void)number;
-    over = true;
-}
-
-/// Lets `over` become true after so many seconds of processor time; 0: never.
-static void limit_time(long seconds) {
-    const struct sigaction action = {.sa_handler = set_over};
-    const struct itimerval timer = {.it_value = {.tv_sec = seconds}};
-    over = false;
-    sigaction(SIGPROF, &action, NULL);
-    setitimer(ITIMER_PROF, &timer, NULL);
 }
 
 /// Notes that memory ran out, which is no reason to leave an estimate out in silence.
@@ -44,30 +26,32 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     enum { MOST = 50, LONGEST = 5 };
     const double enough = 0.02;
     whirl_integrate_options own = *how;
-    own.stop = &over;
+    const volatile bool *over = own.stop = limit_begin(LONGEST);
     whirl_ensemble *ensemble;
     const whirl_status made = whirl_ensemble_takes(machine->system, &own)
                                   ? whirl_ensemble_new(machine->system, &own, lanes, &ensemble)
                                   : whirl_ensemble_alone(machine->system, &own, lanes, 0, &ensemble);
     note_memory(status, made);
-    if (made.code != WHIRL_OK) return (double)NAN;
+    if (made.code != WHIRL_OK) {
+        limit_end();
+        return (double)NAN;
+    }
     for (size_t i = 0; i < lanes; i++) {
         const whirl_status loaded = whirl_ensemble_load(ensemble, i, machine->system, machine->start);
         note_memory(status, loaded);
         if (loaded.code != WHIRL_OK) lanes = i;
     }
-    limit_time(LONGEST);
     const double begun = now();
     double passed = 0.0;
     int done = 0;
-    while (lanes > 0 && done < MOST && passed < enough && !over) {
+    while (lanes > 0 && done < MOST && passed < enough && !*over) {
         whirl_ensemble_revolve(ensemble, lanes, NULL);
         passed = now() - begun;
         done++;
     }
     whirl_ensemble_free(ensemble);
-    if (over) return (double)INFINITY;
-    limit_time(0);
+    limit_end();
+    if (*over) return (double)INFINITY;
     return done > 0 ? passed / done : (double)NAN;
 }
 

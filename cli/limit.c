@@ -1,0 +1,29 @@
+#include "limit.h"
+
+#include <signal.h>
+#include <stddef.h>
+#include <sys/time.h>
+
+static volatile bool over;
+
+static void set_over(int number) {
+    (void)number;
+    over = true;
+}
+
+static void set_timer(long seconds) {
+    const struct itimerval timer = {.it_value = {.tv_sec = seconds}};
+    setitimer(ITIMER_PROF, &timer, NULL);
+}
+
+const volatile bool *limit_begin(long seconds) {
+    const struct sigaction action = {.sa_handler = set_over};
+    over = false;
+    sigaction(SIGPROF, &action, NULL);
+    set_timer(seconds);
+    return &over;
+}
+
+void limit_end(void) {
+    set_timer(0);
+}
