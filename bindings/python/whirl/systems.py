@@ -125,6 +125,22 @@ _OF_BRANCHES = (
 )
 
 
+def _flag(value, what):
+    if not isinstance(value, (bool, np.bool_)):
+        raise errors.BadInput(f"{what} is {value!r}, expected True or False")
+    return bool(value)
+
+
+def _row(values, what):
+    try:
+        numbers = np.atleast_1d(np.array(values, dtype=float))
+    except (TypeError, ValueError) as failure:
+        raise errors.BadInput(f"{what}: {failure}, expected numbers") from None
+    if numbers.ndim > 1:
+        raise errors.BadInput(f"{what} has the shape {numbers.shape}, expected a number for every coordinate")
+    return numbers
+
+
 def _count(number, what):
     """A whole number from 0 on."""
     whole = -1 if isinstance(number, (bool, np.bool_)) else number
@@ -283,12 +299,12 @@ class System:
     ) -> None:
         if (speed is None) == (period is None):
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
-        self.start = np.array(start, dtype=float).ravel()
+        self.start = _row(start, "start")
         self.parameters = {str(name): float(value) for name, value in (parameters or {}).items()}
-        self.speed, self.period, self.lanes = speed, period, bool(lanes)
+        self.speed, self.period, self.lanes = speed, period, _flag(lanes, "lanes")
         self.displacements = _count(displacements, "displacements")
         self.angles = {_count(index, "an angle"): float(turn) for index, turn in (angles or {}).items()}
-        self.stations, self.kinked, self.title = dict(stations or {}), bool(kinked), str(title)
+        self.stations, self.kinked, self.title = dict(stations or {}), _flag(kinked, "kinked"), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
         self.identity = None if identity is None else str(identity)
         unknown = set(self.units) - set(self.parameters)
