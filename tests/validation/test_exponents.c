@@ -125,7 +125,7 @@ static void a8_exponents(void **unused) {
 
 /// A journal at rest under its weight: e = .5, s = 2.5, whose slowest eigenvalues by the linear coefficients of A4 are
 /// a pair. By the default tolerance, from near the equilibrium and from far away.
-static void a5_exponents_at_rest(void **unused) {
+static void equilibrium_film(void **unused) {
     (void)unused;
     const double e = 0.5, s = 2.5, real = -0.00246625; // per radian, to half a unit of the last digit
     const double phi = atan2(pi * sqrt(1.0 - e * e), 4.0 * e);
@@ -152,7 +152,7 @@ static void a5_exponents_at_rest(void **unused) {
 // ---------------------------------------------------------------- shafts
 
 /// At rest, with damping, by the default tolerance: the multiplier is that of B2's equations by an independent program.
-static void b2_exponents_at_rest(void **unused) {
+static void equilibrium_exponents(void **unused) {
     (void)unused;
     const shaft_case p = {.speed = 1.0, .damping = 0.1, .k1 = 0.8, .k2 = 1.2};
     const double start[4] = {0.0};
@@ -549,11 +549,11 @@ static void d5_reversals_of_the_slip(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a5_exponents_at_rest),
+        cmocka_unit_test(equilibrium_film),
         cmocka_unit_test(a7_multipliers),
         cmocka_unit_test(a8_exponents),
         cmocka_unit_test(b2_multipliers),
-        cmocka_unit_test(b2_exponents_at_rest),
+        cmocka_unit_test(equilibrium_exponents),
         cmocka_unit_test(c2_stability),
         cmocka_unit_test(c4_multipliers),
         cmocka_unit_test(c4_exponents),

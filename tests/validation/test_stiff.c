@@ -143,7 +143,7 @@ static void auto_follows_the_machine(void **unused) {
 
 /// Its journals whirl by themselves and its unbalance turns: two frequencies, perturbations that neither grow nor die
 /// out. By dop853 the exponent of the case's length is .0005; a second trajectory by cvode-bdf would have shown .395.
-static void auto_sees_no_chaos(void **unused) {
+static void vertical_pump(void **unused) {
     (void)unused;
     whirl_result *result = run_pump("auto", 1024, 400, 200, 1);
     const whirl_verdict verdict = whirl_table_verdict(&result->tables[0], 0);
@@ -239,7 +239,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_that_are_unstable_give_no_verdict),
         cmocka_unit_test(auto_follows_the_machine),
-        cmocka_unit_test(auto_sees_no_chaos),
+        cmocka_unit_test(vertical_pump),
         cmocka_unit_test(stiff_films_by_other_methods),
         cmocka_unit_test(a_stiff_stator_by_other_methods),
     };

@@ -304,7 +304,7 @@ static const known_family families[] = {
 /// Weakly locked on P-13, psi' = .0009 + .003 sin psi: 1200 revolutions after a start near the unstable orbit the
 /// motion is still on its way to the stable one, and draws a curve. It may not be told with confidence as
 /// quasi-periodic.
-static void weakly_locked(void **state) {
+static void weaklock(void **state) {
     (void)state;
     for (int turn = 0; turn < 12; turn += 11) {
         known_motion m = {0};
@@ -319,6 +319,6 @@ static void weakly_locked(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest more[] = {cmocka_unit_test(weakly_locked)};
+    const struct CMUnitTest more[] = {cmocka_unit_test(weaklock)};
     return run_families("flows known from theory", families, COUNT_OF(families), 4, more, COUNT_OF(more), 200);
 }
