@@ -100,7 +100,7 @@ soak: test-all clang ## what takes longer: long fuzzing, all tests under the san
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
 	tests/soak/shards.sh $(BUILD)/whirl cases 1000
 	tests/mpi.sh tests/soak/ranks.sh $(BUILD)/whirl cases 300
-	tests/memory/no_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
+	tests/memory/out_of_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
 	tests/soak/mutants.py $(BUILD)/sanitize/whirl 40 $(filter-out %-claims.yaml,$(wildcard cases/*.yaml))
 	tests/soak/long_points.sh $(BUILD)/whirl tests/cli/good.yaml 10
 	WHIRL_SOAK=1 ctest --test-dir $(BUILD) --timeout 7200 -j $(JOBS) -R 'verdicts|grazes|readings|model_points|faults|changes'

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What becomes of the command when it is out of memory:  no_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES
+"""What becomes of the command when it is out of memory:  out_of_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES
 
 Every command below is run again and again, and each time another one of its allocations fails, alone or with all that follow:
 SAMPLES allocations of a command, spread over all of them; 0: every one. Whatever fails, the exit status is 0 or 1, what ends with 1
