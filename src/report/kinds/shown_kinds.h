@@ -10,8 +10,9 @@ typedef struct shown_kind {
     const char *anchor, *name; ///< of its section, where it has one
     const char *about;         ///< what all of its sections share, told once; NULL: nothing
     bool single;               ///< its section is of one point, too
-    bool found;                ///< what was found in all of its tables is told at once (pages/found.c)
     bool explored;             ///< the explorer has a view of its own, else it shows the figures
+    /// Whether sentences about all tables of the kind tell what was found in this one (pages/found.c); NULL: of none.
+    bool (*found)(const whirl_table *table);
     /// Its lines of the summary, below the table's heading.
     void (*summarize)(FILE *out, const whirl_shown_units *units, const whirl_table *table);
     /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along
@@ -21,6 +22,9 @@ typedef struct shown_kind {
 
 /// That of a table, NULL of motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
+
+/// Of modes at a point: 1 where one grows, -1 where all die out, 0 where they do neither but for rounding.
+int shown_modes_growing(const whirl_table *table, size_t point);
 
 /// What is told once of sections of a kind.
 void shown_kind_about(const page *to, const shown_kind *kind);

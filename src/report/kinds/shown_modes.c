@@ -26,24 +26,28 @@ static void print_sensitivity(FILE *out, const whirl_table *table, size_t point)
                 frequency / 6.283185307179586, zone);
 }
 
-/// "stable", "unstable" or, where the largest real part is nothing but rounding, "undamped".
-static const char *stability_name(const whirl_table *table, size_t point) {
+int shown_modes_growing(const whirl_table *table, size_t point) {
     const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     double fastest = 0.0;
     for (size_t i = 0; field && frequency && i < field->rows; i++) fastest = fmax(fastest, frequency[i]);
-    if (fabs(stability) <= rounding * fastest) return "undamped";
-    return stability > 0.0 ? "unstable" : "stable";
+    return fabs(stability) <= rounding * fastest ? 0 : stability > 0.0 ? 1 : -1;
 }
 
-/// Lowest modes of a point, a line each: "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
+/// Whether a point is stable, which stands first as reports leave out what is long, and its lowest modes, a line each:
+/// "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
 static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
     const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
     const double rigid = whirl_table_number(table, point, WHIRL_FIELD_MODES_RIGID_BODY, 0);
+    const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
+    static const char *const names[] = {"stable", "undamped", "unstable"};
+    if (isfinite(stability))
+        fprintf(out, "  %s: the largest real part of all eigenvalues%s is %.4g 1/s\n",
+                names[shown_modes_growing(table, point) + 1], rigid > 0 ? " but zeros" : "", stability);
     if (rigid > 0)
         fprintf(out, "  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, summary_plural(rigid));
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
@@ -51,7 +55,6 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
         fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i],
                 frequency[i] / 6.283185307179586, *whirls ? 10 : 0, shown_ratio(ratio[i]), whirls);
     }
-    const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
     const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
     if (isfinite(modulo))
         fprintf(out, "  frequencies are known but for multiples of %.6g rad/s: coefficients turn with the shaft\n",
@@ -62,9 +65,6 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
                 "  %smodes from %.6g to %.6g rad/s: beyond, tables of bearings do not know the frequency of whirl\n",
                 frequency && isfinite(frequency[0]) ? "" : "no ", known[0], known[1]);
     print_sensitivity(out, table, point);
-    if (isfinite(stability))
-        fprintf(out, "  %s: the largest real part of all%s eigenvalues is %.4g 1/s\n", stability_name(table, point),
-                rigid > 0 ? " other" : "", stability);
 }
 
 /// What was located along the parameter: "  critical speed at 2753.2 rpm: forward, damping ratio 0.02".
@@ -189,10 +189,15 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     fputs("</tbody></table></div>\n", to->stream);
 }
 
+/// Over a parameter; of one point the summary tells the modes.
+static bool is_found(const whirl_table *table) {
+    return *table->parameter;
+}
+
 const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
                                 .explored = true,
                                 .anchor = "critical",
                                 .name = "Critical speeds and stability",
-                                .found = true,
+                                .found = is_found,
                                 .summarize = summarize,
                                 .section = section};

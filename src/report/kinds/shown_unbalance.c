@@ -170,6 +170,11 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     write_scaled(to, index, table);
 }
 
+/// Where it has running speeds, of which margins and clearances are told.
+static bool is_found(const whirl_table *table) {
+    return table->record.running_low > 0.0 || table->record.running_high > 0.0;
+}
+
 const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
                                     .anchor = "peaks",
                                     .name = "Peaks of the response",
@@ -178,6 +183,6 @@ const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
                                              "speeds are said, the separation margin after API 617 (which edition "
                                              "counts is for the user to check).",
                                     .explored = true,
-                                    .found = true,
+                                    .found = is_found,
                                     .summarize = summarize,
                                     .section = section};

@@ -47,21 +47,43 @@ static void tell_change(const page *to, const whirl_shown_units *units, const wh
                     unit.name);
 }
 
+/// "unstable at all 5 values", where no value was located at which that begins or ends.
+static size_t tell_unstable(const page *to, const whirl_table *table, const char *before) {
+    size_t unstable = 0, done = 0;
+    for (size_t point = 0; point < table->count; point++) {
+        if (!whirl_table_done(table, point)) continue;
+        done++;
+        unstable += shown_modes_growing(table, point) > 0;
+    }
+    if (unstable == done && done > 0) html_printf(to->stream, "%sunstable at all %zu values", before, done);
+    if (unstable > 0 && unstable < done)
+        html_printf(to->stream, "%sunstable at %zu of %zu values", before, unstable, done);
+    return unstable;
+}
+
 /// Critical speeds with damping, as far as modes were followed over the speed.
 static void tell_critical(const page *to, size_t result, const whirl_table *table, void *context) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     size_t *const told = context;
-    size_t found = 0;
+    size_t found = 0, changes = 0;
+    if (!*table->parameter) return;
     html_printf(to->stream, "%s%s: ", (*told)++ ? "; " : "", table->name);
     for (size_t point = 0; point < table->count; point++) {
         const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (row[0] >= 1.0 && row[0] <= 3.0) {
                 fputs(found++ ? ", " : "", to->stream);
+                changes += row[0] > 1.5;
                 tell_change(to, &to->units[result], table, row);
             }
     }
+    if (changes == 0) found += tell_unstable(to, table, found ? ", " : "");
     if (!found) html_printf(to->stream, "none between the speeds that were looked at");
+}
+
+static void count_swept(const page *to, size_t result, const whirl_table *table, void *context) {
+    (void)to, (void)result;
+    *(size_t *)context += *table->parameter != '\0';
 }
 
 /// Peaks with margins, of all responses.
@@ -139,8 +161,9 @@ static void find_decrement(const page *to, size_t result, const whirl_table *tab
 }
 
 static void write_critical(const page *to, found_part part) {
-    size_t told = 0;
-    if (found_each(to, part, WHIRL_FIELD_MODES_CRITICAL, NULL, NULL) == 0 && !part.all) return;
+    size_t told = 0, swept = 0;
+    found_each(to, part, WHIRL_FIELD_MODES_CRITICAL, count_swept, &swept);
+    if (swept == 0 && !part.all) return;
     begin_sentence(to, "Critical speeds with damping");
     found_each(to, part, WHIRL_FIELD_MODES_CRITICAL, tell_critical, &told);
     fputs(told ? "." : "Not looked for (study: modes over the speed).", to->stream);

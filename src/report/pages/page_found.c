@@ -8,7 +8,7 @@
 /// sentences of their own for all of their tables.
 static bool is_told(const whirl_result *result, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
-    if (table->count == 0 || (kind && kind->found)) return false;
+    if (table->count == 0 || (kind && kind->found && kind->found(table))) return false;
     return strcmp(table->name, "detail") != 0 || result->table_count == 1;
 }
 
