@@ -289,6 +289,17 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
     plan_choose_analyses(batch, own, false);
 }
 
+/// Of not too many motions the last revolutions are kept, for their orbits.
+static void keep_orbits(const plan_parts *parts, whirl_batch *batch) {
+    enum { MOST = 64, REVOLUTIONS = 2 };
+    const size_t starts = batch->starts > 1 ? batch->starts : 1;
+    whirl_record_options *record = &batch->record;
+    if (settings_find(&parts->keep, "waveform") || batch->count * starts > MOST) return;
+    record->waveform_revolutions = record->record < REVOLUTIONS ? record->record : REVOLUTIONS;
+    whirl_analysis_add(&batch->analyses, "waveform");
+    whirl_analysis_needs(batch->analyses, record);
+}
+
 /// In motion: what is said of all motions, with unbalances as the study at rest finds them.
 static void finish_moving(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,
                           const study_plan *plan, whirl_batch *batch) {
@@ -298,6 +309,7 @@ static void finish_moving(case_reader *reader, valuation *v, const plan_parts *p
         settings_take(v, &resting->axis.keys, whirl_record_members(), &batch->record);
     }
     plan_finish_points(reader, v, parts, plan, batch);
+    keep_orbits(parts, batch);
 }
 
 static void make_one(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,

@@ -199,6 +199,18 @@ def test_weight(case, rotor):
     assert by_ross["statics"]["statics/load"][0][1] == pytest.approx(1216.2827567768297, abs=1e-6)
 
 
+def test_coefficients_of_bearings(case, rotor):
+    """Stiffness and damping that statics tells are those of the tables at the speed; of seals it tells none."""
+    table = run(case[True], "statics: {parameter: speed, values: [5000 rpm, 10000 rpm]}", USUAL)["statics"]
+    for point, speed in enumerate((5000 * RPM, 10000 * RPM)):
+        for kind, key in (("stiffness", "k"), ("damping", "c")):
+            own = table["statics/" + kind][point]
+            assert np.isnan(own[2:-1]).all() and np.isnan(own[0]).all()
+            for station, (_, tables) in zip((1, -1), rotor[False].bearings):
+                expected = [float(tables[key + way](speed)) for way in ("xx", "xy", "yx", "yy")]
+                assert own[station] == pytest.approx(expected, rel=1e-8, abs=1e-3)
+
+
 def least(values, whirling, speed):
     """The least decrement of light forward modes up to the speed, or of the first where that is faster."""
     light = values[(whirling > 0) & (-values.real < 0.8 * abs(values))]

@@ -206,6 +206,48 @@ def test_no_limit():
     assert stability(2 * LIMIT)["stability/decrement"].item() == pytest.approx(decrement(2 * LIMIT), abs=1e-9)
 
 
+FILMS = """
+whirl: 1
+parameters: {speed: 3000 rpm}
+rotor:
+  speed: = speed
+  length_scale: 100 um
+  stations: {left: {position: 0 m}, middle: {position: 0.5 m, mass: 60 kg}, right: {position: 1 m}}
+  elements:
+    - gravity: {}
+    - segment: {length: 1 m, outer: 80 mm}
+    - film: {at: left, clearance: 100 um, viscosity: 20 mPa.s, radius: 40 mm, length: 30 mm}
+    - film: {at: right, clearance: 100 um, viscosity: 20 mPa.s, radius: 40 mm, length: 30 mm}
+study:
+  statics: {parameter: speed, values: [2000 rpm, 6000 rpm]}
+"""
+
+
+def test_coefficients_of_short_films():
+    """Friswell et al. (2010), 5.5.1, in closed form of the load and the eccentricity ratio; there v is up, u across."""
+    table = whirl.run(whirl.Case(text=FILMS), progress=False)["statics"]
+    for point, speed in enumerate((2000 * RPM, 6000 * RPM)):
+        load, e = (float(table["statics/" + name][point][0]) for name in ("load", "eccentricity"))
+        pi2, e2, root = np.pi**2, e * e, np.sqrt(1 - e * e)
+        h = (pi2 * (1 - e2) + 16 * e2) ** -1.5
+        a = (
+            4 * (pi2 * (2 - e2) + 16 * e2),
+            np.pi * (pi2 * (1 - e2) ** 2 - 16 * e2**2) / (e * root),
+            -np.pi * (pi2 * (1 - e2) * (1 + 2 * e2) + 32 * e2 * (1 + e2)) / (e * root),
+            4 * (pi2 * (1 + 2 * e2) + 32 * e2 * (1 + e2) / (1 - e2)),
+        )
+        across = -8 * (pi2 * (1 + 2 * e2) - 16 * e2)
+        b = (
+            2 * np.pi * root * (pi2 * (1 + 2 * e2) - 16 * e2) / e,
+            across,
+            across,
+            2 * np.pi * (pi2 * (1 - e2) ** 2 + 48 * e2) / (e * root),
+        )
+        assert table["statics/stiffness"][point][0] == pytest.approx(h * load / 100e-6 * np.array(a), rel=1e-6)
+        assert table["statics/damping"][point][0] == pytest.approx(h * load / (100e-6 * speed) * np.array(b), rel=1e-6)
+        assert np.isnan(table["statics/stiffness"][point][1]).all()
+
+
 def test_motions_with_unbalances_by_rule(tmp_path):
     """On bearings without films motions are the responses, times the factor, at every condition."""
     text = CASE.replace("parameters: {{", "parameters: {{k: 20 MN/m, ").replace("{k} MN/m", "= k")

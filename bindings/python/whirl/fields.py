@@ -134,6 +134,8 @@ class FIELD:
     STATICS_ECCENTRICITY = "statics/eccentricity"
     STATICS_ATTITUDE = "statics/attitude"
     STATICS_FILM = "statics/film"
+    STATICS_STIFFNESS = "statics/stiffness"
+    STATICS_DAMPING = "statics/damping"
     STATICS_INFLUENCE = "statics/influence"
     UNBALANCE_PLACED = "unbalance/placed"
     UNBALANCE_CLEARANCE = "unbalance/clearance"

@@ -149,6 +149,8 @@
 #define WHIRL_FIELD_STATICS_ECCENTRICITY "statics/eccentricity"
 #define WHIRL_FIELD_STATICS_ATTITUDE "statics/attitude"
 #define WHIRL_FIELD_STATICS_FILM "statics/film"
+#define WHIRL_FIELD_STATICS_STIFFNESS "statics/stiffness"
+#define WHIRL_FIELD_STATICS_DAMPING "statics/damping"
 #define WHIRL_FIELD_STATICS_INFLUENCE "statics/influence"
 #define WHIRL_FIELD_UNBALANCE_PLACED "unbalance/placed"
 #define WHIRL_FIELD_UNBALANCE_CLEARANCE "unbalance/clearance"

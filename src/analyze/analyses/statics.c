@@ -17,6 +17,8 @@ enum {
     ATTITUDE,
     FILM,
     SEAL,
+    STIFFNESS,
+    DAMPING,
     FIELD_COUNT
 };
 
@@ -50,6 +52,12 @@ static const field_plan fields[FIELD_COUNT] = {
               NULL},
     [SEAL] = {WHIRL_FIELD_STATICS_SEAL, "1", "1 where this film is that of a seal, which carries nothing, else 0",
               WHIRL_PER_STATION, 1, NULL},
+    [STIFFNESS] = {WHIRL_FIELD_STATICS_STIFFNESS, "N/m",
+                   "kxx, kxy, kyx, kyy (of the bearings here at the speed, of films where the machine rests; missing "
+                   "where there is none)",
+                   WHIRL_PER_STATION, 4, NULL},
+    [DAMPING] = {WHIRL_FIELD_STATICS_DAMPING, "N s/m", "cxx, cxy, cyx, cyy (of these bearings, likewise)",
+                 WHIRL_PER_STATION, 4, NULL},
 };
 
 /// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2]; NaN
@@ -109,11 +117,29 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
 }
 
+/// Stiffness and damping of bearings where the machine turns and rests; none at speeds beyond their tables.
+static whirl_status fill_coefficients(const whirl_resting *point, const block_view *view) {
+    const size_t probes = point->system->probe_count;
+    if (point->speed == 0.0) return whirl_ok();
+    double *numbers = malloc((8 * probes + 1) * sizeof *numbers);
+    if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
+    const whirl_status status = whirl_bearings_at(point, point->speed, numbers);
+    for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++) {
+        bool any = false;
+        for (size_t i = 0; i < 8; i++) any = any || numbers[8 * p + i] != 0.0;
+        if (!any) continue;
+        memcpy(view_numbers(view, STIFFNESS, p), numbers + 8 * p, 4 * sizeof *numbers);
+        memcpy(view_numbers(view, DAMPING, p), numbers + 8 * p + 4, 4 * sizeof *numbers);
+    }
+    free(numbers);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     const size_t probes = point->system->probe_count;
     whirl_machine machine = {.statics = NULL};
     (void)options;
-    const whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, 0.0, &machine);
+    whirl_status status = point->at_speed(point->context, 0.0, WHIRL_WITH_STATICS, 0.0, &machine);
     if (status.code != WHIRL_OK) return status;
     for (size_t p = 0; p < probes && machine.statics; p++) {
         const whirl_station_statics *at = &machine.statics[p];
@@ -127,8 +153,9 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         memcpy(view_numbers(view, INFLUENCE, p), machine.influence + p * probes, probes * sizeof *machine.influence);
     }
     if (machine.release) machine.release(machine.owner);
-    return machine.statics ? fill_films(point, view)
-                           : whirl_fail(WHIRL_BAD_INPUT, "the machine does not tell what its weight does");
+    if (!machine.statics) return whirl_fail(WHIRL_BAD_INPUT, "the machine does not tell what its weight does");
+    status = fill_films(point, view);
+    return status.code == WHIRL_OK ? fill_coefficients(point, view) : status;
 }
 
 const analysis_plan statics_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

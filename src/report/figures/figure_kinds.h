@@ -82,6 +82,6 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
 
 extern const figure_kind bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure, torus_figure,
     campbell_figure, shapes_figure, unbalance_figure, critical_speeds_figure, stability_figure, screening_figure,
-    point_figure, field_figure;
+    orbits_figure, point_figure, field_figure;
 
 #endif

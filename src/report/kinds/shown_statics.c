@@ -40,12 +40,30 @@ static void print_film(FILE *out, const whirl_shown_units *units, const whirl_ta
             length.name);
 }
 
+/// kxx, kxy, kyx, kyy in MN/m and cxx, cxy, cyx, cyy in kN s/m of the bearings of a station; false where there are
+/// none.
+static bool coefficients_of(const whirl_table *table, size_t point, size_t station, double out[8]) {
+    const double *const k = whirl_table_field(table, point, WHIRL_FIELD_STATICS_STIFFNESS, station);
+    const double *const c = whirl_table_field(table, point, WHIRL_FIELD_STATICS_DAMPING, station);
+    if (!k || !c || isnan(*k)) return false;
+    for (size_t i = 0; i < 4; i++) out[i] = 1e-6 * k[i], out[4 + i] = 1e-3 * c[i];
+    return true;
+}
+
+static void print_coefficients(FILE *out, const char *name, const double own[8]) {
+    fprintf(out, "    %s: stiffness xx %.4g, xy %.4g, yx %.4g, yy %.4g MN/m; damping %.4g, %.4g, %.4g, %.4g kN s/m\n",
+            name, own[0], own[1], own[2], own[3], own[4], own[5], own[6], own[7]);
+}
+
 static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;
     const whirl_unit length = summary_length_unit(units);
     for (size_t station = 0; station < result->station_count; station++) {
         const row at = row_of(result, table, point, station, length.size);
+        double coefficients[8];
         print_film(out, units, table, point, station);
+        if (coefficients_of(table, point, station, coefficients))
+            print_coefficients(out, result->stations[station].name, coefficients);
         if (isnan(at.deflection)) continue;
         fprintf(out, "    %s: %.4g %s up, slope %.4g mrad, bending moment %.5g N m", result->stations[station].name,
                 at.deflection, length.name, at.slope, at.moment);
@@ -90,6 +108,43 @@ static void write_films(const page *to, size_t index, const whirl_table *table) 
     if (count > 0) fputs("</tbody></table></div>\n", to->stream);
 }
 
+static void begin_coefficients(FILE *stream) {
+    fputs("<p>Stiffness and damping of bearings about where the machine rests: forces against displacements and "
+          "velocities, kxy along x by y.</p>\n",
+          stream);
+    html_table(stream, "Coefficients of bearings", "");
+    fputs("<thead><tr><th>at</th><th>bearing</th>", stream);
+    for (size_t i = 0; i < 8; i++)
+        fprintf(stream, "<th class=\"number\">%c%c%c (%s)</th>", i < 4 ? 'k' : 'c', i & 2u ? 'y' : 'x',
+                i & 1u ? 'y' : 'x', i < 4 ? "MN/m" : "kN s/m");
+    fputs("</tr></thead>\n<tbody>\n", stream);
+}
+
+/// A row a station, of all points that have any.
+static void write_coefficients(const page *to, size_t index, const whirl_table *table) {
+    const whirl_result *result = to->results[index];
+    const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
+    const size_t all = table->count * result->station_count;
+    size_t count = 0;
+    for (size_t n = 0; n < all; n++) {
+        const size_t point = n / result->station_count, station = n % result->station_count;
+        double own[8];
+        if (!whirl_table_done(table, point) || !coefficients_of(table, point, station, own)) continue;
+        if (count++ == 0) begin_coefficients(to->stream);
+        fputs("<tr><th>", to->stream);
+        if (*table->parameter)
+            html_printf(to->stream, "%.6g %s", table->values[point] / unit.size, unit.name);
+        else
+            fputs("the speed of the case", to->stream);
+        fputs("</th><td>", to->stream);
+        html_text(to->stream, result->stations[station].name);
+        fputs("</td>", to->stream);
+        for (size_t i = 0; i < 8; i++) html_number(to->stream, own[i]);
+        fputs("</tr>\n", to->stream);
+    }
+    if (count > 0) fputs("</tbody></table></div>\n", to->stream);
+}
+
 static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_unit length = summary_length_unit(&to->units[index]);
@@ -118,6 +173,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     }
     fputs("</tbody></table></div>\n", to->stream);
     if (table->count > 0) write_films(to, index, table);
+    write_coefficients(to, index, table);
 }
 
 const shown_kind shown_statics = {.field = WHIRL_FIELD_STATICS_LOAD,

@@ -85,6 +85,16 @@ static void write_section(const page *to, const whirl_table *table, const char *
     }
 }
 
+/// Motions in time: what they do in one paragraph, and each by itself.
+static void write_motions(const page *to, size_t result, const whirl_table *table) {
+    char text[MOTIONS_TOLD_SIZE];
+    motions_told(&to->units[result], to->results[result], table, text);
+    fputs("<p>", to->stream);
+    html_text(to->stream, text);
+    fputs("</p>\n", to->stream);
+    page_motions(to, result, table);
+}
+
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
     const shown_kind *kind = shown_kind_of(table);
     chapter_told *told = context;
@@ -96,6 +106,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     fputs("</h3>\n", to->stream);
     for (size_t i = 0; i < to->figures->count; i++)
         if (to->figures->items[i].table == table) page_figure(to, &to->figures->items[i]);
+    if (!kind) write_motions(to, result, table);
     if (!kind || !kind->section || !(*table->parameter || kind->single)) return;
     if (kind != told->kind) shown_kind_about(to, kind);
     told->kind = kind;

@@ -56,11 +56,12 @@ void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
 void page_ranges(const page *to, size_t result);   ///< laws that points have gone beyond
 void page_provenance(const page *to, size_t result);
-void page_intervals(const page *to, size_t result);          ///< regimes along the sweep
-void page_jumps(const page *to, size_t result);              ///< where neighbours of one regime differ
-void page_attractors(const page *to, size_t result);         ///< of a basin
-void page_starts(const page *to, size_t result);             ///< attractors of places with several starts
-void page_points(const page *to, size_t result);             ///< the table of points
+void page_intervals(const page *to, size_t result);  ///< regimes along the sweep
+void page_jumps(const page *to, size_t result);      ///< where neighbours of one regime differ
+void page_attractors(const page *to, size_t result); ///< of a basin
+void page_starts(const page *to, size_t result);     ///< attractors of places with several starts
+void page_points(const page *to, size_t result);     ///< the table of points
+void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
 const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
 void page_figures(const page *to, size_t result);            ///< all but the main one
 void page_figure(const page *to, const drawn_figure *what);

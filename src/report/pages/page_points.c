@@ -455,6 +455,18 @@ static void write_watched(const point_page *to, whirl_extent extent, const char 
     end_table(to);
 }
 
+void page_motions(const page *to, size_t index, const whirl_table *table) {
+    const whirl_result *result = to->results[index];
+    const whirl_shown_units *units = &to->units[index];
+    whirl_case *const machine = machine_of(result);
+    const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
+                               machine};
+    write_verdicts(&points);
+    write_sizes(&points);
+    write_watched(&points, WHIRL_PER_CONTACT, "What was watched of the contacts", "Contact");
+    whirl_case_free(machine);
+}
+
 void page_points(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = detail_table(result);

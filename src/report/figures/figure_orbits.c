@@ -1,0 +1,113 @@
+// Orbits in the real films beside a lateral analysis: every station with a clearance, all motions of the table, within
+// the walls around them.
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "figure_kinds.h"
+#include "machine_at.h"
+#include "motions_told.h"
+#include "quantities.h"
+#include "symbols.h"
+
+enum { MOST_STATIONS = 12, MOST_MOTIONS = 6, STEPS = 180 };
+
+/// The motions that are drawn: the first so many with a waveform.
+static size_t motions_of(const whirl_table *table, size_t motions[MOST_MOTIONS]) {
+    size_t count = 0;
+    for (size_t i = 0; i < table->count && count < MOST_MOTIONS; i++)
+        if (whirl_table_done(table, i) && point_waveform(table, i, 0).at) motions[count++] = i;
+    return count;
+}
+
+/// Stations with walls; those that motions come nearest to where there are more than are drawn, in their order.
+static size_t stations_of(const drawing *of, const whirl_table *table, const size_t *motions, size_t count,
+                          size_t stations[MOST_STATIONS]) {
+    double shares[MOST_STATIONS];
+    size_t used = 0;
+    for (size_t s = 0; s < of->result->station_count; s++) {
+        double share = 0.0;
+        for (size_t k = 0; k < count; k++) {
+            const machine_walls walls = machine_walls_at(of->machine, of->result, table, motions[k], s);
+            const double radius = max_radius(table, motions[k], s), all[] = {walls.clearance, walls.gap};
+            for (size_t i = 0; i < 2; i++)
+                if (all[i] > 0.0) share = fmax(share, radius / all[i]);
+        }
+        if (!(share > 0.0)) continue;
+        size_t least = 0;
+        for (size_t i = 1; i < used; i++)
+            if (shares[i] < shares[least]) least = i;
+        if (used == MOST_STATIONS && share <= shares[least]) continue;
+        if (used == MOST_STATIONS) {
+            memmove(shares + least, shares + least + 1, (used - least - 1) * sizeof *shares);
+            memmove(stations + least, stations + least + 1, (used - least - 1) * sizeof *stations);
+            used--;
+        }
+        shares[used] = share;
+        stations[used++] = s;
+    }
+    return used;
+}
+
+static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+    const figure_place place = {.kind = &orbits_figure, .table = table, .point = NO_POINT};
+    size_t motions[MOST_MOTIONS], stations[MOST_STATIONS];
+    if (!motions_beside(table)) return;
+    const size_t count = motions_of(table, motions);
+    if (count == 0 || stations_of(of, table, motions, count, stations) == 0) return;
+    char name[WHIRL_NAME_SIZE];
+    const char *const beside = table->name + strlen("motions");
+    snprintf(name, sizeof name, "orbits%s%s", *beside ? "-" : "", *beside ? beside + 1 : "");
+    list_figure(to, &place, name, "Orbits within their clearances: %.60s", table->name);
+}
+
+static void add_circle(whirl_figure *figure, whirl_panel *panel, double radius, bool gap) {
+    if (!(radius > 0.0)) return;
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, gap ? "#707070" : "#9A9A9A", gap ? 0.53 : 0.9);
+    if (line) line->dashed = gap;
+    for (int k = 0; k <= STEPS; k++) {
+        const double angle = 2.0 * 3.14159265358979323846 * k / STEPS;
+        series_add(figure, line, radius * cos(angle), radius * sin(angle));
+    }
+}
+
+/// The motions at a station; named in the legend once.
+static void add_station(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station,
+                        const size_t *motions, size_t count) {
+    const char *name = of->result->stations[station].name;
+    const machine_walls walls = machine_walls_at(of->machine, of->result, table, motions[0], station);
+    const double scale = whirl_shown_length(of->units, table, motions[0]);
+    const double size = 1.08 * scale * fmax(walls.clearance, walls.gap);
+    whirl_panel *panel = figure_panel(figure, name, 1.0 / 3.0, 2.2);
+    if (!panel) return;
+    snprintf(panel->title, sizeof panel->title, "%.60s", name);
+    panel->equal = true;
+    axis_show(&panel->x, (span){-size, size});
+    axis_show(&panel->y, (span){-size, size});
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
+    symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
+    add_circle(figure, panel, scale * walls.clearance, false);
+    add_circle(figure, panel, scale * walls.gap, true);
+    for (size_t k = 0; k < count; k++) {
+        const numbers samples = point_waveform(table, motions[k], station);
+        const double length = whirl_shown_length(of->units, table, motions[k]);
+        char label[UNIT_LABEL_SIZE] = "";
+        if (figure->count == 1) units_point_label(of->units, table, motions[k], label, sizeof label);
+        whirl_series *line = panel_named(figure, panel, WHIRL_LINE, label, line_colour(k), 0.7);
+        for (size_t i = 0; i < samples.rows; i++)
+            series_add(figure, line, length * samples.at[2 * i], length * samples.at[2 * i + 1]);
+    }
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const whirl_table *table = place->table;
+    size_t motions[MOST_MOTIONS], stations[MOST_STATIONS];
+    const size_t count = motions_of(table, motions), used = stations_of(of, table, motions, count, stations);
+    for (size_t i = 0; i < used; i++) add_station(figure, of, table, stations[i], motions, count);
+    snprintf(figure->caption, sizeof figure->caption,
+             "Orbits of the last revolutions in time, about the middle of every clearance%s: full circles are walls of "
+             "films and seals, dashed ones stators that may be touched.",
+             used == MOST_STATIONS ? ", of the stations that come nearest to a wall" : "");
+}
+
+const figure_kind orbits_figure = {.list = list, .describe = describe};
