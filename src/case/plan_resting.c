@@ -243,6 +243,13 @@ static void check_running(case_reader *reader, const resting_parts *resting, con
     if (to && options->running_high < options->running_low)
         problem_at(reader->problems, to->place, "is %.10g rad/s, expected at least running_from (%.10g rad/s)",
                    options->running_high, options->running_low);
+    const setting *trip = settings_find(&resting->axis.keys, "trip");
+    const double highest = options->running_high > 0.0 ? options->running_high : options->running_low;
+    if (trip && !(options->trip >= highest && highest > 0.0))
+        problem_at(reader->problems, trip->place,
+                   highest > 0.0 ? "is %.10g rad/s, expected at least the highest running speed (%.10g rad/s)"
+                                 : "is %.10g rad/s, expected running_from or running_to beside it",
+                   options->trip, highest);
 }
 
 /// Unbalances by rule go by the running speed, and one rule counts.

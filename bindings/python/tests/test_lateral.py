@@ -1,5 +1,6 @@
 """Unbalances by rule, and responses scaled by them, of a rotor whose weight is told in closed form."""
 
+import json
 import subprocess
 
 import numpy as np
@@ -132,6 +133,35 @@ def test_scaled_responses(tmp_path):
     assert f"responses are scaled by {min(6, limit / seen):.4g}" in summary
     assert f"middle: scaled major axis {axes.max() * 1e6:.4g} um p-p" in summary
     assert f"{100 * axes.max() / 1e-3:.3g} % of the diametral clearance 1000 um, 75 % allowed" in summary
+
+
+def test_clearances_up_to_the_trip_speed(tmp_path):
+    """To the first point that is not below it; points that end before it are told to."""
+    own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
+    text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=2000)
+    text = text.replace("running_from: 5000", "running_from: 1000")
+
+    def scaled(trip):
+        case = whirl.Case(text=text.replace("running_to: 2000 rpm", f"running_to: 2000 rpm, trip: {trip} rpm"))
+        result = whirl.run(case, progress=False)
+        result.save(tmp_path / "r.h5")
+        shown = [COMMAND, "show", tmp_path / "r.h5"]
+        summary = subprocess.run(shown, capture_output=True, text=True, check=True).stdout
+        told = subprocess.run([*shown, "--json"], capture_output=True, text=True, check=True).stdout
+        return result["unbalance"], json.loads(told)["margins"]["unbalance"]["scaled"], summary
+
+    table, of, summary = scaled(2500)
+    (clearance,) = of["clearances"]
+    upto = table["unbalance/speed"].ravel() < 3001 * RPM
+    axes = 2e-3 * of["factor"] * table["unbalance/axes"][:, 2, 0]
+    assert clearance["axis"] == pytest.approx(axes[upto].max(), rel=1e-9) and axes.argmax() >= upto.sum()
+    assert clearance["speed"] <= 3000.001 * RPM and of["reaches_trip"] and of["trip"] == pytest.approx(2500 * RPM)
+    assert "clearances count up to the trip speed, 2500 rpm" in summary
+    _, of, summary = scaled(9500)
+    assert of["reaches_trip"] is False and of["clearances"][0]["axis"] == pytest.approx(axes.max(), rel=1e-9)
+    assert "points do not reach the trip speed, 9500 rpm: compute more points" in summary
+    with pytest.raises(whirl.Error, match="expected at least the highest running speed"):
+        scaled(1500)
 
 
 def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled(tmp_path):

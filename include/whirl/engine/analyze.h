@@ -76,6 +76,7 @@ typedef struct whirl_record_options {
     bool settle;
     int modes;                        ///< modes that are kept, >= 1
     double running_low, running_high; ///< rad/s, between which the machine runs; 0: not said
+    double trip;                      ///< rad/s, up to which clearances are looked at; 0: all speeds
     double probe_angle;               ///< of the first probe of every station, rad from the x axis towards y
     int antinodes_of;                 ///< number of the forward mode whose antinodes have unbalances by rule; 0: none
     char placed_at[WHIRL_NAME_SIZE];  ///< station that has an unbalance by rule, or ""

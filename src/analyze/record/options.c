@@ -68,6 +68,7 @@ static const whirl_member members[] = {
     RUNNING(running_low, "running_from",
             "lowest speed at which the machine runs, which margins are counted from; without it the highest"),
     RUNNING(running_high, "running_to", "highest such speed; without it the lowest"),
+    RUNNING(trip, "trip", "speed up to which clearances are looked at; 0: all speeds of the study"),
     FLAG(spectra, "", "no", "whole spectra are kept"),
     FLAG(waveform, "", "yes", "waveforms are recorded"),
     FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),

@@ -9,6 +9,17 @@
 
 const double margin_decrement = 0.1;
 
+double margin_coupling(const whirl_table *table, size_t point) {
+    return whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0) > 0.5 ? 10.0 : 2.0;
+}
+
+bool margin_level_one(const whirl_table *table, size_t point) {
+    const double anticipated = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
+    const double limit = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0);
+    return whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0) >= margin_decrement &&
+           !(limit < margin_coupling(table, point) * anticipated); // not known: far above
+}
+
 size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                        double *speeds, double *sizes, double *lags) {
     size_t count = 0;

@@ -10,6 +10,12 @@ enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 /// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
 extern const double margin_decrement;
 
+/// By how much the limit of the cross coupling of stages shall exceed the anticipated one at a point, 10 times in
+/// region B of the screening diagram, else 2; and whether it does and the decrement with stages is large enough, so
+/// that bearings and stages tell enough (Level I).
+double margin_coupling(const whirl_table *table, size_t point);
+bool margin_level_one(const whirl_table *table, size_t point);
+
 /// A peak as it is told.
 typedef struct margin_row {
     double probe;           ///< its angle, degrees

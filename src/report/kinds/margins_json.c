@@ -62,6 +62,9 @@ static json_t *scaled_json(bool *well, const whirl_result *result, const whirl_t
     document_put(well, object, "largest", document_number(by.largest));
     document_put(well, object, "station", document_text(result->stations[by.station].name));
     document_put(well, object, "factor", document_number(by.factor));
+    document_put(well, object, "beyond_limit", json_boolean(by.beyond));
+    document_put(well, object, "trip", by.trip > 0.0 ? document_number(by.trip) : json_null());
+    document_put(well, object, "reaches_trip", by.trip > 0.0 ? json_boolean(by.reaches) : json_null());
     const size_t count = scaled_rows(result, table, &by, rows);
     for (const scaled_row *row = rows; row < rows + count; row++) {
         json_t *one = json_object();

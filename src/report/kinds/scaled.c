@@ -1,6 +1,7 @@
 #include "scaled.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,6 +58,28 @@ static double largest_seen(const whirl_result *result, const whirl_table *table,
     return largest;
 }
 
+/// The least speed of a point that is not below the trip speed, up to which points count: those between are so at both
+/// ends; infinite where the trip speed is not said, or no point reaches it.
+static double last_speed(const whirl_table *table) {
+    double last = INFINITY;
+    for (size_t i = 0; i < table->count; i++) {
+        const double speed = whirl_table_number(table, i, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+        if (table->record.trip > 0.0 && whirl_table_done(table, i) && speed >= table->record.trip * (1.0 - 1e-9))
+            last = fmin(last, speed);
+    }
+    return last;
+}
+
+void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCALED_TEXT]) {
+    const whirl_unit speed = margin_speed_unit(units);
+    const int used = snprintf(text, SCALED_TEXT, "%s", by->beyond ? "; the limit is passed" : "");
+    if (by->trip > 0.0)
+        snprintf(text + used, (size_t)(SCALED_TEXT - used),
+                 by->reaches ? "; clearances count up to the trip speed, %.6g %s"
+                             : "; points do not reach the trip speed, %.6g %s: compute more points",
+                 by->trip / speed.size, speed.name);
+}
+
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out) {
     static const double rpm = 0.104719755119659774, most = 6.0;
     const double high = fmax(table->record.running_high, table->record.running_low);
@@ -72,11 +95,15 @@ bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out
         }
     free(room);
     out->factor = fmin(most, out->limit / out->largest);
+    out->beyond = out->largest > out->limit;
+    out->trip = table->record.trip;
+    out->reaches = isfinite(last_speed(table));
     return out->largest > 0.0;
 }
 
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows) {
     static const double share = 0.75;
+    const double last = last_speed(table);
     size_t count = 0;
     for (size_t s = 0; s < result->station_count; s++) {
         scaled_row row = {.station = s, .axis = -1.0};
@@ -84,12 +111,13 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
             const double length = 2.0 * whirl_result_length_scale(result, table, point);
             const double axis = by->factor * length * whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_AXES, s);
             const double clearance = length * whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_CLEARANCE, s);
-            if (!whirl_table_done(table, point) || !(clearance > 0.0) ||
+            const double speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+            if (!whirl_table_done(table, point) || !(clearance > 0.0) || speed > last ||
                 !(axis / clearance > row.axis / row.clearance || row.axis < 0.0))
                 continue;
             row.axis = axis;
             row.clearance = clearance;
-            row.speed = whirl_table_number(table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+            row.speed = speed;
         }
         row.holds = row.axis <= share * row.clearance;
         if (row.axis >= 0.0) rows[count++] = row;

@@ -11,6 +11,9 @@ typedef struct scaled {
     double largest; ///< that any of the probes sees between the running speeds
     size_t station; ///< at which
     double factor;  ///< limit over largest, 6 at most
+    bool beyond;    ///< the largest is beyond the limit: the factor is below 1
+    double trip;    ///< rad/s, up to which clearances are looked at; 0: not said, at all speeds
+    bool reaches;   ///< points reach over the trip speed
 } scaled;
 
 /// What the response takes of a station's clearance.
@@ -31,6 +34,10 @@ extern const char *const scaled_lacks;
 
 /// False where the table does not tell running speeds, or its points do not reach over them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
+
+/// What follows a sentence that tells the factor: that the limit is passed, and up to which speed clearances count.
+enum { SCALED_TEXT = 200 };
+void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCALED_TEXT]);
 
 /// Rows [station count] of all stations with a clearance; how many.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);

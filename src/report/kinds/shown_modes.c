@@ -14,6 +14,10 @@ static double shown_ratio(double ratio) {
     return fabs(ratio) < rounding ? 0.0 : ratio;
 }
 
+static const char *way_of(double direction) {
+    return direction > 0.05 ? "forward" : direction < -0.05 ? "backward" : "to and fro";
+}
+
 // ---------------------------------------------------------------- the summary
 
 /// The peak of loops of control, and the zone that it is in.
@@ -78,11 +82,7 @@ static void print_critical(FILE *out, const whirl_shown_units *units, const whir
         for (size_t i = 0; i < field->rows; i++, rows += field->columns) {
             if (!(rows[0] >= 1 && rows[0] <= 3)) continue;
             fprintf(out, "  %-18s at %.9g%s%s: %s, %.6g rad/s, damping ratio %.3g\n", names[(int)rows[0]],
-                    rows[1] / unit.size, *unit.name ? " " : "", unit.name,
-                    rows[5] > 0.05    ? "forward"
-                    : rows[5] < -0.05 ? "backward"
-                                      : "to and fro",
-                    rows[3], shown_ratio(rows[4]));
+                    rows[1] / unit.size, *unit.name ? " " : "", unit.name, way_of(rows[5]), rows[3], shown_ratio(rows[4]));
         }
     }
 }
@@ -144,49 +144,92 @@ static bool is_modulated(const whirl_table *table) {
     return false;
 }
 
-static void write_row(FILE *stream, const double *row, double unit) {
-    static const char *const kinds[] = {"", "critical speed", "instability begins", "instability ends"};
-    fprintf(stream,
-            "<tr><th>%s</th><td class=\"number\">%.9g</td><td class=\"number\">%.6g</td><td class=\"number\">%.6g</td>"
-            "<td class=\"number\">%.4g</td><td>%s</td></tr>\n",
-            kinds[(int)row[0]], row[1] / unit, row[2] * 60.0 / 6.283185307179586, row[3] / 6.283185307179586,
-            shown_ratio(row[4]),
-            row[5] > 0.05    ? "forward"
-            : row[5] < -0.05 ? "backward"
-                             : "to and fro");
+/// Whether the parameter is the speed of the shaft, which then need not be told beside it.
+static bool is_speed(const whirl_table *table) {
+    for (size_t point = 0; point < table->count; point++) {
+        const double speed = whirl_table_number(table, point, WHIRL_FIELD_MODES_SPEED, 0);
+        if (whirl_table_done(table, point) && !(fabs(speed - table->values[point]) <= 1e-9 * fabs(speed))) return false;
+    }
+    return true;
 }
 
-static void section(const page *to, size_t index, const whirl_table *table) {
+/// Frequency in Hz, damping ratio, logarithmic decrement, way round.
+static void write_mode(FILE *stream, double frequency, double ratio, double direction) {
+    static const double turn = 6.283185307179586;
+    html_number(stream, frequency / turn);
+    ratio = shown_ratio(ratio);
+    fprintf(stream, "<td class=\"number\">%.4g</td><td class=\"number\">%.4g</td><td>%s</td></tr>\n", ratio,
+            fabs(ratio) < 1.0 ? turn * ratio / sqrt(1.0 - ratio * ratio) : (double)INFINITY, way_of(direction));
+}
+
+static void write_row(FILE *stream, const double *row, double unit, bool is_speed) {
+    static const char *const kinds[] = {"", "critical speed", "instability begins", "instability ends"};
+    fprintf(stream, "<tr><th>%s</th><td class=\"number\">%.9g</td>", kinds[(int)row[0]], row[1] / unit);
+    if (!is_speed) html_number(stream, row[2] * 60.0 / 6.283185307179586);
+    write_mode(stream, row[3], row[4], row[5]);
+}
+
+static const char of_modes[] = "<th class=\"number\">frequency (Hz)</th><th class=\"number\">damping ratio</th>"
+                               "<th class=\"number\">logarithmic decrement</th><th>whirl</th></tr></thead>\n<tbody>\n";
+
+/// The modes that the figure of shapes shows: those of the last point.
+static void write_lowest(const page *to, size_t index, const whirl_table *table) {
+    enum { SHOWN = 12 };
+    const size_t last = table->count - 1;
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
+    const double *frequency = whirl_table_field(table, last, WHIRL_FIELD_MODES_FREQUENCY, 0);
+    const double *ratio = whirl_table_field(table, last, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+    const double *direction = whirl_table_field(table, last, WHIRL_FIELD_MODES_DIRECTION, 0);
     char label[UNIT_LABEL_SIZE];
-    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
-    write_known(to->stream, table);
-    if (is_modulated(table))
-        fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
-              "speeds are not told.</p>\n",
-              to->stream);
-    if (!field || count_critical(table) == 0) {
-        fputs(
-            is_modulated(table)
-                ? "<p>Between the values that were looked at the machine neither loses nor regains its stability.</p>\n"
-                : "<p>Between the values that were looked at no natural frequency meets the speed of the shaft, and "
-                  "the machine neither loses nor regains its stability.</p>\n",
-            to->stream);
-        return;
+    if (!frequency || !whirl_table_done(table, last) || !isfinite(frequency[0])) return;
+    units_point_label(&to->units[index], table, last, label, sizeof label);
+    html_table(to->stream, "Lowest modes", "");
+    fputs("<thead><tr><th>mode at ", to->stream);
+    html_text(to->stream, label);
+    fprintf(to->stream, "</th>%s", of_modes);
+    for (size_t i = 0; i < field->rows && i < SHOWN && isfinite(frequency[i]); i++) {
+        fprintf(to->stream, "<tr><th>%zu</th>", i + 1);
+        write_mode(to->stream, frequency[i], ratio[i], direction[i]);
     }
+    fputs("</tbody></table></div>\n", to->stream);
+}
+
+/// Critical speeds, and thresholds of stability.
+static void write_critical(const page *to, size_t index, const whirl_table *table) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
+    const bool speeds = is_speed(table);
+    char label[UNIT_LABEL_SIZE];
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
     html_table(to->stream, "Critical speeds and thresholds of stability", "");
     fputs("<thead><tr><th>What</th><th class=\"number\">", to->stream);
     html_text(to->stream, label);
-    fputs("</th><th class=\"number\">speed (rpm)</th><th class=\"number\">frequency (Hz)</th>"
-          "<th class=\"number\">damping ratio</th><th>whirl</th></tr></thead>\n<tbody>\n",
-          to->stream);
+    fprintf(to->stream, "</th>%s%s", speeds ? "" : "<th class=\"number\">speed (rpm)</th>", of_modes);
     for (size_t point = 0; point < table->count; point++) {
         const double *row = whirl_table_field(table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(table, point) && i < field->rows; i++, row += field->columns)
             if (row[0] >= 1.0 && row[0] <= 3.0)
-                write_row(to->stream, row, whirl_shown_parameter(&to->units[index], table->parameter).size);
+                write_row(to->stream, row, whirl_shown_parameter(&to->units[index], table->parameter).size, speeds);
     }
     fputs("</tbody></table></div>\n", to->stream);
+}
+
+static void section(const page *to, size_t index, const whirl_table *table) {
+    const bool modulated = is_modulated(table);
+    write_known(to->stream, table);
+    if (modulated)
+        fputs("<p>Coefficients turn with the shaft: frequencies are known but for multiples of its speed, and critical "
+              "speeds are not told.</p>\n",
+              to->stream);
+    if (count_critical(table) > 0)
+        write_critical(to, index, table);
+    else
+        fputs(
+            modulated
+                ? "<p>Between the values that were looked at the machine neither loses nor regains its stability.</p>\n"
+                : "<p>Between the values that were looked at no natural frequency meets the speed of the shaft, and "
+                  "the machine neither loses nor regains its stability.</p>\n",
+            to->stream);
+    if (table->count > 0) write_lowest(to, index, table);
 }
 
 /// Over a parameter; of one point the summary tells the modes.

@@ -18,32 +18,29 @@ static double number(const whirl_table *table, size_t point, const char *field) 
 /// Whether bearings and stages alone tell enough, and of the whole machine whether it is damped as asked for (API 617;
 /// which edition counts is for the user to check).
 static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
-    static const double ratio = 2.0, screened = 10.0;
-    const double least = margin_decrement;
-    const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
-    const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
+    const double least = margin_decrement, coupling = margin_coupling(table, point);
     const double decrement = number(table, point, WHIRL_FIELD_STABILITY_DECREMENT);
     const double complete = number(table, point, WHIRL_FIELD_STABILITY_COMPLETE);
-    const bool dense = number(table, point, WHIRL_FIELD_STABILITY_REGION) > 0.5;
     const char *whole = complete > least ? "holds" : "fails";
     if (isnan(decrement))
         snprintf(text, SENTENCE, "no mode was found that does not go backward");
-    else if (!(anticipated > 0.0))
+    else if (!(number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED) > 0.0))
         snprintf(text, SENTENCE,
                  "no stages: seals and impellers decide; decrement %.3g with them, above %g asked for: %s", complete,
                  least, whole);
-    else if (decrement < least || limit < ratio * anticipated)
-        snprintf(
-            text, SENTENCE,
-            "%s: seals and impellers are to be counted (Level II); decrement %.3g with them, above %g asked for: %s",
-            decrement < least ? "decrement too small" : "limit below 2 times the anticipated", complete, least, whole);
-    else if (dense && limit < screened * anticipated)
+    else if (margin_level_one(table, point))
+        snprintf(text, SENTENCE, "decrement above %g and limit above %g times the anticipated: holds by Level I", least,
+                 coupling);
+    else if (decrement < least)
         snprintf(text, SENTENCE,
-                 "region B and limit below 10 times the anticipated: seals and impellers are to be counted (Level II); "
-                 "decrement %.3g with them, above %g asked for: %s",
+                 "decrement too small: seals and impellers are to be counted (Level II); decrement %.3g with them, "
+                 "above %g asked for: %s",
                  complete, least, whole);
     else
-        snprintf(text, SENTENCE, "decrement above %g and limit above 2 times the anticipated: holds by Level I", least);
+        snprintf(text, SENTENCE,
+                 "%slimit below %g times the anticipated: seals and impellers are to be counted (Level II); decrement "
+                 "%.3g with them, above %g asked for: %s",
+                 coupling > 2.0 ? "region B and " : "", coupling, complete, least, whole);
 }
 
 /// The critical speed ratio and, where the density of the gas is said, the region.
@@ -92,6 +89,41 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
     summary_ends(out, units, table, print_point);
 }
 
+/// Decrements with bearings and what is at one station alone: a row a station, a column a point.
+static void write_parts(const page *to, size_t index, const whirl_table *table) {
+    const whirl_result *result = to->results[index];
+    const whirl_unit unit = whirl_shown_parameter(&to->units[index], table->parameter);
+    enum { MOST = 6 };
+    const size_t step = 1 + (table->count - 1) / MOST;
+    size_t count = 0;
+    for (size_t station = 0; station < result->station_count && table->count > 0; station++) {
+        bool any = false;
+        for (size_t point = 0; point < table->count; point += step)
+            any = any || isfinite(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_PART, station));
+        if (!any) continue;
+        if (count++ == 0) {
+            html_table(to->stream, "Decrements with single seals and impellers", "");
+            fputs("<thead><tr><th>bearings, and seals and impellers at</th>", to->stream);
+            for (size_t point = 0; point < table->count; point += step) {
+                fputs("<th class=\"number\">", to->stream);
+                if (*table->parameter)
+                    html_printf(to->stream, "%.6g %s", table->values[point] / unit.size, unit.name);
+                else
+                    fputs("decrement", to->stream);
+                fputs("</th>", to->stream);
+            }
+            fputs("</tr></thead>\n<tbody>\n", to->stream);
+        }
+        fputs("<tr><th>", to->stream);
+        html_text(to->stream, result->stations[station].name);
+        fputs("</th>", to->stream);
+        for (size_t point = 0; point < table->count; point += step)
+            html_number(to->stream, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_PART, station));
+        fputs("</tr>\n", to->stream);
+    }
+    if (count > 0) fputs("</tbody></table></div>\n", to->stream);
+}
+
 static void section(const page *to, size_t index, const whirl_table *table) {
     static const char *const shown[] = {WHIRL_FIELD_STABILITY_ANTICIPATED, WHIRL_FIELD_STABILITY_LIMIT,
                                         WHIRL_FIELD_STABILITY_BASIC,       WHIRL_FIELD_STABILITY_DECREMENT,
@@ -121,6 +153,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
         fputs("</td></tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);
+    write_parts(to, index, table);
 }
 
 static bool is_found(const whirl_table *table) {

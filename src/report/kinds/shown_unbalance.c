@@ -40,15 +40,17 @@ static void list_placed(const whirl_result *result, const whirl_table *table, ch
 static void print_scaled(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const whirl_result *result = units->result;
     const whirl_unit speed = margin_speed_unit(units), length = scaled_unit(units);
+    char more[SCALED_TEXT];
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
     if (rows && scaled_of(result, table, &by)) {
+        scaled_told(units, &by, more);
         fprintf(
             out,
             "  vibration limit %.4g %s p-p; largest at a probe where it runs %.4g %s p-p (%s): responses are scaled "
-            "by %.4g\n",
+            "by %.4g%s\n",
             by.limit / length.size, length.name, by.largest / length.size, length.name,
-            result->stations[by.station].name, by.factor);
+            result->stations[by.station].name, by.factor, more);
         const size_t count = scaled_rows(result, table, &by, rows);
         for (const scaled_row *row = rows; row < rows + count; row++)
             fprintf(out,
@@ -96,7 +98,7 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
 static void write_scaled(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_unit speed = margin_speed_unit(&to->units[index]), length = scaled_unit(&to->units[index]);
-    char placed[PLACED_TEXT];
+    char placed[PLACED_TEXT], more[SCALED_TEXT];
     scaled by;
     scaled_row *rows = malloc((result->station_count + 1) * sizeof *rows);
     list_placed(result, table, placed, sizeof placed);
@@ -110,11 +112,12 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
         fputs(".</p>\n", to->stream);
     }
     if (rows && scaled_of(result, table, &by)) {
+        scaled_told(&to->units[index], &by, more);
         fprintf(
             to->stream,
             "<p>The vibration limit is %.4g %s p-p, the largest that a probe sees where the machine runs %.4g %s p-p: "
-            "responses are scaled by %.4g (6 at most).</p>\n",
-            by.limit / length.size, length.name, by.largest / length.size, length.name, by.factor);
+            "responses are scaled by %.4g (6 at most)%s.</p>\n",
+            by.limit / length.size, length.name, by.largest / length.size, length.name, by.factor, more);
         html_table(to->stream, "Scaled responses and clearances", "");
         fprintf(to->stream,
                 "<thead><tr><th>station</th><th class=\"number\">major axis (%s p-p)</th><th class=\"number\">speed "

@@ -89,7 +89,8 @@ static void count_swept(const page *to, size_t result, const whirl_table *table,
 /// Peaks with margins, of all responses.
 typedef struct peak_count {
     size_t told, held, tables;
-    char worst[512]; ///< the first that fails
+    double lack;     ///< of the worst, %; infinite of a peak within the running speeds
+    char worst[512]; ///< the one that lacks most
 } peak_count;
 
 static void count_peaks(const page *to, size_t result, const whirl_table *table, void *context) {
@@ -101,10 +102,12 @@ static void count_peaks(const page *to, size_t result, const whirl_table *table,
         for (const margin_row *row = rows; row < rows + count; row++) {
             all->told += row->told;
             all->held += row->told && row->holds;
-            if (row->told && !row->holds && !*all->worst)
-                snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
-                         to->results[result]->stations[s].name, row->speed, margin_speed_unit(&to->units[result]).name,
-                         row->amplification, row->text);
+            const double lack = isnan(row->had) ? (double)INFINITY : row->asked - row->had;
+            if (!row->told || row->holds || (*all->worst && lack <= all->lack)) continue;
+            all->lack = lack;
+            snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
+                     to->results[result]->stations[s].name, row->speed, margin_speed_unit(&to->units[result]).name,
+                     row->amplification, row->text);
         }
     }
 }
@@ -182,7 +185,7 @@ static void write_margins(const page *to, found_part part) {
     else if (peaks.told == peaks.held)
         html_printf(to->stream, "All %zu peaks of which a margin is asked for have it.", peaks.told);
     else
-        html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; first %s.",
+        html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; the worst is %s.",
                     peaks.told - peaks.held, peaks.told, peaks.worst);
     end_sentence(to);
 }

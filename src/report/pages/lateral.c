@@ -34,7 +34,9 @@ static void write_found(const page *to) {
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
     found_each(to, everything(to), WHIRL_FIELD_REGIME_CODE, tell_motions, &told);
     if (!told) fputs("Not computed (study: motions beside these).", to->stream);
-    fputs("</li>\n</ol>\n</section>\n", to->stream);
+    fputs("</li>\n</ol>\n", to->stream);
+    page_asked(to);
+    fputs("</section>\n", to->stream);
 }
 
 // ---------------------------------------------------------------- chapters
@@ -268,9 +270,7 @@ static void write_machine(const page *to) {
 
 static void write_appendix(const page *to) {
     fprintf(to->stream, "<section id=\"appendix\">\n<h2>%d. Appendix</h2>\n", CHAPTERS + FIRST_CHAPTER);
-    fputs("<p>Clauses are those of API 617 as whirl's documentation has them; which edition counts is for the user to "
-          "check. Amplitudes say whether they are zero to peak (0-p) or peak to peak (p-p).</p>\n",
-          to->stream);
+    fputs("<p>Amplitudes say whether they are zero to peak (0-p) or peak to peak (p-p).</p>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         page_computed(to, r);
         page_provenance(to, r);

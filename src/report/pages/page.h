@@ -51,6 +51,7 @@ void lateral_write(const page *to);
 void page_head(const page *to, const char *title);
 void page_style(FILE *stream);
 void page_claims(const page *to);               ///< the table of claims and what was not reproduced
+void page_asked(const page *to);                ///< margins, vibration, clearances, stability beside their clauses
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters

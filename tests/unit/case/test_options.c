@@ -39,6 +39,7 @@ static void with_key(const char *part, const char *key, const char *value, whirl
     const bool of_study = strcmp(part, "study") == 0;
     const bool placed = strcmp(key, "antinodes_of") == 0 || strcmp(key, "at") == 0 || strcmp(key, "weight") == 0;
     const char *axis = !is_study(part)              ? ""
+                       : strcmp(key, "trip") == 0   ? "parameter: q, values: [1, 2], running_to: 0.1, "
                        : !placed                    ? "parameter: q, values: [1, 2], "
                        : strcmp(key, "weight") != 0 ? "running_to: 9, "
                                                     : "running_to: 9, at: yes, ";

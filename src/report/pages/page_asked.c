@@ -1,0 +1,176 @@
+// What is asked of a lateral analysis beside what was found, with the clause: margins, vibration, clearances,
+// stability.
+//
+// Clauses are told by what follows the number of the chapter, which editions have alike: SP6.8 of API RP 684 (2nd
+// edition, 2005), 2.6 of API 617 (7th, 2002), 4.8 of its first part (8th, 2014). Which edition counts is for the user
+// to check.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "found.h"
+#include "html.h"
+#include "margins.h"
+#include "scaled.h"
+
+enum { CELL = 256 };
+
+/// A row: of a table, what is asked, what was found, and what follows.
+typedef struct asked_row {
+    const char *what, *clause;
+    char asked[CELL], found[CELL], verdict[CELL];
+} asked_row;
+
+static void write_row(const page *to, const whirl_table *table, const asked_row *row) {
+    const char *const cells[] = {row->what, row->asked, row->found, row->verdict};
+    fputs("<tr><th>", to->stream);
+    html_text(to->stream, table->name);
+    fputs("</th>", to->stream);
+    for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
+        fputs("<td>", to->stream);
+        html_text(to->stream, cells[i]);
+        fputs("</td>", to->stream);
+    }
+    fprintf(to->stream, "<td class=\"whole\">SP6.8.%s</td></tr>\n", row->clause);
+}
+
+// ---------------------------------------------------------------- responses
+
+/// The peak that lacks most of its margin, or has least more than that.
+static void write_margin(const page *to, size_t result, const whirl_table *table) {
+    asked_row row = {.what = "separation margin", .clause = "2.10"};
+    const whirl_result *own = to->results[result];
+    size_t told = 0, held = 0;
+    double least = INFINITY;
+    for (size_t s = 0; s < own->station_count; s++) {
+        margin_row peaks[2 * MARGIN_PEAKS];
+        const size_t count = margin_rows(own, table, &to->units[result], s, peaks);
+        for (const margin_row *peak = peaks; peak < peaks + count; peak++) {
+            const double more = isnan(peak->had) ? -(double)INFINITY : peak->had - peak->asked;
+            told += peak->told;
+            held += peak->told && peak->holds;
+            if (!peak->told || (more >= least && *row.found)) continue;
+            least = more;
+            snprintf(row.asked, CELL, "%.3g %% (amplification %.3g)", peak->asked, peak->amplification);
+            snprintf(row.found, CELL, isnan(peak->had) ? "peak within the running speeds" : "%.3g %% %s", peak->had,
+                     peak->above ? "above" : "below");
+            const size_t used = strlen(row.found);
+            snprintf(row.found + used, CELL - used, ": %s at %.5g %s", own->stations[s].name, peak->speed,
+                     margin_speed_unit(&to->units[result]).name);
+        }
+    }
+    if (told == 0) snprintf(row.found, CELL, "no peak with an amplification of 2.5 or more");
+    snprintf(row.verdict, CELL,
+             told == 0      ? "none asked for"
+             : held == told ? "holds"
+                            : "fails: %zu of %zu peaks",
+             told - held, told);
+    write_row(to, table, &row);
+}
+
+static void write_vibration(const page *to, size_t result, const whirl_table *table, const scaled *by) {
+    const whirl_unit length = scaled_unit(&to->units[result]);
+    asked_row row = {.what = "vibration at probes where it runs", .clause = "2.11"};
+    snprintf(row.asked, CELL, "at most %.4g %s p-p", by->limit / length.size, length.name);
+    snprintf(row.found, CELL, "%.4g %s p-p at %s", by->largest / length.size, length.name,
+             to->results[result]->stations[by->station].name);
+    snprintf(row.verdict, CELL, by->beyond ? "fails" : "holds");
+    write_row(to, table, &row);
+}
+
+/// The clearance of which scaled responses take most.
+static void write_clearance(const page *to, size_t result, const whirl_table *table, const scaled *by) {
+    const whirl_result *own = to->results[result];
+    asked_row row = {.what = "close clearances", .clause = "2.12", .asked = "at most 75 % of the diametral clearance"};
+    scaled_row *rows = calloc(own->station_count + 1, sizeof *rows);
+    const size_t count = rows ? scaled_rows(own, table, by, rows) : 0;
+    double most = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        const double share = rows[i].axis / rows[i].clearance;
+        const whirl_unit speed = margin_speed_unit(&to->units[result]);
+        if (share < most) continue;
+        most = share;
+        snprintf(row.found, CELL, "%.3g %% at %s, %.5g %s, scaled by %.4g", 100.0 * share,
+                 own->stations[rows[i].station].name, rows[i].speed / speed.size, speed.name, by->factor);
+        snprintf(row.verdict, CELL,
+                 !rows[i].holds                   ? "fails"
+                 : by->trip > 0.0 && !by->reaches ? "holds, but points do not reach the trip speed"
+                                                  : "holds");
+    }
+    free(rows);
+    if (count > 0) write_row(to, table, &row);
+}
+
+static void ask_response(const page *to, size_t result, const whirl_table *table, void *context) {
+    scaled by;
+    (void)context;
+    if (!scaled_asked(table)) return;
+    write_margin(to, result, table);
+    if (!scaled_of(to->results[result], table, &by)) return;
+    write_vibration(to, result, table, &by);
+    write_clearance(to, result, table, &by);
+}
+
+// ---------------------------------------------------------------- stability
+
+/// The least of a number over all points; NaN where no point has it.
+static double least_of(const whirl_table *table, const char *field) {
+    double least = NAN;
+    for (size_t i = 0; i < table->count; i++) {
+        const double own = whirl_table_number(table, i, field, 0);
+        if (whirl_table_done(table, i) && !(own >= least)) least = isnan(own) ? least : own;
+    }
+    return least;
+}
+
+static void ask_stability(const page *to, size_t result, const whirl_table *table, void *context) {
+    asked_row one = {.what = "stability, Level I", .clause = "5"}, two = {.what = "stability, Level II", .clause = "6"};
+    double ratio = INFINITY, factor = 2.0;
+    bool stages = false, holds = true;
+    (void)result, (void)context;
+    for (size_t i = 0; i < table->count; i++) {
+        const double anticipated = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
+        const double limit = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_LIMIT, 0);
+        if (!whirl_table_done(table, i) || !(anticipated > 0.0)) continue;
+        stages = true;
+        holds = holds && margin_level_one(table, i);
+        factor = fmax(factor, margin_coupling(table, i));
+        if (limit / anticipated < ratio) ratio = limit / anticipated;
+    }
+    const double decrement = least_of(table, WHIRL_FIELD_STABILITY_DECREMENT);
+    const double complete = least_of(table, WHIRL_FIELD_STABILITY_COMPLETE);
+    snprintf(one.asked, CELL, "limit of the cross coupling at least %g times the anticipated, decrement at least %g",
+             factor, margin_decrement);
+    snprintf(one.found, CELL, isfinite(ratio) ? "decrement %.3g, limit %.3g times" : "decrement %.3g, no limit",
+             decrement, ratio);
+    snprintf(one.verdict, CELL, holds ? "holds" : "not enough: Level II decides");
+    if (stages) write_row(to, table, &one);
+    snprintf(two.asked, CELL, "decrement above %g with seals and impellers", margin_decrement);
+    snprintf(two.found, CELL, isnan(complete) ? "no mode that does not go backward" : "decrement %.3g", complete);
+    snprintf(two.verdict, CELL,
+             isnan(complete)               ? ""
+             : complete > margin_decrement ? "holds"
+             : stages && holds             ? "not asked for: Level I holds"
+                                           : "fails");
+    write_row(to, table, &two);
+}
+
+void page_asked(const page *to) {
+    const found_part all = {0, to->count, true};
+    if (found_each(to, all, WHIRL_FIELD_UNBALANCE_PROBE, NULL, NULL) +
+            found_each(to, all, WHIRL_FIELD_STABILITY_COMPLETE, NULL, NULL) ==
+        0)
+        return;
+    html_table(to->stream, "What is asked for", "");
+    fputs("<thead><tr><th>of</th><th>what</th><th>asked for</th><th>found, at its least</th><th>verdict</th>"
+          "<th>clause</th></tr></thead>\n<tbody>\n",
+          to->stream);
+    found_each(to, all, WHIRL_FIELD_UNBALANCE_PROBE, ask_response, NULL);
+    found_each(to, all, WHIRL_FIELD_STABILITY_COMPLETE, ask_stability, NULL);
+    fputs("</tbody></table></div>\n<p class=\"soft small\">Clauses are those of API RP 684, 2nd edition of 2005; in "
+          "API 617 "
+          "2.6 (7th edition, 2002) or 4.8 (8th, 2014, part 1) stands in the place of SP6.8. Which standard and edition "
+          "counts, and what it asks for, is for the user to check.</p>\n",
+          to->stream);
+}
