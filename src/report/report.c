@@ -151,6 +151,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .figures = &made->figures,
         .units = made->units,
         .explorer = options->explorer != NULL,
+        .printed = lateral,
     };
     if (lateral)
         lateral_write(&to);

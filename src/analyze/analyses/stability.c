@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "analysis.h"
+#include "bracket.h"
 
 enum {
     SPEED,
@@ -137,24 +138,23 @@ static whirl_status probe(probing *p, whirl_variant variant, double value, doubl
 static whirl_status find_limit(probing *p, double basic, double *limit) {
     enum { STEPS = 60 };
     static const double most = 1024.0, close = 1e-12;
-    double low = 0.0, high = 1.0, decrement = basic;
+    double low = 0.0, high = 1.0, decrement = basic, before = basic;
     whirl_status status = whirl_ok();
     *limit = basic > 0.0 ? NAN : 0.0;
     if (!(basic > 0.0)) return status;
-    for (; high <= most && status.code == WHIRL_OK; low = high, high *= 2.0) {
+    for (; high <= most && status.code == WHIRL_OK; low = high, before = decrement, high *= 2.0) {
         status = probe(p, WHIRL_WITH_STAGES, high, &decrement);
         if (!(decrement > 0.0)) break;
     }
     if (high > most || isnan(decrement)) return status;
-    for (int i = 0; i < STEPS && high - low > close * high && status.code == WHIRL_OK; i++) {
-        const double middle = 0.5 * (low + high);
-        status = probe(p, WHIRL_WITH_STAGES, middle, &decrement);
-        if (decrement > 0.0)
-            low = middle;
-        else
-            high = middle;
+    bracket at = bracket_between(low, before, high, decrement);
+    for (int i = 0; i < STEPS && bracket_width(&at) > close * high && at.fb != 0.0 && status.code == WHIRL_OK; i++) {
+        const double next = bracket_next(&at);
+        status = probe(p, WHIRL_WITH_STAGES, next, &decrement);
+        if (isnan(decrement)) break;
+        bracket_tell(&at, next, decrement);
     }
-    *limit = 0.5 * (low + high);
+    *limit = fabs(at.fa) < fabs(at.fb) ? at.a : at.b;
     return status;
 }
 

@@ -30,6 +30,18 @@ static double value_at(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
+/// The running speeds, where they are said and the parameter is the speed.
+static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v, double high) {
+    const whirl_record_options *record = &v->table->record;
+    const double from = record->running_low > 0.0 ? record->running_low : record->running_high;
+    const double to = record->running_high > 0.0 ? record->running_high : from;
+    const double speed = whirl_table_number(v->table, 0, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+    if (!(from > 0.0) || fabs(speed - v->table->values[0]) > 1e-9 * speed) return;
+    const double margin = 1e-3 * (panel->x.high - panel->x.low); // one speed alone is a line
+    whirl_series *band = panel_series(figure, panel, WHIRL_BOXES, "#D8D8D8", 1.0);
+    series_add_box(figure, band, (span){from / v->size - margin, to / v->size + margin}, (span){0.0, high});
+}
+
 static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
     snprintf(panel->y.label, sizeof panel->y.label, "lag (deg)");
     axis_show(&panel->y, (span){0.0, 360.0});
@@ -38,6 +50,7 @@ static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
         snprintf(text, sizeof text, "%d", lag);
         axis_tick(figure, &panel->y, lag, text);
     }
+    add_running(figure, panel, v, 360.0);
     for (size_t probe = 0; probe < 2; probe++) {
         whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 0.9);
         for (size_t point = 0; point < v->table->count; point++) {
@@ -47,25 +60,33 @@ static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
     }
 }
 
+/// Of the first and the second probe, and of the major axis.
+static const char *source_of(size_t which) {
+    return which == 2 ? WHIRL_FIELD_UNBALANCE_AXES : WHIRL_FIELD_UNBALANCE_PROBE;
+}
+
 static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view *v) {
     static const char *const names[] = {"first probe", "second probe", "major axis"};
     double most = 0.0;
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
     panel->keyed = true;
+    for (size_t point = 0; point < v->table->count; point++)
+        for (size_t which = 0; which < 3; which++) {
+            const double *at = field_of(v, point, source_of(which));
+            if (at) most = fmax(most, amplitude_at(v, point) * at[which % 2]);
+        }
+    const double high = most > 0.0 ? 1.22 * most : 1.0;
+    axis_show(&panel->y, (span){0.0, high});
+    add_running(figure, panel, v, high);
     for (size_t which = 0; which < 3; which++) {
         whirl_series *line =
             panel_named(figure, panel, WHIRL_LINE, names[which], which == 2 ? "#9A9A9A" : line_colour(which), 0.55);
         if (line) line->dashed = which == 2;
         for (size_t point = 0; point < v->table->count; point++) {
-            const double *at =
-                field_of(v, point, which == 2 ? WHIRL_FIELD_UNBALANCE_AXES : WHIRL_FIELD_UNBALANCE_PROBE);
-            if (!at) continue;
-            const double amplitude = amplitude_at(v, point) * at[which % 2];
-            series_add(figure, line, value_at(v, point), amplitude);
-            most = fmax(most, amplitude);
+            const double *at = field_of(v, point, source_of(which));
+            if (at) series_add(figure, line, value_at(v, point), amplitude_at(v, point) * at[which % 2]);
         }
     }
-    axis_show(&panel->y, (span){0.0, most > 0.0 ? 1.22 * most : 1.0});
 }
 
 /// One scale for both axes, with room for the origin.
@@ -145,8 +166,9 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         figure->caption, sizeof figure->caption,
         "Synchronous response of %s over %s. Left: by how much the peak comes after the mark, and amplitude, of two "
         "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag "
-        "grows); centreline of the shaft.",
-        of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi);
+        "grows); centreline of the shaft.%s",
+        of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi,
+        table->record.running_high > 0.0 || table->record.running_low > 0.0 ? " Grey: where the machine runs." : "");
 }
 
 const figure_kind unbalance_figure = {.list = list, .describe = describe};

@@ -30,6 +30,13 @@ static bool has_probes(const whirl_result *result, const whirl_table *table, siz
     return !clearances || whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station) > 0.0;
 }
 
+bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station) {
+    const char *list = table->record.probes_at;
+    const double *placed = whirl_table_field(table, 0, WHIRL_FIELD_UNBALANCE_PLACED, station);
+    return !*list || lists(list, result->stations[station].name) || (placed && hypot(placed[0], placed[1]) > 0.0) ||
+           whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station) > 0.0;
+}
+
 const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
 

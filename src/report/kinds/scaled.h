@@ -28,6 +28,10 @@ typedef struct scaled_row {
 /// The unit of these lengths: the one that is asked for, else um, in which the limit is told.
 whirl_unit scaled_unit(const whirl_shown_units *units);
 
+/// Whether a station is one that engineers look at: with probes, where these are said (probes_at), a clearance or an
+/// unbalance by rule; all where probes are not said.
+bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
+
 /// Whether a table tells running speeds, and what it lacks where scaled_of fails then.
 bool scaled_asked(const whirl_table *table);
 extern const char *const scaled_lacks;

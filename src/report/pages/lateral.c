@@ -9,6 +9,7 @@
 #include "html.h"
 #include "machine_at.h"
 #include "motions_told.h"
+#include "scaled.h"
 #include "shown_kinds.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/model.h"
@@ -27,6 +28,16 @@ static found_part everything(const page *to) {
     return (found_part){0, to->count, true};
 }
 
+/// How many laws have been gone beyond, in all tables.
+static size_t laws_left(const whirl_result *result) {
+    size_t count = 0;
+    whirl_left left;
+    for (size_t t = 0; t < result->table_count; t++)
+        for (size_t i = 0; *whirl_result_law_range(result, i); i++)
+            count += whirl_table_left(&result->tables[t], i, &left) > 0;
+    return count;
+}
+
 static void write_found(const page *to) {
     size_t told = 0;
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
@@ -34,6 +45,11 @@ static void write_found(const page *to) {
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
     found_each(to, everything(to), WHIRL_FIELD_REGIME_CODE, tell_motions, &told);
     if (!told) fputs("Not computed (study: motions beside these).", to->stream);
+    size_t beyond = 0;
+    for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
+    if (beyond > 0)
+        html_printf(to->stream, " Motions or rests go beyond the range of a law %zu time%s: see chapter 2.", beyond,
+                    beyond > 1 ? "s" : "");
     fputs("</li>\n</ol>\n", to->stream);
     page_asked(to);
     fputs("</section>\n", to->stream);
@@ -97,6 +113,25 @@ static void write_motions(const page *to, size_t result, const whirl_table *tabl
     page_motions(to, result, table);
 }
 
+/// All figures of a table but for responses of stations that nobody watches.
+static void write_figures(const page *to, size_t result, const whirl_table *table) {
+    const bool response = whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_PROBE) != NULL;
+    size_t left = 0;
+    for (size_t i = 0; i < to->figures->count; i++) {
+        const drawn_figure *what = &to->figures->items[i];
+        if (what->table != table) continue;
+        if (!response || scaled_watches(to->results[result], table, what->name.station))
+            page_figure(to, what);
+        else
+            left++;
+    }
+    if (left > 0)
+        fprintf(to->stream,
+                "<p>%zu other stations, which have neither probe nor clearance nor unbalance: see the "
+                "figures beside this document.</p>\n",
+                left);
+}
+
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {
     const shown_kind *kind = shown_kind_of(table);
     chapter_told *told = context;
@@ -106,8 +141,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     fputs("<h3>", to->stream);
     html_printf(to->stream, "%s%s%s", table->name, *with ? ", with " : "", with);
     fputs("</h3>\n", to->stream);
-    for (size_t i = 0; i < to->figures->count; i++)
-        if (to->figures->items[i].table == table) page_figure(to, &to->figures->items[i]);
+    write_figures(to, result, table);
     if (!kind) write_motions(to, result, table);
     if (!kind || !kind->section || !(*table->parameter || kind->single)) return;
     if (kind != told->kind) shown_kind_about(to, kind);

@@ -39,6 +39,7 @@ typedef struct page {
     const drawn_figures *figures;
     const whirl_shown_units *units; ///< [count]
     bool explorer;                  ///< explorer.html stands beside the page
+    bool printed;                   ///< it is to be printed: all of its figures are loaded at once
 } page;
 
 /// Writes the whole page.

@@ -15,8 +15,8 @@ void page_figure(const page *to, const drawn_figure *what) {
     const char *folder = to->folders[what->result];
     fputs("<figure>\n", to->stream);
     if (what->drawn) {
-        fprintf(to->stream, "<a href=\"%s/%s.png\"><img loading=\"lazy\" src=\"%s/%s.png\" alt=\"", folder,
-                what->name.name, folder, what->name.name);
+        fprintf(to->stream, "<a href=\"%s/%s.png\"><img%s src=\"%s/%s.png\" alt=\"", folder, what->name.name,
+                to->printed ? "" : " loading=\"lazy\"", folder, what->name.name);
         html_text(to->stream, what->name.title);
         fputs("\"></a>\n", to->stream);
     } else {
