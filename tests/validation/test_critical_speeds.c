@@ -194,6 +194,36 @@ static void masses_on_springs(void **unused) {
     whirl_case_free(object);
 }
 
+/// A rotor of mass m on bearings of stiffness k on a pedestal of mass s on a stiffness K, in series: at a critical
+/// speed m w^2 = k (K - s w^2) / (k + K - s w^2).
+static void pedestals_in_series(void **unused) {
+    static const double m = 100.0, pedestal = 30.0, below = 5e7, k[] = {1e6, 2e7, 1e9};
+    (void)unused;
+    whirl_case *object = parse("whirl: 1\nparameters: {k: 1e6 N/m}\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n"
+                               "  stations: {rotor: {mass: 100 kg}, pedestal: {mass: 30 kg}}\n  elements:\n"
+                               "    - bearing: {at: rotor, from: pedestal, kxx: 7 MN/m, cxx: 10 kN.s/m}\n"
+                               "    - spring: {between: [pedestal, ground], stiffness: 50 MN/m}\n"
+                               "study:\n  critical_speeds: {parameter: k, values: [1e6, 2e7, 1e9], bearings: yes}\n");
+    whirl_result *result = run(object);
+    for (size_t i = 0; i < 3; i++) {
+        // Of w^2: m s x^2 - (m (k + K) + k s) x + k K = 0.
+        const double a = m * pedestal, b = m * (k[i] + below) + k[i] * pedestal, c = k[i] * below;
+        const double root = sqrt(b * b - 4.0 * a * c),
+                     expected[] = {sqrt(2.0 * c / (b + root)), sqrt((b + root) / (2.0 * a))};
+        for (int direction = 1; direction >= -1; direction -= 2) {
+            double speeds[MOST];
+            assert_int_equal(speeds_of(result, i, direction, speeds), 2);
+            for (size_t n = 0; n < 2; n++)
+                check_within("CS",
+                             words("pedestal in series with bearings of %g N/m: %s critical speed %zu, rad/s", k[i],
+                                   direction > 0 ? "forward" : "backward", n + 1),
+                             expected[n], speeds[n], 1e-10 * expected[n]);
+        }
+    }
+    whirl_result_free(result);
+    whirl_case_free(object);
+}
+
 /// A disc on a massless cantilever: translation and tilt are coupled by the flexibility of the beam; of synchronous
 /// forward whirl 1 = w^2 (m a11 + (Id - Ip) a22) - w^4 m (Id - Ip) (a11 a22 - a12^2), one positive root where Ip > Id;
 /// backward with Id + Ip, two.
@@ -366,6 +396,7 @@ int main(void) {
         cmocka_unit_test(backward_too),
         cmocka_unit_test(as_modes_meet_the_speed),
         cmocka_unit_test(masses_on_springs),
+        cmocka_unit_test(pedestals_in_series),
         cmocka_unit_test(a_disc_on_a_cantilever),
         cmocka_unit_test(free_shafts),
         cmocka_unit_test(springs_stand_for_bearings),
