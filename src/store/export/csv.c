@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "whirl/engine/shown.h"
 
 /// A line being written.
 typedef struct line {
@@ -53,23 +54,40 @@ static bool has_one_scale(const whirl_table *table) {
     return !table->length_scales;
 }
 
-/// A length, and how it is counted: "[0.2 mm 0-p]", "[mm]", "[0.2 mm per radian]".
-static void length_text(const whirl_result *result, const whirl_table *table, const whirl_field *field,
+/// The units that the case asks for (`units`); where it asks for none amplitudes are zero to peak.
+static whirl_shown_units units_of(const whirl_result *result) {
+    whirl_shown_units units;
+    if (whirl_result_shown_units(result, NULL, &units).code == WHIRL_OK) return units;
+    return (whirl_shown_units){.result = result, .amplitude = 1.0, .amplitude_name = "0-p"};
+}
+
+/// A length, and how it is counted: "[um p-p]" as the case asks; else "[0.2 mm 0-p]", "[mm]", "[0.2 mm per radian]".
+static void length_text(const whirl_shown_units *units, const whirl_table *table, const whirl_field *field,
                         const char *behind, char *text, size_t size) {
-    const whirl_unit length = whirl_result_length_unit(result);
-    const char *counted = whirl_field_counting(field) == WHIRL_FROM_CENTRE ? "" : " 0-p";
-    if (has_one_scale(table) && result->length_scale != length.size)
-        snprintf(text, size, "[%.10g %s%s%s]", result->length_scale / length.size, length.name, counted, behind);
+    const double scale = units->result->length_scale;
+    const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
+    const whirl_counting counting = whirl_field_counting(field);
+    static const char micro[] = "\xC2\xB5"; // spreadsheets take files for their own alphabet
+    const bool is_micro = strncmp(length.name, micro, sizeof micro - 1) == 0;
+    char name[WHIRL_NAME_SIZE];
+    snprintf(name, sizeof name, "%s%.60s", is_micro ? "u" : "", length.name + (is_micro ? sizeof micro - 1 : 0));
+    const char *space = counting == WHIRL_FROM_CENTRE ? "" : " ";
+    const char *counted = counting == WHIRL_FROM_CENTRE ? ""
+                          : counting == WHIRL_AMPLITUDE ? units->amplitude_name
+                                                        : "0-p";
+    if (units->size.size <= 0.0 && has_one_scale(table) && scale != length.size)
+        snprintf(text, size, "[%.10g %s%s%s%s]", scale / length.size, name, space, counted, behind);
     else
-        snprintf(text, size, "[%s%s%s]", length.name, counted, behind);
+        snprintf(text, size, "[%s%s%s%s]", name, space, counted, behind);
 }
 
 /// A unit in brackets; scales are written out, lengths in the unit of the case.
-static void unit_text(const whirl_result *result, const whirl_table *table, const whirl_field *field, size_t column,
+static void unit_text(const whirl_shown_units *units, const whirl_table *table, const whirl_field *field, size_t column,
                       char *text, size_t size) {
+    const whirl_result *result = units->result;
     const char *unit = whirl_column_unit(field, column);
     if (strncmp(unit, "length", 6) == 0)
-        length_text(result, table, field, strcmp(unit, "length") == 0 ? "" : " per radian", text, size);
+        length_text(units, table, field, strcmp(unit, "length") == 0 ? "" : " per radian", text, size);
     else if (strcmp(unit, "parameter") == 0)
         snprintf(text, size, "[%s]", whirl_result_parameter_unit(result, table->parameter));
     else if (strcmp(unit, "force") == 0 && result->force_scale != 1.0)
@@ -81,10 +99,13 @@ static void unit_text(const whirl_result *result, const whirl_table *table, cons
 }
 
 /// What the numbers of a field at a point are multiplied by to be in the unit of the heading.
-static double unit_factor(const whirl_result *result, const whirl_table *table, size_t point, const whirl_field *field,
-                          size_t column) {
-    if (has_one_scale(table) || strncmp(whirl_column_unit(field, column), "length", 6) != 0) return 1.0;
-    return whirl_result_length_scale(result, table, point) / whirl_result_length_unit(result).size;
+static double unit_factor(const whirl_shown_units *units, const whirl_table *table, size_t point,
+                          const whirl_field *field, size_t column) {
+    if (strncmp(whirl_column_unit(field, column), "length", 6) != 0) return 1.0;
+    const double counted = whirl_field_counting(field) == WHIRL_AMPLITUDE ? units->amplitude : 1.0;
+    const double scale = whirl_result_length_scale(units->result, table, point);
+    if (units->size.size > 0.0) return counted * scale / units->size.size;
+    return has_one_scale(table) ? counted : counted * scale / whirl_result_length_unit(units->result).size;
 }
 
 static const char *repetition_name(const whirl_result *result, const whirl_field *field, size_t which) {
@@ -105,12 +126,12 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
 }
 
 /// "orbit/mean disc x [0.0002 m]".
-static void put_field_heading(line *row, const whirl_result *result, const whirl_table *table, const whirl_field *field,
-                              size_t which, size_t column) {
+static void put_field_heading(line *row, const whirl_shown_units *units, const whirl_table *table,
+                              const whirl_field *field, size_t which, size_t column) {
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[400];
-    unit_text(result, table, field, column, unit, sizeof unit);
+    unit_text(units, table, field, column, unit, sizeof unit);
     column_text(field, column, name, sizeof name);
-    const char *station = repetition_name(result, field, which);
+    const char *station = repetition_name(units->result, field, which);
     snprintf(text, sizeof text, "%.63s%s%.63s%s%.63s %s", field->name, *station ? " " : "", station, *name ? " " : "",
              name, unit);
     put_cell(row, text);
@@ -159,13 +180,14 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
     (void)unused;
     line row = {stream, false};
     const whirl_layout *layout = &table->layout;
+    const whirl_shown_units units = units_of(result);
     char method[WHIRL_NAME_SIZE + 16];
     snprintf(method, sizeof method, "%s%s", table->integrate.method, table->integrate.chosen ? " (by auto)" : "");
     put_point_headings(&row, result, table);
     put_cell(&row, "verdict"), put_cell(&row, "method");
     for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field)
         for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
-            put_field_heading(&row, result, table, field, i / field->columns, i % field->columns);
+            put_field_heading(&row, &units, table, field, i / field->columns, i % field->columns);
     end_line(&row);
     for (size_t point = 0; point < table->count; ++point) {
         char verdict[WHIRL_NAME_SIZE];
@@ -179,7 +201,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         const double *block = whirl_table_block(table, point);
         for (const whirl_field *field = layout->fields; field < layout->fields + layout->field_count; ++field) {
             for (size_t i = 0; field->rows == 1 && i < field->repeat * field->columns; ++i)
-                put_number_cell(&row, unit_factor(result, table, point, field, i % field->columns) *
+                put_number_cell(&row, unit_factor(&units, table, point, field, i % field->columns) *
                                           block[field->offset + i]);
         }
         end_line(&row);
@@ -192,15 +214,15 @@ static bool all_missing(const double *numbers, size_t count) {
     return true;
 }
 
-static void put_rows_headings(line *row, const whirl_result *result, const whirl_table *table,
+static void put_rows_headings(line *row, const whirl_shown_units *units, const whirl_table *table,
                               const whirl_field *field) {
-    put_point_headings(row, result, table);
+    put_point_headings(row, units->result, table);
     if (field->extent != WHIRL_PER_POINT) put_cell(row, format_extents[field->extent]);
     put_cell(row, "row");
     char unit[WHIRL_NAME_SIZE + 40], name[WHIRL_NAME_SIZE], text[2 * WHIRL_NAME_SIZE + 48];
     for (size_t i = 0; i < field->columns; ++i) {
         column_text(field, i, name, sizeof name);
-        unit_text(result, table, field, i, unit, sizeof unit);
+        unit_text(units, table, field, i, unit, sizeof unit);
         snprintf(text, sizeof text, "%s %s", *name ? name : "value", unit);
         put_cell(row, text);
     }
@@ -210,7 +232,8 @@ static void put_rows_headings(line *row, const whirl_result *result, const whirl
 /// A line for each row of a field; rows without any number are left out.
 static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     line row = {stream, false};
-    put_rows_headings(&row, result, table, field);
+    const whirl_shown_units units = units_of(result);
+    put_rows_headings(&row, &units, table, field);
     for (size_t i = 0; i < table->count * field->repeat * field->rows; ++i) {
         const size_t point = i / (field->repeat * field->rows), inner = i % (field->repeat * field->rows);
         const double *block = whirl_table_done(table, point) ? whirl_table_block(table, point) : NULL;
@@ -220,7 +243,7 @@ static void write_rows(FILE *stream, const whirl_result *result, const whirl_tab
         if (field->extent != WHIRL_PER_POINT) put_cell(&row, repetition_name(result, field, inner / field->rows));
         put_count_cell(&row, inner % field->rows + 1);
         for (size_t c = 0; c < field->columns; ++c)
-            put_number_cell(&row, unit_factor(result, table, point, field, c) * numbers[c]);
+            put_number_cell(&row, unit_factor(&units, table, point, field, c) * numbers[c]);
         end_line(&row);
     }
 }
