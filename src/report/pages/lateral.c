@@ -162,8 +162,9 @@ typedef struct chapter {
 } chapter;
 
 static const chapter chapters[] = {
-    {"Weight and loads of bearings",
-     "The weight carried by each bearing, sag and bending moments; what elevations couplings ask for.",
+    {"Bearings and weight",
+     "The weight carried by each bearing, sag and bending moments, places of rest, stiffness and damping of bearings; "
+     "what elevations couplings ask for.",
      WHIRL_FIELD_STATICS_LOAD},
     {"Undamped critical speed map",
      "Critical speeds of the machine without damping, over the stiffness of its supports where the study says so.",
