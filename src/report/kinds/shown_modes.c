@@ -82,7 +82,8 @@ static void print_critical(FILE *out, const whirl_shown_units *units, const whir
         for (size_t i = 0; i < field->rows; i++, rows += field->columns) {
             if (!(rows[0] >= 1 && rows[0] <= 3)) continue;
             fprintf(out, "  %-18s at %.9g%s%s: %s, %.6g rad/s, damping ratio %.3g\n", names[(int)rows[0]],
-                    rows[1] / unit.size, *unit.name ? " " : "", unit.name, way_of(rows[5]), rows[3], shown_ratio(rows[4]));
+                    rows[1] / unit.size, *unit.name ? " " : "", unit.name, way_of(rows[5]), rows[3],
+                    shown_ratio(rows[4]));
         }
     }
 }
