@@ -1,11 +1,10 @@
-// Writes the table of a pad (src/rotor/pads/table.h) of pads.h, as the numbers that it is.
+// Writes the table of a pad (src/rotor/pads/pads.h) of pads.h, as the numbers that it is.
 //
 //   bench_pads_table FILE
 #include <stdio.h>
 
 #include "machines.h"
 #include "pads.h"
-#include "tables.h"
 
 int main(int argc, char **argv) {
     const pad_table_key key = {.arc = PADS_ARC, .ratio = PADS_LENGTH / (2.0 * PADS_RADIUS), .law = CAVITATION_REYNOLDS};

@@ -6,12 +6,9 @@
 #include <string.h>
 
 #include "case_arguments.h"
-#include "cores.h"
+#include "console.h"
 #include "files.h"
-#include "guard.h"
-#include "interrupt.h"
 #include "output.h"
-#include "progress.h"
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
 

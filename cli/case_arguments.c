@@ -1,6 +1,6 @@
 #include "case_arguments.h"
 
-#include "guard.h"
+#include "console.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /// whirl check: all that is wrong with case files, or what they hold.
 #include "command.h"
-#include "guard.h"
+#include "console.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -9,13 +9,8 @@
 #include <string.h>
 
 #include "case_arguments.h"
-#include "cores.h"
-#include "estimate.h"
 #include "files.h"
 #include "limit.h"
-#include "phases.h"
-#include "progress.h"
-#include "summary.h"
 #include "whirl/engine/report.h"
 
 typedef struct check_arguments {

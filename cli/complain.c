@@ -1,5 +1,5 @@
 #include "command.h"
-#include "guard.h"
+#include "console.h"
 
 #include <errno.h>
 #include <stdarg.h>
@@ -7,8 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include "terminal.h"
 
 /// How things are set off on a terminal with colours; empty elsewhere.
 typedef struct colours {

@@ -1,5 +1,5 @@
 #define _GNU_SOURCE // sched_getaffinity; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
-#include "cores.h"
+#include "console.h"
 
 #include <sched.h>
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "terminal.h"
+#include "console.h"
 
 // ---------------------------------------------------------------- one name that can be described
 

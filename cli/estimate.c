@@ -1,4 +1,4 @@
-#include "estimate.h"
+#include "console.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "guard.h"
+#include "console.h"
 
 #include <errno.h>
 #include <signal.h>

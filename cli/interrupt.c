@@ -1,4 +1,4 @@
-#include "interrupt.h"
+#include "console.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "journal_names.h"
+#include "journal.h"
 
 #include <dirent.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /// whirl COMMAND ...: finds the command and hands over.
 #include "command.h"
-#include "guard.h"
+#include "console.h"
 #include "ranks.h"
 #include "together.h"
 

@@ -1,7 +1,7 @@
 /// whirl merge: makes the result of what shards have computed.
 #include "command.h"
 
-#include "cores.h"
+#include "console.h"
 #include "study.h"
 
 static const struct argp_option options[] = {

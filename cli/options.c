@@ -1,6 +1,6 @@
 /// Reading the arguments of a command: argp, and before it what argp can not say, the option that was meant.
 #include "command.h"
-#include "guard.h"
+#include "console.h"
 
 #include <stdbool.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "phases.h"
+#include "console.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,12 +1,9 @@
-#include "progress.h"
+#include "console.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-#include "interrupt.h"
-#include "terminal.h"
 
 enum { MOST_COLUMNS = 120, MAX_BAR = 40 };
 

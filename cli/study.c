@@ -7,11 +7,9 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "guard.h"
-#include "interrupt.h"
+#include "console.h"
 #include "journal.h"
 #include "output.h"
-#include "progress.h"
 #include "ranks.h"
 #include "together.h"
 #include "whirl/engine/report.h"

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "journal_names.h"
+#include "journal.h"
 
 void note_command_line(study_arguments *arguments, int argc, char **argv) {
     char *text = arguments->command_line;

@@ -1,4 +1,4 @@
-#include "summary.h"
+#include "console.h"
 
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-#include "terminal.h"
+#include "console.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "interrupt.h"
+#include "console.h"
 #include "ranks.h"
 
 /// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.

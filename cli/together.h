@@ -5,8 +5,8 @@
 
 #include <stdint.h>
 
+#include "console.h"
 #include "journal.h"
-#include "progress.h"
 
 /// What ranks tell one another; the first two, too, when they come about.
 enum {

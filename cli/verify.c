@@ -8,9 +8,7 @@
 #include <string.h>
 
 #include "case_arguments.h"
-#include "cores.h"
-#include "interrupt.h"
-#include "progress.h"
+#include "console.h"
 
 enum { SAMPLE = 9, MOST_POINTS = 10000, MOST_REVOLUTIONS = 1000000, NAME_SIZE = 64 };
 

@@ -11,7 +11,7 @@
 #include <time.h>
 
 #include "command.h"
-#include "cores.h"
+#include "console.h"
 
 /// How all ranks came out.
 typedef struct outcome {

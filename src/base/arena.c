@@ -1,4 +1,4 @@
-#include "arena.h"
+#include "memory.h"
 
 #include <stdalign.h>
 #include <stdlib.h>

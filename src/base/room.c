@@ -1,5 +1,5 @@
 #define _DEFAULT_SOURCE // madvise; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
-#include "room.h"
+#include "memory.h"
 
 #include <fcntl.h>
 #include <stdint.h>

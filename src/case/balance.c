@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "file.h"
 #include "keys.h"
-#include "problem.h"
+#include "settings.h"
+#include "tree.h"
 
 enum { VERSION = 1, MOST_ROWS = 10000 };
 

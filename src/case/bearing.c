@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bearing_oil.h"
-#include "file.h"
 #include "keys.h"
-#include "problem.h"
+#include "settings.h"
+#include "tree.h"
 #include "whirl/engine/bearing_table.h"
 
 enum { VERSION = 1 };

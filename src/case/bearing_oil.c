@@ -1,9 +1,9 @@
-#include "bearing_oil.h"
+#include "settings.h"
 
 #include <math.h>
 
-#include "mineral_oil.h"
-#include "problem.h"
+#include "numerics.h"
+#include "tree.h"
 
 enum { DYNAMIC, KINEMATIC, GRADE, TABLE, WAYS };
 static const char *const ways[] = {"viscosity", "kinematic_viscosity", "grade", "temperatures"};

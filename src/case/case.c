@@ -6,15 +6,13 @@
 #include <string.h>
 
 #include "content.h"
-#include "exhausted.h"
-#include "file.h"
+#include "memory.h"
 #include "path.h"
-#include "plan_resting.h"
-#include "problem.h"
-#include "schema.h"
-#include "source.h"
-#include "unit_words.h"
+#include "plan.h"
+#include "settings.h"
+#include "tree.h"
 #include "whirl/engine/analyze.h"
+#include "words.h"
 
 // ---------------------------------------------------------------- checks with values
 

@@ -6,10 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims_read.h"
-#include "file.h"
-#include "problem.h"
-#include "schema.h"
+#include "plan.h"
+#include "settings.h"
+#include "tree.h"
 
 enum { MAX_CLAIMS = 1000 };
 

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "content.h"
-#include "warn.h"
 
 static whirl_status describe_parameters(const case_content *content, whirl_result *result) {
     const parameter_table *parameters = &content->parameters;

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "content.h"
-#include "exhausted.h"
+#include "memory.h"
 
 typedef struct member {
     whirl_rotor *rotor;

@@ -1,12 +1,10 @@
-#include "file.h"
+#include "settings.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "excerpt.h"
-#include "exhausted.h"
-#include "problem.h"
-#include "source.h"
+#include "memory.h"
+#include "tree.h"
 
 whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
                        void *into) {

@@ -1,4 +1,4 @@
-#include "fits.h"
+#include "content.h"
 
 #include <math.h>
 #include <stdio.h>

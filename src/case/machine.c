@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "problem.h"
-#include "schema.h"
+#include "plan.h"
+#include "tree.h"
 
 size_t named_find(const named_list *in, const char *name) {
     for (size_t i = 0; i < in->count; i++)

@@ -6,8 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "problem.h"
-#include "schema.h"
+#include "tree.h"
 #include "whirl/engine/analyze.h"
 
 static whirl_record_options record_options(valuation *v, const plan_parts *parts, int steps) {

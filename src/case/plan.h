@@ -3,8 +3,36 @@
 #define CASE_PLAN_H
 
 #include "machine.h"
-#include "schema.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/claims.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/study.h"
+
+#include <stddef.h>
+
+// ---------------------------------------------------------------- schema
+// The keys of a case file outside stations and elements, and of a claims file.
+
+enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 1000 };
+
+/// That of a rotor which may stand still is not listed: it is the other one but for the range of its speed.
+extern const whirl_group schema_still_rotor;
+extern const whirl_group schema_case, schema_rotor, schema_study, schema_response, schema_sweep, schema_map,
+    schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
+    schema_integrate, schema_keep, schema_detail;
+
+#define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
+
+/// How many studies of machines at rest there are.
+enum { WHIRL_STUDIES_AT_REST(SCHEMA_INDEX_AT_REST) SCHEMA_AT_REST };
+
+/// Of studies of machines at rest (WHIRL_STUDIES_AT_REST), ended by one without a name.
+extern const whirl_group schema_at_rest[];
+
+/// The unit that a plain number of the initial state may have instead, "m" or "m/s"; "" for all other keys.
+const char *schema_scaled_unit(const whirl_key *key);
+
+extern const whirl_group schema_claims, schema_claim;
 
 /// The state that one station starts from.
 typedef struct plan_start {
@@ -166,5 +194,21 @@ void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *par
 
 /// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
 void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);
+
+// ---------------------------------------------------------------- claims_read
+// Claims from memory.
+
+/// As whirl_claims_load, from memory; `name` stands for the file in messages.
+whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
+                          whirl_claims **claims);
+
+// ---------------------------------------------------------------- plan_resting
+// Studies of machines at rest, any number of them in a case, each at every condition that the case names.
+
+/// Reads the studies of machines at rest, and the conditions that they are done at.
+void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
+
+/// Makes their batches, behind those that are there, as plan_make does.
+void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 #endif

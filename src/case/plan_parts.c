@@ -4,8 +4,7 @@
 #include <string.h>
 
 #include "plan.h"
-#include "problem.h"
-#include "schema.h"
+#include "tree.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/integrate.h"
 

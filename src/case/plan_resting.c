@@ -1,16 +1,15 @@
 // Studies of which a case has any number, each at every condition that it names: of machines at rest, and of motions
 // with the unbalances of these.
-#include "plan_resting.h"
+#include "plan.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "name_list.h"
-#include "problem.h"
-#include "schema.h"
+#include "tree.h"
 #include "whirl/engine/analyze.h"
+#include "words.h"
 
 // ---------------------------------------------------------------- reading
 

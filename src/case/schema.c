@@ -2,7 +2,7 @@
 //
 // A key of kind WHIRL_KEY_CHOICE with "" for its choices holds what its meaning says: a text, a name, or a part of the
 // file with keys of its own. A number whose unit is "" is in the unit of the swept parameter, or a list.
-#include "schema.h"
+#include "plan.h"
 
 #include <limits.h>
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dimension.h"
-#include "number.h"
-#include "problem.h"
-#include "schema.h"
+#include "parameters.h"
+#include "plan.h"
+#include "tree.h"
+#include "words.h"
 
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]) {
     const char *near = whirl_nearest_name(word, names, count);

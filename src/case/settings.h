@@ -3,6 +3,7 @@
 #define CASE_SETTINGS_H
 
 #include "parameters.h"
+#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/rotor.h"
 
 enum { SETTINGS_MAX = 64 };
@@ -70,5 +71,37 @@ void settings_text(case_reader *reader, const setting_list *settings, const char
 
 /// "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]);
+
+// ---------------------------------------------------------------- bearing_oil
+// The oil of a bearing by itself: its viscosity, and what makes it warm.
+
+/// Reads what a file says of it; problems where that is not complete, or said twice.
+void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);
+
+// ---------------------------------------------------------------- file
+// Files that are read by tables of keys: the steps that all of them go through.
+
+/// What makes something of the root of a file.
+typedef void file_read_fn(case_reader *reader, const file_node *root, void *into);
+
+/// Reads a text with a reader whose arena and problems are set; problems come in the order of the file, with what
+/// stands there. `name` stands for the file in messages.
+whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
+                       void *into);
+
+/// Files other than cases: they have no parameters.
+typedef struct file_kind {
+    const whirl_group *group; ///< of their keys, by the name of the first, which holds the version
+    int version;              ///< that is read
+    size_t size;              ///< of what is made of one
+    /// Fills it, all zero before, from the settings of the file.
+    void (*fill)(case_reader *reader, const setting_list *file, void *into);
+    void (*release)(void *made);
+} file_kind;
+
+/// Makes what a file says, in memory or at a path: *made, NULL after a failure. problems: NULL, or takes what is wrong.
+whirl_status file_parse(const file_kind *kind, const char *text, size_t length, const char *name,
+                        whirl_problems *problems, void **made);
+whirl_status file_load(const file_kind *kind, const char *path, whirl_problems *problems, void **made);
 
 #endif

@@ -1,11 +1,10 @@
 // What a case may say and likely does not mean: values beyond a law, ranges without extent.
-#include "warn.h"
+#include "content.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "fits.h"
 #include "whirl/engine/result.h"
 
 /// A place of a study that stands for others, and whom its warnings are told to.

@@ -1,4 +1,4 @@
-#include "field.h"
+#include "page.h"
 
 #include <math.h>
 #include <stdarg.h>

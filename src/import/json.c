@@ -2,7 +2,7 @@
 #include <jansson.h>
 #include <string.h>
 
-#include "exhausted.h"
+#include "memory.h"
 #include "value.h"
 
 typedef struct json_copier {

@@ -1,4 +1,4 @@
-#include "note.h"
+#include "page.h"
 
 #include <stdarg.h>
 #include <stdio.h>

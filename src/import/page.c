@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
 #include "whirl/status.h"
+#include "words.h"
 
 enum { COMMENTS = 64, LAST_ITEM = 98 }; ///< columns where comments begin, and items end
 

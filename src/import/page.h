@@ -2,6 +2,12 @@
 #ifndef IMPORT_PAGE_H
 #define IMPORT_PAGE_H
 
+#include "memory.h"
+#include "value.h"
+#include "whirl/engine/descriptor.h"
+
+#include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 enum { PAGE_WIDTH = 120, QUANTITY_SIZE = 64 };
@@ -28,5 +34,109 @@ void page_close(page_line *line, const char *tail, const char *comment);
 
 /// A text as a comment, broken into lines, each behind `mark` ("# "); later lines are indented by the blanks of `hang`.
 void page_comment(FILE *out, const char *mark, const char *hang, const char *text);
+
+// ---------------------------------------------------------------- note
+// What could not be taken over from a file, or was chosen: a sentence each, for the reader and for the case.
+
+/// What is left out of more than one section at a time, said in one sentence for all of them.
+typedef enum note_kind {
+    NOTE_DRAWING,
+    NOTE_AXIAL,
+    NOTE_AXIAL_MASS,
+    NOTE_LEAKAGE,
+    NOTE_NOTHING_LATERAL,
+    NOTE_SKEW_MASS,
+    NOTE_THINNED,
+    NOTE_EXTRA,
+    NOTE_UNKNOWN,
+    NOTE_AXIAL_DAMPING,
+    NOTE_COUPLING_AXIAL,
+    NOTE_COUPLING_LENGTH,
+    NOTE_COUPLING_LOOSE,
+    NOTE_HUTCHINSON,
+    NOTE_ROTARY,
+    NOTE_CONE,
+    NOTE_KINDS
+} note_kind;
+
+typedef struct note note;
+struct note {
+    const char *text;
+    note *next;
+};
+
+typedef struct note_tags {
+    size_t count;
+    const char *first[3]; ///< the first of them, borrowed
+} note_tags;
+
+typedef struct note_list {
+    memory_arena *arena;
+    size_t count;
+    note *first, *last;
+    note_tags tags[NOTE_KINDS];
+    bool no_memory;
+} note_list;
+
+/// Adds a sentence.
+void note_add(note_list *to, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/// Remembers that the section with this tag (borrowed) has lost something of that kind.
+void note_of(note_list *to, note_kind kind, const char *tag);
+
+/// Adds a sentence for every kind of which something was lost.
+void note_finish(note_list *to);
+
+// ---------------------------------------------------------------- field
+// Reading the keys of a section, with a sentence for what is wrong: the file, the section, the key, what was found and
+// what is expected. The first problem stands; after it nothing more is read.
+
+typedef struct import_reader {
+    const char *file;
+    memory_arena *arena;
+    whirl_status status;
+    note_list notes;
+} import_reader;
+
+typedef struct field_section {
+    import_reader *reader;
+    const char *name; ///< as it stands between the brackets
+    value *table;
+} field_section;
+
+/// Whether nothing is wrong yet.
+bool field_good(const import_reader *reader);
+
+/// Says what is wrong with a key (NULL: with the section) that has this value (NULL: none).
+void field_refuse(field_section *section, const char *key, const value *at, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/// `size` bytes of zeros of the reader's memory; NULL, and a problem, without it.
+void *field_memory(import_reader *reader, size_t size);
+
+/// What a key should be: unit, range.
+typedef struct field_kind {
+    const char *key, *unit;
+    whirl_range range;
+} field_kind;
+
+/// A number; `fallback` where the key is missing, NAN: then it must be there.
+double field_number(field_section *section, const field_kind *kind, double fallback);
+
+/// A whole number from 0 to a million; `fallback` where it is missing, below -1: then it must be there.
+long field_whole(field_section *section, const char *key, long fallback);
+
+/// true or false.
+bool field_truth(field_section *section, const char *key, bool fallback);
+
+/// A text, or `fallback`; borrowed.
+const char *field_text(field_section *section, const char *key, const char *fallback);
+
+/// A number, a list of them, or a list of equally long rows, one after the other: [*rows][*columns]; *rows is 0 and the
+/// result NULL where the key is missing.
+double *field_table(field_section *section, const field_kind *kind, size_t *rows, size_t *columns);
+
+/// A number or a list of them; *count is 0 and the result NULL where the key is missing.
+double *field_numbers(field_section *section, const field_kind *kind, size_t *count);
 
 #endif

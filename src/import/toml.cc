@@ -31,7 +31,7 @@
 #include <utility>
 #include <vector>
 
-#include "exhausted.h"
+#include "memory.h"
 #include "value.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "arena.h"
+#include "memory.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus

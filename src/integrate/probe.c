@@ -1,8 +1,8 @@
 // What a probe sees, and its numbers as they describe themselves.
 #include <math.h>
 
-#include "members.h"
 #include "whirl/engine/system.h"
+#include "words.h"
 
 bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
     return probe->x != probe->y || probe->along_y == (which == 1);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "lanes.h"
-#include "mean.h"
+#include "linear_parts.h"
 
 /// Of a station of 1 kg: the forces on it are its accelerations.
 static void take(const mean_system *m, const double *jacobian, double clock, const whirl_probe *probe, double *out) {

@@ -3,9 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "direction.h"
+#include "linear_parts.h"
 #include "matrix.h"
-#include "rest.h"
 
 /// What a machine is about where it rests, in SI: of places q, q'' = stiffness q + rates q', [count][count] each.
 typedef struct matrices {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "linear_parts.h"
 #include "matrix.h"
-#include "rest.h"
 
 /// Singular directions below this part of the largest do not move: free motions, to rounding.
 static const double free_direction = 1e-12;

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "linear_parts.h"
 #include "matrix.h"
-#include "mean.h"
 
 /// A closed loop, and room for its equations.
 typedef struct closed_loop {

@@ -1,4 +1,4 @@
-#include "mean.h"
+#include "linear_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,12 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "balance.h"
-#include "direction.h"
+#include "linear_parts.h"
 #include "matrix.h"
-#include "modes.h"
-#include "periodic.h"
-#include "rest.h"
+#include "numerics.h"
 
 /// Eigenvalues below this part of the largest are zero but for rounding: a free motion's pair is off by its root.
 static const double zero_part = 1e-7;
@@ -177,4 +174,31 @@ whirl_status whirl_modes_new(const whirl_system *system, const double *start, wh
 
 void whirl_modes_free(whirl_modes *modes) {
     free(modes);
+}
+
+// ---------------------------------------------------------------- direction
+
+void direction_area(const whirl_system *system, const double *a, const double *b, double out[2]) {
+    out[0] = out[1] = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const double *ax = a + 2 * probe->x, *ay = a + 2 * probe->y, *bx = b + 2 * probe->x, *by = b + 2 * probe->y;
+        if (probe->x == probe->y) continue;
+        // i (conj(ax) by - conj(ay) bx)
+        const double way = whirl_probe_way(probe);
+        out[0] += way * (-(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]));
+        out[1] += way * ((ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]));
+    }
+}
+
+double whirl_direction(const whirl_system *system, const double *v) {
+    double area[2], square = 0.0;
+    direction_area(system, v, v, area);
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const double *x = v + 2 * probe->x, *y = v + 2 * probe->y;
+        square += x[0] * x[0] + x[1] * x[1];
+        if (probe->x != probe->y) square += y[0] * y[0] + y[1] * y[1];
+    }
+    return square > 0.0 ? area[0] / square : 0.0;
 }

@@ -3,9 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "linear_parts.h"
 #include "matrix.h"
-#include "periodic.h"
-#include "rest.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "modes.h"
+#include "linear_parts.h"
 
 /// Looks between two neighbouring frequencies of the tables: as many as parts.
 enum { PARTS = 2 };

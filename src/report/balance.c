@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "document.h"
+#include "report_parts.h"
 
 static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6,
                     gram_mm = 1e-6, rounding = 1e-9;

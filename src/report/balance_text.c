@@ -1,8 +1,8 @@
 // Balancing as a text, for programs in other languages.
+#include "report_parts.h"
 #include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"
-#include "written.h"
 
 /// What was found, with what it was found from.
 typedef struct answer {

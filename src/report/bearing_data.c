@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "document.h"
-#include "number.h"
+#include "report_parts.h"
 #include "whirl/engine/bearing_table.h"
+#include "words.h"
 
 static const double rpm = 3.14159265358979323846 / 30.0;
 

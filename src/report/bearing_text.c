@@ -1,11 +1,11 @@
 // A bearing as a text, for programs in other languages.
 #include <stdlib.h>
 
+#include "report_parts.h"
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/figure.h"
 #include "whirl/handles.h"
-#include "written.h"
 
 /// All figures of the table, as a list.
 static whirl_status write_figures(const void *table, FILE *stream) {

@@ -1,10 +1,9 @@
-#include "document.h"
+#include "report_parts.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "number.h"
-#include "utf8.h"
+#include "words.h"
 
 enum { TEXT_SIZE = 1024 };
 

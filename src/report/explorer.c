@@ -1,4 +1,4 @@
-#include "explorer.h"
+#include "report_parts.h"
 
 #include <errno.h>
 #include <math.h>
@@ -6,11 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "explorer_figures.h"
-#include "machine_at.h"
-#include "regimes.h"
-#include "report_file.h"
-#include "script_data.h"
+#include "figure_build.h"
 
 /// Stands in the template where the results go.
 static const char mark[] = "@WHIRL-RUNS@";

@@ -1,4 +1,4 @@
-#include "explorer_figures.h"
+#include "report_parts.h"
 
 #include <stdlib.h>
 

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "document.h"
-#include "margins_json.h"
 #include "quantities.h"
+#include "report_parts.h"
+#include "shown_kinds.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
 #include "whirl/version.h"

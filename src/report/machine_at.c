@@ -1,8 +1,8 @@
-#include "machine_at.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "report_parts.h"
 
 whirl_case *machine_of(const whirl_result *result) {
     whirl_case *machine;
@@ -51,4 +51,43 @@ machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *re
     const machine_walls walls = {probe->clearance, probe->gap};
     if (made) own.release(own.owner);
     return walls;
+}
+
+// ---------------------------------------------------------------- named_lines
+
+/// Orders of lines are interpolated between bins.
+static const double tolerance = 0.005;
+
+/// Of multiples and sidebands of a named order, which of them a line is, the simplest first; 0: none.
+static int simplest(double line, const whirl_named_order *of, char name[LINE_NAME_SIZE]) {
+    enum { MULTIPLES = 4 };
+    for (int n = 1; n <= MULTIPLES; n++) {
+        if (fabs(line - n * of->order) > tolerance) continue;
+        if (n == 1)
+            snprintf(name, LINE_NAME_SIZE, "%s", of->name);
+        else
+            snprintf(name, LINE_NAME_SIZE, "%d %s", n, of->name);
+        return n;
+    }
+    for (int side = -1; side <= 1; side += 2) {
+        if (fabs(line - of->order - side) > tolerance) continue;
+        snprintf(name, LINE_NAME_SIZE, "%s %c 1X", of->name, side < 0 ? '-' : '+');
+        return MULTIPLES + 1;
+    }
+    return 0;
+}
+
+bool named_line(const whirl_system *system, double order, size_t station, char name[LINE_NAME_SIZE],
+                whirl_named_order *of) {
+    int best = 0;
+    whirl_named_order next;
+    for (size_t i = 0; system->named_order && system->named_order(system->model, i, &next); i++) {
+        char called[LINE_NAME_SIZE];
+        const int rank = 2 * simplest(order, &next, called) + (next.probe != station);
+        if (rank < 2 || (best > 0 && rank >= best)) continue;
+        best = rank;
+        *of = next;
+        snprintf(name, LINE_NAME_SIZE, "%s", called);
+    }
+    return best > 0;
 }

@@ -1,14 +1,11 @@
-#include "motions_told.h"
-
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine_at.h"
 #include "quantities.h"
-#include "regimes.h"
+#include "report_parts.h"
 #include "whirl/engine/shown.h"
 
 bool motions_beside(const whirl_table *table) {
@@ -189,4 +186,19 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
         if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&p, c);
     add_beside(&p);
     whirl_case_free(machine);
+}
+
+// ---------------------------------------------------------------- ranges_told
+// Points beyond the range of a law, in words.
+
+bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]) {
+    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
+    whirl_left left;
+    if (whirl_table_left(table, index, &left) == 0) return false;
+    int used = snprintf(text, RANGES_TOLD_SIZE, "%s; reached %.4g", whirl_result_law_range(units->result, index),
+                        left.reached);
+    if (used > 0 && used < RANGES_TOLD_SIZE && *table->parameter)
+        snprintf(text + used, RANGES_TOLD_SIZE - (size_t)used, " (%zu of %zu points, first at %.6g%s%s)", left.points,
+                 table->count, table->values[left.first] / unit.size, *unit.name ? " " : "", unit.name);
+    return true;
 }

@@ -1,4 +1,4 @@
-#include "regimes.h"
+#include "report_parts.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,14 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "explorer.h"
 #include "figure_kinds.h"
-#include "gnuplot.h"
-#include "gnuplot_script.h"
-#include "machine_at.h"
 #include "page.h"
-#include "print.h"
-#include "report_file.h"
+#include "render.h"
+#include "report_parts.h"
 #include "whirl/engine/report.h"
 
 /// What is made on the way, freed by report_free.

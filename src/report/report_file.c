@@ -1,11 +1,11 @@
-#include "report_file.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+#include "report_parts.h"
 
 whirl_status report_file_open(report_file *file, const char *folder, const char *name) {
     const int length = snprintf(file->path, sizeof file->path, "%s/%s", folder, name);
@@ -102,4 +102,18 @@ void safe_name(const char *text, char *name, size_t size) {
     }
     name[length] = '\0';
     if (length == 0) snprintf(name, size, "unnamed");
+}
+
+// ---------------------------------------------------------------- written
+
+whirl_status text_written(write_function *write, const void *of, const char *purpose, char **text) {
+    size_t size;
+    FILE *stream = open_memstream(text, &size);
+    whirl_status status = stream ? write(of, stream) : whirl_fail(WHIRL_NO_MEMORY, "no memory %s", purpose);
+    if (stream && fclose(stream) != 0 && status.code == WHIRL_OK)
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory %s", purpose);
+    if (status.code == WHIRL_OK) return status;
+    if (stream) free(*text);
+    *text = NULL;
+    return status;
 }

@@ -1,4 +1,4 @@
-#include "units.h"
+#include "report_parts.h"
 
 #include <math.h>
 #include <stdio.h>

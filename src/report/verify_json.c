@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "document.h"
+#include "report_parts.h"
 #include "whirl/engine/verify.h"
 #include "whirl/version.h"
 

@@ -2,11 +2,12 @@
 #ifndef ROTOR_MACHINE_H
 #define ROTOR_MACHINE_H
 
-#include "between.h"
 #include "coupling.h"
 #include "element.h"
 #include "lanes.h"
+#include "mesh.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/engine/system.h"
 
 struct whirl_rotor {
     double speed, clock, length;
@@ -68,5 +69,14 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 
 /// What rotors give to whirl/engine/system.h (rotor_system.c): fills in the functions of the rotor's system.
 void rotor_system_fill(whirl_rotor *rotor);
+
+// ---------------------------------------------------------------- repeats
+// After how many revolutions phases come back that turn at ratios of the speed.
+
+/// The smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is whole, to rounding; 0 where there is none.
+size_t repeats_of(double ratio);
+
+/// For two phases that come back after a and b revolutions (0: never).
+size_t repeats_of_both(size_t a, size_t b);
 
 #endif

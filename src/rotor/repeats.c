@@ -1,4 +1,4 @@
-#include "repeats.h"
+#include "machine.h"
 
 #include <math.h>
 

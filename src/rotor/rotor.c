@@ -9,7 +9,6 @@
 #include "building.h"
 #include "instances.h"
 #include "machine.h"
-#include "repeats.h"
 
 /// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
 /// coordinates come in this order.

@@ -1,7 +1,9 @@
-#include "format.h"
-
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "items.h"
+#include "store.h"
 
 const char *const format_extents[3] = {
     [WHIRL_PER_POINT] = "point", [WHIRL_PER_STATION] = "station", [WHIRL_PER_CONTACT] = "contact"};
@@ -44,4 +46,50 @@ int format_dimension_names(const whirl_field *field, shape points, char names[SH
     if (field->columns != 1) found[rank++] = "column";
     for (int i = 0; i < rank; ++i) snprintf(names[i], WHIRL_NAME_SIZE, "%s", found[i]);
     return rank;
+}
+
+// ---------------------------------------------------------------- column
+// Datasets of one point after the other: what writing and reading have in common.
+
+void column_lay(column *of, shape points, const size_t *dimensions, int rank, size_t element) {
+    *of = (column){.dataset = H5I_INVALID_HID, .type = H5I_INVALID_HID, .rank = rank, .axes = points.rank};
+    of->size = element;
+    for (int i = 0; i < rank; ++i) of->dimensions[i] = dimensions[i];
+    for (int i = points.rank; i < rank; ++i) of->size *= dimensions[i];
+}
+
+/// Points of which a step along an axis has gone past.
+static size_t step_of(const column *of, int axis) {
+    size_t step = 1;
+    while (++axis < of->axes) step *= (size_t)of->dimensions[axis];
+    return step;
+}
+
+static bool has_points(const column *of) {
+    size_t count = 1;
+    for (int i = 0; i < of->axes; ++i) count *= (size_t)of->dimensions[i];
+    return count > 0;
+}
+
+bool column_buffer(column *of, const hsize_t *chunk) {
+    of->divided = of->axes - 1;
+    while (of->divided > 0 && chunk[of->divided] == of->dimensions[of->divided]) --of->divided;
+    of->most = (size_t)chunk[of->divided] * step_of(of, of->divided);
+    if (of->most == 0) of->most = 1;
+    of->buffer = malloc((has_points(of) ? of->most * of->size : 0) + 1);
+    return of->buffer;
+}
+
+size_t column_room(const column *of) {
+    const size_t all = (size_t)of->dimensions[of->divided] * step_of(of, of->divided);
+    const size_t left = all > 0 ? all - of->done % all : 0;
+    return left < of->most ? left : of->most;
+}
+
+void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count) {
+    for (int i = 0; i < of->rank; ++i) {
+        const size_t step = step_of(of, i);
+        first[i] = i < of->axes && of->dimensions[i] > 0 ? of->done / step % of->dimensions[i] : 0;
+        count[i] = i < of->divided ? 1 : i == of->divided ? points / step : of->dimensions[i];
+    }
 }

@@ -2,7 +2,7 @@
 #ifndef STORE_READ_H
 #define STORE_READ_H
 
-#include "bytes.h"
+#include "store.h"
 #include "whirl/engine/result.h"
 
 /// Takes the blocks of a result's tables, point by point. An error ends the reading. Without `take` no number is read.

@@ -3,11 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "finished.h"
-#include "format.h"
-#include "identity.h"
+#include "journal_file.h"
+#include "memory.h"
 #include "read.h"
-#include "room.h"
+#include "store.h"
 
 bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *later, char *difference, size_t size) {
     char *was = NULL, *is = NULL;

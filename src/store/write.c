@@ -1,10 +1,9 @@
 // A result as an HDF5 file.
-#include "atomic_file.h"
-#include "finished.h"
-#include "format.h"
 #include "h5file.h"
 #include "items.h"
-#include "room.h"
+#include "journal_file.h"
+#include "memory.h"
+#include "store.h"
 #include "whirl/engine/shown.h"
 
 #include <math.h>

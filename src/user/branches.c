@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
 #include "user.h"
+#include "words.h"
 
 // ---------------------------------------------------------------- which ones
 

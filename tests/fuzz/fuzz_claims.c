@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "claims_read.h"
+#include "plan.h"
 #include "whirl/engine/claims.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

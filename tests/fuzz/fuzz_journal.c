@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crc32c.h"
-#include "identity.h"
-#include "journal_scan.h"
+#include "journal_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "problem.h"
-#include "quantity.h"
+#include "parameters.h"
+#include "tree.h"
 
 int main(void) {
     char line[512], why[WHY_SIZE];

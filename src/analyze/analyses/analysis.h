@@ -2,10 +2,11 @@
 #ifndef ANALYZE_ANALYSIS_H
 #define ANALYZE_ANALYSIS_H
 
+#include "whirl/engine/analyze.h"
+
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
-
-#include "whirl/engine/analyze.h"
 
 enum { MAX_ANALYSIS_FIELDS = 40 };
 
@@ -89,5 +90,57 @@ extern const analysis_plan poincare_analysis, orbit_analysis, rub_analysis, wave
 
 /// The plans, in the order of whirl_analyses().
 extern const analysis_plan *const analysis_plans[];
+
+// ---------------------------------------------------------------- lyapunov
+// Means of correlated sequences with honest standard errors.
+
+/// The mean of `values` [count] and its standard error: that of the means of 32 and of 16 blocks, the larger one, so
+/// that correlation from one value to the next counts as long as it dies out within a block.
+/// NaN for no values; the error is NaN for one.
+whirl_estimate estimate_mean(const double *values, size_t count);
+
+/// The mean of a sequence that is periodic or quasi-periodic, as the growth about a settled motion is, much sharper
+/// than estimate_mean: a mean over whole periods or a smoothly weighted one, whichever agrees better between the two
+/// halves of the sequence. The error is that disagreement: no standard error, and worth nothing for a chaotic motion.
+whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t period);
+
+/// The growth of all perturbations beside what their sum must be.
+typedef struct growth_balance {
+    double sum, exact; ///< of all exponents, and by the divergence; NaN where it is not known
+    double miss;       ///< their distance, which is an error of the integration: 0 where it is not known
+    /// It is more than the standard errors and more than a thousandth of all exponents' sizes: the steps did not carry
+    /// the perturbations, and no exponent means anything.
+    bool failed;
+} growth_balance;
+
+/// Whether a bounded motion took all perturbations along.
+bool follows_all(const whirl_record *record);
+
+/// The means and standard errors of all growths of such a motion, exponents [dimension], and their balance; `values`
+/// [growth_count] is workspace.
+growth_balance gather_exponents(const whirl_record *record, whirl_estimate *exponents, double *values);
+
+/// The sharp mean (estimate_regular_mean) of the growth of the second of all perturbations, after the first tenth of
+/// the revolutions. NaN where not all were followed, or there is no memory.
+whirl_estimate second_exponent(const whirl_record *record);
+
+/// The balance alone. All zero where not all perturbations were followed, or there is no memory.
+growth_balance balance_growth(const whirl_record *record);
+
+// ---------------------------------------------------------------- spectrum
+// Spectra of samples at equal angles, of computed motions and of measured ones.
+
+/// Numbers of a row: order, x, y, forward, backward.
+enum { SPECTRUM_COLUMNS = 5 };
+
+/// Bins 0 ... of a record up to an order, below half the sampling frequency.
+size_t spectrum_bins(size_t revolutions, size_t samples_per_revolution, double highest_order);
+
+/// The spectrum of two coordinates [count] over whole revolutions; as whirl_spectrum_new.
+whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t samples_per_revolution,
+                         double highest_order, whirl_spectrum **spectrum);
+
+/// A row for every line [line_count][SPECTRUM_COLUMNS], and for every bin [count][SPECTRUM_COLUMNS] unless NULL.
+void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins);
 
 #endif

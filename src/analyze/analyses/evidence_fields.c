@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "analysis.h"
-#include "evidence.h"
+#include "section.h"
 
 enum { CHAOS, CORRELATION, MEMORY, SETTLING, MULTIPLIER, MODULUS, FIELD_COUNT };
 

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 
 #include "analysis.h"
-#include "lyapunov.h"
 
 /// Exponents whose balance failed are none; to the errors of the others belongs what their sum misses.
 static void settle_balance(const growth_balance *balance, whirl_estimate *exponents, size_t count) {

@@ -1,13 +1,11 @@
 // The largest Lyapunov exponent: the mean logarithmic growth of a small perturbation.
-#include "lyapunov.h"
+#include "analysis.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "analysis.h"
-#include "birkhoff.h"
+#include "numerics.h"
 #include "section.h"
-#include "turns.h"
 
 /// A perturbation that vanished altogether has shrunk at least to the smallest double.
 static const double strongest_decay = -745.0;

@@ -1,14 +1,12 @@
 // Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which tells forward from
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
-#include "spectrum.h"
+#include "analysis.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "analysis.h"
-#include "lines.h"
-#include "synchronous.h"
+#include "signal_parts.h"
 
 static const double pi = 3.141592653589793238463;
 

@@ -1,13 +1,13 @@
 // Rest: a motion that stays, to what its steps resolve, where the equations let nothing move. Its size is that of the
 // errors of its steps, so that neither returns nor a perturbation beside it tell anything: the equilibrium does, and
 // the eigenvalues about it. See docs/theory.md, "Rest".
-#include "at_rest.h"
+#include "record.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "numerics.h"
 #include "section.h"
-#include "turns.h"
 
 /// A motion rests within this share of the state's size.
 static const double near_enough = 1e-5;

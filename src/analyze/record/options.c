@@ -2,8 +2,8 @@
 #include <limits.h>
 #include <math.h>
 
-#include "members.h"
 #include "whirl/engine/analyze.h"
+#include "words.h"
 
 #define WHOLE(name, field, part, key, fallback, low, high, refined, meaning)                                           \
     MEMBER(whirl_record_options, WHOLE, name, field, part, refined, key, "", "1", WHIRL_KEY_WHOLE, false, fallback,    \

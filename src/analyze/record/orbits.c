@@ -1,8 +1,6 @@
-#include "orbits.h"
+#include "record.h"
 
 #include <math.h>
-
-#include "record_block.h"
 
 /// What a revolution with a perturbation costs more than one without.
 static const double perturbed = 0.5;

@@ -1,12 +1,12 @@
 // The memory of a record.
-#include "record_block.h"
+#include "record.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "numerics.h"
 #include "section.h"
-#include "turns.h"
 
 int record_skip(const whirl_record_options *options, int revolution, size_t period) {
     enum { STILL_WATCHED = 64 };

@@ -8,13 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "approach.h"
-#include "at_rest.h"
-#include "orbits.h"
-#include "record_block.h"
-#include "settling.h"
-#include "steps.h"
-#include "twin.h"
+#include "record.h"
 #include "whirl/engine/ensemble.h"
 
 #define NO_LANE ((size_t)-1)

@@ -1,10 +1,10 @@
-#include "settling.h"
+#include "record.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "turns.h"
+#include "numerics.h"
 #include "whirl/engine/analyze.h"
 
 enum { KEPT = WHIRL_MAX_PERIOD + 1, CALM = 32 };

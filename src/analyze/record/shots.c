@@ -1,11 +1,11 @@
-#include "shots.h"
+#include "record.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "matrix.h"
-#include "turns.h"
+#include "numerics.h"
 
 // ---------------------------------------------------------------- one shot
 

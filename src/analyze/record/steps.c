@@ -1,4 +1,4 @@
-#include "steps.h"
+#include "record.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,11 @@
 // The growth of a small perturbation (Benettin et al. 1980), by a second trajectory that is drawn back every
 // revolution.
-#include "twin.h"
+#include "record.h"
 
 #include <float.h>
 #include <math.h>
 
-#include "turns.h"
+#include "numerics.h"
 
 /// Size of the perturbation relative to the state: far above rounding, far below anything that matters. Also in
 /// tolerances.

@@ -5,9 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "balance_parts.h"
-#include "balance_sets.h"
-#include "balance_trials.h"
+#include "signal_parts.h"
 
 static const double two_pi = 6.283185307179586476925;
 

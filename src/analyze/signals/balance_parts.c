@@ -1,4 +1,4 @@
-#include "balance_parts.h"
+#include "signal_parts.h"
 
 #include <math.h>
 #include <string.h>

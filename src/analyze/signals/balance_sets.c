@@ -1,10 +1,8 @@
 // Sets of weights that excite one mode alone (Bishop, Gladwell 1959; Kellenberger 1972; as trial sets of the unified
 // approach: Darlow, Smalley, Parkinson 1981).
-#include "balance_sets.h"
+#include "signal_parts.h"
 
 #include <math.h>
-
-#include "balance_parts.h"
 
 /// How weights in the planes excite the modes and, where these are kept, what they make of resultant and couple.
 typedef struct conditions {

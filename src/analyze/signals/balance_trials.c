@@ -1,11 +1,9 @@
 // Trial weights that a model proposes: by the usual tenth of the load on the bearing,
 // within what readings tell apart and what limits allow, where they reduce the vibration.
-#include "balance_trials.h"
+#include "signal_parts.h"
 
 #include <math.h>
 #include <string.h>
-
-#include "balance_parts.h"
 
 static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
 

@@ -5,7 +5,7 @@
 // how far off the guess is. What the other lines (and a line's own mirror image at the negative frequency) leak to
 // where one is measured is known in closed form and subtracted; a few rounds settle it. Side lobes need no care when
 // peaks are picked: at whole bins the transform of one sinusoid falls monotonically.
-#include "lines.h"
+#include "signal_parts.h"
 
 #include <complex.h>
 #include <math.h>

@@ -5,7 +5,7 @@
 // Signal Process. 11, 187).
 #include <math.h>
 
-#include "signal_check.h"
+#include "signal_parts.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -1,4 +1,4 @@
-#include "signal_check.h"
+#include "signal_parts.h"
 
 #include <math.h>
 #include <stdbool.h>

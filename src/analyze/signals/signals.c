@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "analysis.h"
 #include "section.h"
-#include "signal_check.h"
-#include "spectrum.h"
+#include "signal_parts.h"
 
 _Static_assert((int)WHIRL_SIGNALS_COLUMNS == (int)SPECTRUM_COLUMNS, "rows are handed on as they are");
 _Static_assert((int)WHIRL_SIGNALS_LINES >= (int)WHIRL_MAX_LINES, "callers have room for all lines");

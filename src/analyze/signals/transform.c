@@ -5,7 +5,7 @@
 // of these the factor is taken back by a convolution with the transform of exp(-t n^2), a Gaussian, of which the
 // nearest places suffice. The longer one may have any length: it has a power of two, so that a number of samples with
 // large prime factors costs no more than its neighbours.
-#include "transform.h"
+#include "signal_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

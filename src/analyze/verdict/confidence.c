@@ -1,10 +1,10 @@
 // How far a verdict can be trusted: agreement between the pieces of evidence, and between two tolerances.
-#include "confidence.h"
+#include "section.h"
 
 #include <limits.h>
 #include <math.h>
 
-#include "lyapunov.h"
+#include "analysis.h"
 
 /// What a motion still has to go, over its size, where it is taken for settled.
 static const double settled = 1e-6;

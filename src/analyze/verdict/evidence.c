@@ -1,10 +1,10 @@
-#include "evidence.h"
+#include "section.h"
 
 #include <math.h>
 
-#include "lyapunov.h"
-#include "record_block.h"
-#include "turns.h"
+#include "analysis.h"
+#include "numerics.h"
+#include "record.h"
 
 evidence evidence_gather(const whirl_record *record) {
     evidence e = {.points = record_points(record),

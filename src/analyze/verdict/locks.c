@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "birkhoff.h"
+#include "numerics.h"
 #include "section.h"
 
 static const double two_pi = 6.283185307179586;

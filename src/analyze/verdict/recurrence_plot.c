@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "section.h"
-#include "signal_check.h"
+#include "signal_parts.h"
 
 /// Lines that are met along the way.
 typedef struct line_count {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "birkhoff.h"
+#include "numerics.h"
 #include "section.h"
 
 enum { FEWEST_POINTS = 24, ORDERED_POINTS = 2000 };

@@ -2,9 +2,10 @@
 #ifndef ANALYZE_SECTION_H
 #define ANALYZE_SECTION_H
 
-#include <stddef.h>
-
 #include "whirl/engine/analyze.h"
+
+#include <stdbool.h>
+#include <stddef.h>
 
 typedef struct section {
     size_t count, dimension;
@@ -127,5 +128,53 @@ typedef struct multiplier {
 /// By least squares on the returns z(n + period) - z(n), where they shrink between a hundredth of the motion's size and
 /// its rounding. NaN where they never are there long enough, or do not follow one multiplier or a pair.
 multiplier multiplier_find(const section *all, int period, double size, double rounding);
+
+// ---------------------------------------------------------------- evidence
+// What verdicts are judged from.
+
+typedef struct evidence {
+    section points;
+    double size;         ///< of the motion
+    double rounding;     ///< distances over the size that say nothing
+    size_t growth_count; ///< after the first tenth, in which the perturbation turns
+    const double *growth;
+    recurrence returns;
+    regularity averages;
+    whirl_estimate exponent;
+    whirl_estimate second; ///< sharp, of regular motions; NaN where not all perturbations were followed
+    bool forced;           ///< by a phase that fits no revolution: then a stable motion does not return
+    bool exponents_failed; ///< then there is no growth that says anything
+} evidence;
+
+/// All that costs little.
+evidence evidence_gather(const whirl_record *record);
+
+/// The evidence of the later half of the watched revolutions, for a motion that took long to come to its attractor.
+evidence evidence_later_half(const evidence *all);
+
+/// Rate at which returns grow, natural logarithm per revolution, below 0 while the motion settles: from those in the
+/// first and in the last quarter of the watched revolutions, which are three quarters apart.
+double settling_rate(const evidence *e);
+
+// ---------------------------------------------------------------- confidence
+// How far a verdict can be trusted, and what would settle it.
+
+/// Fills agreement, confidence and advice of a verdict on a bounded motion, from the evidence that it rests on.
+void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record *record);
+
+/// Whether the section of a motion grows as perturbations do: it leaves an unstable one, as a linear machine does.
+bool weigh_swelling(const whirl_verdict *verdict);
+
+// ---------------------------------------------------------------- metric
+// Lengths in which a linear map shrinks every vector.
+
+/// For a map m [n][n] whose eigenvalues are all within the unit circle: p = sum over j of (m^j)' m^j, so that
+/// |v|^2 = v' p v shrinks by v' v with every step, whatever directions grow for a while (Lyapunov 1892; the sum by
+/// doubling). *shrinks is the least share by which a step shortens a vector. `room` has 3 n^2 numbers. False where m
+/// does not shrink, or so slowly that the sum is not found, and without memory.
+bool metric_make(size_t n, const double *m, double *p, double *shrinks, double *room);
+
+/// The length of v [n].
+double metric_length(size_t n, const double *p, const double *v);
 
 #endif

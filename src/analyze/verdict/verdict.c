@@ -3,10 +3,9 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "confidence.h"
-#include "evidence.h"
-#include "lyapunov.h"
-#include "steps.h"
+#include "analysis.h"
+#include "record.h"
+#include "section.h"
 
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;

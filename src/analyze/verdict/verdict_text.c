@@ -3,9 +3,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "confidence.h"
+#include "record.h"
 #include "section.h"
-#include "steps.h"
 #include "whirl/engine/analyze.h"
 
 const char *whirl_regime_name(whirl_regime regime) {

@@ -1,4 +1,4 @@
-#include "balance.h"
+#include "numerics.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-#include "elimination.h"
+#include "numerics.h"
 
 #include <math.h>
 

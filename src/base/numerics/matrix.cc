@@ -18,7 +18,7 @@
 #include <cerrno>
 #include <cmath>
 
-#include "balance.h"
+#include "numerics.h"
 
 namespace {
 

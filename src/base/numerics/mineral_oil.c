@@ -1,4 +1,4 @@
-#include "mineral_oil.h"
+#include "numerics.h"
 
 #include <math.h>
 

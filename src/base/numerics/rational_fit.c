@@ -1,4 +1,4 @@
-#include "rational_fit.h"
+#include "numerics.h"
 
 #include <complex.h>
 #include <math.h>

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "number.h"
 #include "whirl/engine/descriptor.h"
+#include "words.h"
 
 const whirl_key *whirl_group_at(const whirl_group *group, size_t index) {
     if (index < group->key_count) return &group->keys[index];

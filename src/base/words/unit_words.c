@@ -1,4 +1,4 @@
-#include "unit_words.h"
+#include "words.h"
 
 #include <stdbool.h>
 #include <stdio.h>

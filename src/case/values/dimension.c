@@ -1,7 +1,7 @@
 // The dimension of an expression's value. It is measured, not derived: where every parameter is told in units of which
 // one is half as large, lengths become twice the number and areas four times. What is told neither as a product of
 // units nor as a plain number ("1 + c" with a length c) changes by another factor.
-#include "dimension.h"
+#include "parameters.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "expression.h"
+#include "parameters.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exhausted.h"
-#include "problem.h"
+#include "memory.h"
+#include "tree.h"
 
 /// muParser's own, all with radians; log is the natural logarithm, as ln.
 static const char *const words[] = {"sin",   "cos",   "tan",   "asin", "acos",  "atan", "atan2", "sinh", "cosh", "tanh",

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "problem.h"
+#include "tree.h"
 
 size_t parameters_find(const parameter_table *parameters, const char *name) {
     for (size_t i = 0; i < parameters->count; i++)

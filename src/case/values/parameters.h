@@ -2,17 +2,68 @@
 #ifndef CASE_PARAMETERS_H
 #define CASE_PARAMETERS_H
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include "arena.h"
-#include "expression.h"
-#include "quantity.h"
+#include "memory.h"
 #include "tree.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/result.h"
+#include "whirl/engine/system.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// ---------------------------------------------------------------- quantity
+// Numbers with units: "12 mm", "6207 rpm", "18 mPa.s". Everything inside whirl is in SI.
+
+enum { WHY_SIZE = 240 };
+
+typedef struct quantity {
+    double value;               ///< in SI
+    char unit[WHIRL_NAME_SIZE]; ///< the SI unit, "1" where there was none
+} quantity;
+
+/// Reads a number, or a number, a space and a unit. `expected` is the unit it must convert to ("1": a plain number),
+/// or "" for any. Plain numbers are in SI. On false `why` says what is wrong: "is 3 kg, expected a number in N s/m".
+bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]);
+
+/// Whether a value in SI unit `unit` can stand where `expected` is; if not, `why` says so, after "is in s-1, ".
+bool quantity_fits(const char *unit, const char *expected, char why[WHY_SIZE]);
+
+/// The powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). false where it is no unit; all 0 for "1" and "".
+enum { UNIT_BASES = 3 };
+bool quantity_unit_powers(const char *unit, double powers[UNIT_BASES]);
+
+/// Reads a plain number that ends at *end. No hexadecimal, no nan, no inf, no locale.
+/// false where there is none; overflow gives an infinite value.
+bool quantity_number(const char *text, double *value, const char **end);
+
+// ---------------------------------------------------------------- expression
+// Expressions over parameters: "r_k*k2", by muParser.
+
+enum { EXPRESSION_MAX_LENGTH = 500, EXPRESSION_MAX_DEPTH = 50 };
+
+/// Called with every name in an expression that is neither a function nor a constant; false for an unknown one.
+typedef bool (*expression_name_fn)(void *context, const char *name, size_t length);
+
+/// Checks all that can be checked without values: length, depth, characters, names. On false `why` says what is wrong;
+/// after an unknown name `why` is left empty for the caller to fill.
+bool expression_check(const char *text, expression_name_fn known, void *context, char why[WHY_SIZE]);
+
+/// The functions and constants that expressions know; ended by NULL.
+const char *const *expression_words(void);
+bool expression_has_word(const char *name);
+
+/// Evaluates expressions over variables. Not to be shared between threads; as many as one likes may be at work at once.
+typedef struct expression_evaluator expression_evaluator;
+
+/// `values` [count] are read when an expression is evaluated. NULL when memory ran out.
+expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
+
+/// Value of an expression that expression_check has passed. false when it is no expression or not finite: `why` says
+/// it.
+bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
+void evaluator_free(expression_evaluator *evaluator);
 
 /// Evaluating expressions is the longest part of reading a case, hence the second bound.
 enum { PARAMETERS_MAX = 256, EXPRESSIONS_MAX_BYTES = 1 << 16 };
@@ -136,5 +187,17 @@ whirl_status valuation_number(valuation *v, const number_formula *formula, doubl
 /// differ by them.
 void formula_settle(valuation *v, number_formula *formula);
 void parameters_settle(valuation *v, parameter_table *parameters);
+
+// ---------------------------------------------------------------- dimension
+// What kind of number an expression gives.
+
+typedef enum value_dimension {
+    DIMENSION_PLAIN,   ///< the same in all units; 0, and what has no value, count as such
+    DIMENSION_OF_UNIT, ///< as the unit asked about
+    DIMENSION_OTHER
+} value_dimension;
+
+/// The dimension of an expression over parameters that have been read without a problem, beside that of an SI unit.
+value_dimension expression_dimension(const parameter_table *parameters, const char *expression, const char *unit);
 
 #endif

@@ -3,7 +3,7 @@
 // UDUNITS takes the radian for a dimensionless unit and reciprocals for convertible: 50 Hz would pass for 50 rad/s,
 // and 1 s for 1 Hz. Here a unit fits only when its quotient with the expected one is dimensionless and both or neither
 // hold radians. UDUNITS keeps state of its own and is not thread-safe, hence the lock; the unit system is read once.
-#include "quantity.h"
+#include "parameters.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -13,9 +13,9 @@
 #include <string.h>
 #include <udunits2.h>
 
-#include "exhausted.h"
 #include "lock.h"
-#include "problem.h"
+#include "memory.h"
+#include "tree.h"
 
 enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 

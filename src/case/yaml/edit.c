@@ -5,8 +5,8 @@
 
 #include "content.h"
 #include "path.h"
-#include "problem.h"
-#include "utf8.h"
+#include "tree.h"
+#include "words.h"
 
 /// Bytes that the first `characters` take.
 static size_t byte_offset(const char *text, size_t length, size_t characters) {

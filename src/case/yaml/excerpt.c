@@ -1,10 +1,10 @@
-#include "excerpt.h"
+#include "tree.h"
 
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "utf8.h"
+#include "words.h"
 
 /// Characters of a long line that are shown before a place.
 enum { LEAD = 60, LONGEST_MARK = 1000 };

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "schema.h"
+#include "plan.h"
 
 enum { MOST_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS + 64 };
 

@@ -1,4 +1,4 @@
-#include "problem.h"
+#include "tree.h"
 
 #include <stdarg.h>
 #include <stdio.h>

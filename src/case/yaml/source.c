@@ -1,4 +1,4 @@
-#include "source.h"
+#include "tree.h"
 
 #include <errno.h>
 #include <stdbool.h>
@@ -6,9 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "problem.h"
-#include "tree.h"
-#include "utf8.h"
+#include "words.h"
 
 static whirl_status cannot_read(const char *path, int error) {
     char reason[128] = "unknown reason";

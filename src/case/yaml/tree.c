@@ -6,9 +6,7 @@
 #include <string.h>
 #include <yaml.h>
 
-#include "problem.h"
-#include "source.h"
-#include "utf8.h"
+#include "words.h"
 
 typedef struct tree_builder {
     memory_arena *arena;

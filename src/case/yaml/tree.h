@@ -2,12 +2,12 @@
 #ifndef CASE_TREE_H
 #define CASE_TREE_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
-#include "arena.h"
+#include "memory.h"
 #include "whirl/engine/case.h"
 #include "whirl/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
 
 enum { TREE_MAX_BYTES = 1 << 20, TREE_MAX_DEPTH = 32, TREE_MAX_NODES = 100000 };
 
@@ -44,5 +44,61 @@ bool node_is_null(const file_node *node);
 
 /// "rotor.elements[2].film.load"; "" for the root. Cut at `size` - 1 bytes.
 void node_path(const file_node *node, char *text, size_t size);
+
+// ---------------------------------------------------------------- excerpt
+// The lines of a file that problems are about.
+
+/// Gives every problem, in the order of problems_sort, what stands at its place in the text of the file.
+void problems_quote(whirl_problems *problems, const char *text, size_t length);
+
+// ---------------------------------------------------------------- problem
+// Collecting what is wrong.
+
+enum { SHOWN_SIZE = 64 };
+
+#if defined(__GNUC__)
+#define PROBLEM_FORMAT(n) __attribute__((format(printf, n, n + 1)))
+#else
+#define PROBLEM_FORMAT(n)
+#endif
+
+/// At a place of the file without a key; line 0 stands for the file as a whole.
+void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) PROBLEM_FORMAT(4);
+
+/// At a value: its own place when it is a word, the place of its key otherwise.
+void problem_at(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
+
+/// At the key of a mapping's member.
+void problem_at_key(whirl_problems *problems, const file_node *where, const char *format, ...) PROBLEM_FORMAT(3);
+
+/// At a mapping that lacks `key`.
+void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...)
+    PROBLEM_FORMAT(4);
+
+/// What is said of a value that could not be read for lack of memory: then nothing is wrong with the file.
+extern const char problem_no_memory[];
+
+/// Whether that was said, or nothing could be said.
+bool problems_blame_memory(const whirl_problems *problems);
+
+/// In an order that a person can walk through: by line, then column.
+void problems_sort(whirl_problems *problems);
+
+/// What stands there in a few words for a message: the text (shortened), "a list", "a mapping", "nothing".
+const char *node_shown(const file_node *node, char text[SHOWN_SIZE]);
+
+/// A text shortened for a message, without line breaks.
+const char *text_shown(const char *text, char shown[SHOWN_SIZE]);
+
+// ---------------------------------------------------------------- source
+// The bytes of a file, before anything is made of them.
+
+/// Reads at most one byte more than TREE_MAX_BYTES, whatever the size of the file; pipes and devices too. *text is
+/// freed by the caller; `problems`, which may be NULL, are then of this file. WHIRL_BAD_INPUT with a sentence for what
+/// cannot be read (nothing there, a directory, no permission).
+whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length);
+
+/// Reports what is no text: too many bytes, bytes that are not UTF-8, control characters, tabs that indent.
+void source_check(const char *text, size_t length, whirl_problems *problems);
 
 #endif

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "dop853_tableau.h"
+#include "method.h"
 #include "stepper.h"
-#include "stiffest.h"
 
 /// Steps per revolution up to which nothing is gained by another method: rodas5p takes hundreds at the usual
 /// tolerances, each worth several of them.

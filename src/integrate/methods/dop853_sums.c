@@ -1,4 +1,4 @@
-#include "dop853_sums.h"
+#include "method.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -2,7 +2,11 @@
 #ifndef INTEGRATE_METHOD_H
 #define INTEGRATE_METHOD_H
 
+#include "dop853_tableau.h"
 #include "whirl/engine/integrate.h"
+
+#include <stdbool.h>
+#include <stddef.h>
 
 enum { SPARE_ROWS = 4 };
 
@@ -56,5 +60,86 @@ double divergence_at(const whirl_system *system, double t, const double *forcing
 
 /// Bounded or diverged, by the options' limit.
 whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
+
+// ---------------------------------------------------------------- dop853_sums
+// The pair of dop853_tableau.h for x'' = f(t, x, x'): the slopes of positions are velocities, which are sums of
+// accelerations themselves. So every state within a step is
+//
+//     q + c h v + h^2 sum_j position_j a_j,      v + h sum_j velocity_j a_j,
+//
+// with accelerations a_j alone, which halves what is kept of a step.
+
+/// Weighted sums that run over the same slopes, side by side; the weights of some may be zero.
+enum { POSITION, VELOCITY, SUMS_OF_STATE, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
+typedef struct slope_sums {
+    size_t count;
+    size_t place[DOP853_SLOPES]; ///< of the slopes, where `apart` numbers lie between two
+    double weight[DOP853_SLOPES][MAX_SUMS];
+} slope_sums;
+
+typedef struct dop853_sums {
+    slope_sums stage[DOP853_SLOPES];  ///< position, velocity where a slope is taken; row 12 is the result
+    slope_sums error;                 ///< of position and velocity by the formula of order 5, then by that of order 3
+    slope_sums dense[DOP853_DENSE];   ///< the interpolant's polynomials, of position and velocity
+    double dense_drift[DOP853_DENSE]; ///< what multiplies h v in the positions' polynomials
+} dop853_sums;
+
+void dop853_sums_fill(dop853_sums *sums, size_t apart);
+
+// ---------------------------------------------------------------- sparsity
+// Which entries of a Jacobian, and of the factors of an implicit method's matrix, can differ from zero: the same for
+// all lanes, found once for a structure.
+
+/// Those of row i are in the runs begin[i] to before begin[i + 1], ascending: run r in the columns run[2 r] to before
+/// run[2 r + 1].
+typedef struct sparse_rows {
+    size_t *begin, *run;
+} sparse_rows;
+
+typedef struct sparsity {
+    size_t perturbations;
+    size_t *perturbation;     ///< [dimension] by which a column is found, that of a position or of a rate
+    sparse_rows by_q, by_v;   ///< the Jacobian of the rates by positions and by rates
+    sparse_rows lower, upper; ///< of the decomposed sum of both, below and above the diagonal
+} sparsity;
+
+/// Of a machine with so many positions and rates; depends as whirl_lanes has it, NULL: all by all. In one block, freed
+/// by free(); NULL where there is no memory.
+sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void *model, bool *table),
+                       const void *model);
+
+// ---------------------------------------------------------------- stiffest
+// The stiffest phase of a motion: where the balanced Jacobian is largest, and what a step of a given length does
+// there.
+
+/// A search among phases, with its workspace.
+typedef struct phase_search {
+    const whirl_system *system;
+    double norm;       ///< of the stiffest Jacobian so far
+    double solved;     ///< the norm of that whose eigenvalues are in real and imaginary
+    double *stiffest;  ///< [dimension][dimension] balanced
+    double *jacobian;  ///< [dimension][dimension] workspace
+    double *unit;      ///< [dimension][dimension] workspace
+    double *real;      ///< [dimension]
+    double *imaginary; ///< [dimension]
+    double *state;     ///< [dimension] workspace
+    double *x;         ///< [dimension] for the caller
+} phase_search;
+
+/// A search with its workspace in one block, `block`, to be freed by free; false without memory.
+bool phase_search_begin(phase_search *s, const whirl_system *system, double **block);
+
+/// Looks at a phase: a whirl_observe_fn whose observer is the search.
+void phase_search_note(void *search, double t, const double *x);
+
+/// The eigenvalues at the stiffest phase, in real and imaginary; false where they cannot be found.
+bool phase_search_solve(phase_search *s);
+
+/// After phase_search_solve: the largest of |R(h lambda)| / max(1, |exp(h lambda)|), at least 1.
+double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h);
+
+/// ... and how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a
+/// hundred.
+double phase_search_steps(const phase_search *s, double (*amplification)(double, double), double steps);
 
 #endif

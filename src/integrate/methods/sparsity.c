@@ -1,5 +1,5 @@
 // Which entries of a Jacobian and of its factors can differ from zero.
-#include "sparsity.h"
+#include "method.h"
 
 #include <stdlib.h>
 

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stiffest.h"
-#include "turns.h"
+#include "method.h"
+#include "numerics.h"
 
 enum { PHASES = 16 };
 

@@ -1,11 +1,11 @@
-#include "stiffest.h"
+#include "method.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "balance.h"
 #include "matrix.h"
+#include "numerics.h"
 
 /// What a step may make of a perturbation: 1 and what truncation adds to a mode that grows.
 static const double unstable_growth = 1.001;

@@ -7,8 +7,6 @@
 #include <string.h>
 
 #include "adaptive_lanes.h"
-#include "bernstein.h"
-#include "crossing.h"
 
 // ---------------------------------------------------------------- the system as kernels see it
 

@@ -8,10 +8,35 @@
 #ifndef INTEGRATE_STEPPER_H
 #define INTEGRATE_STEPPER_H
 
-#include "crossing.h"
 #include "dop853_tableau.h"
 #include "method.h"
 #include "rk4_lanes.h"
+#include "vector.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// ---------------------------------------------------------------- crossing
+// Where a function first passes zero within a step.
+
+/// Writes the `count` values of functions that are positive until they are crossed, at `theta` of the step, 0 to 1.
+typedef void crossing_values(void *context, double theta, double *values);
+
+typedef struct crossing_search {
+    crossing_values *values;
+    void *context;
+    size_t count;
+    /// [count] 0; 1 for a function that begins at zero, 2 where its derivative begins at zero, too: the zero at theta =
+    /// 0 is not one that is looked for. CROSSING_ALONG: no zero of this function is.
+    const int *held;
+    double *work; ///< [CROSSING_ROWS][count]
+} crossing_search;
+
+enum { CROSSING_ROWS = 12, CROSSING_DEGREE = 8, CROSSING_ALONG = CROSSING_DEGREE + 1 };
+
+/// The first zero: true with its place and the function's index. Two zeros in one step, where a function only dips
+/// below zero, are seen: every function is replaced by a polynomial, whose Bernstein coefficients bound it.
+bool crossing_first(const crossing_search *search, double *theta, size_t *which);
 
 enum { MAX_SLIDING = 8, MAX_SWITCHINGS = 10000, DENSE = 3 + DOP853_DENSE, CUBIC = 3 };
 
@@ -161,5 +186,17 @@ void stepper_project(const stepper *c, double *x);
 
 /// Within which the value of switch `which` at x counts as zero: a thousandth of the tolerance of x.
 double stepper_reach(const stepper *c, size_t which, double t, const double *x);
+
+// ---------------------------------------------------------------- bernstein
+// The course of a switching function over a step, by the Bernstein coefficients of the cubic through its values and
+// derivatives at both ends.
+
+/// 1 where the function stays positive by far, else 0: all coefficients exceed what the bend of their polygon says of
+/// the function between the ends.
+static inline vec bernstein_clear(vec b0, vec b1, vec b2, vec b3) {
+    const vec bend0 = v_add(v_sub(b0, v_add(b1, b1)), b2), bend1 = v_add(v_sub(b1, v_add(b2, b2)), b3);
+    const vec margin = v_fma(v_set(0.5), v_max(v_abs(bend0), v_abs(bend1)), v_abs(v_sub(bend1, bend0)));
+    return v_select(v_less(margin, v_min(v_min(b0, b1), v_min(b2, b3))), v_set(1.0), v_set(0.0));
+}
 
 #endif

@@ -1,7 +1,5 @@
 // Branches of periodic orbits by pseudo-arclength continuation (Keller 1977; Allgower, Georg 1990).
-#include "describe.h"
-#include "halved.h"
-#include "special.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdlib.h>

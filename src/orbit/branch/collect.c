@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "distance.h"
+#include "follower.h"
 #include "whirl/engine/ensemble.h"
 
 whirl_collect_options whirl_collect_default(const double *low, const double *high) {

@@ -1,12 +1,10 @@
 // What is told of an orbit that was found.
-#include "describe.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "touch.h"
 
 /// Bytes of an orbit with its arrays, and where they lie behind it.
 static size_t size_of(const whirl_orbit *orbit) {

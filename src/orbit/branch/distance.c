@@ -1,8 +1,8 @@
-#include "distance.h"
+#include "follower.h"
 
 #include <math.h>
 
-#include "turns.h"
+#include "numerics.h"
 
 double states_distance(const whirl_system *system, const double *a, const double *b) {
     double away = 0.0, size = 0.0;

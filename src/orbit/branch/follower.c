@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "describe.h"
-
 // ---------------------------------------------------------------- waypoints
 
 whirl_status waypoint_new(const follower *f, waypoint *out) {

@@ -1,4 +1,4 @@
-#include "halved.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdlib.h>

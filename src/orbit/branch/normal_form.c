@@ -3,7 +3,7 @@
 // B(u, v) and C(u, v, w) are the second and third derivatives of the map F, which is differenced along single
 // directions; mixed ones follow by polarisation. q and p are the right and left eigenvectors, <q, q> = 1, <p, q> = 1 (p
 // conjugated).
-#include "normal_form.h"
+#include "follower.h"
 
 #include <complex.h>
 #include <math.h>
@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "matrix.h"
-#include "rest.h"
 
 typedef double complex number;
 

@@ -4,11 +4,8 @@
 #include <string.h>
 
 #include "curve.h"
-#include "describe.h"
 #include "equations.h"
 #include "follower.h"
-#include "normal_form.h"
-#include "vanishing.h"
 
 /// A curve under way. Unknowns: those of the orbit, with the first parameter, then the second one.
 typedef struct walk {

@@ -1,4 +1,4 @@
-#include "rest.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdlib.h>

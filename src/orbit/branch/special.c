@@ -1,13 +1,11 @@
 // Where the stability of orbits changes along a branch, or a contact.
-#include "special.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bracket.h"
-#include "normal_form.h"
-#include "vanishing.h"
 
 /// A function whose sign tells of what.
 typedef struct test {

@@ -1,10 +1,10 @@
-#include "touch.h"
+#include "follower.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "turns.h"
+#include "numerics.h"
 
 /// The last instant that was seen of an orbit.
 typedef struct watch {

@@ -1,9 +1,7 @@
 // Functions of an orbit that vanish where it changes.
-#include "vanishing.h"
+#include "follower.h"
 
 #include <math.h>
-
-#include "describe.h"
 
 /// A product of complex numbers.
 typedef struct product {

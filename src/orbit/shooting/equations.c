@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rest.h"
+#include "follower.h"
 
 static void release(whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "describe.h"
 #include "equations.h"
+#include "follower.h"
 #include "newton.h"
 #include "whirl/engine/linear.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "turns.h"
+#include "numerics.h"
 
 static whirl_status check(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
                           double period) {

@@ -1,4 +1,4 @@
-#include "harmonics.h"
+#include "torus_follower.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,9 @@
-#include "section_map.h"
+#include "torus_follower.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "turns.h"
+#include "numerics.h"
 #include "whirl/engine/orbit.h"
 
 static whirl_status check(const whirl_system *system, size_t revolutions) {

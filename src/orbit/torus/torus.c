@@ -6,9 +6,7 @@
 #include <string.h>
 
 #include "newton.h"
-#include "torus_describe.h"
-#include "torus_options.h"
-#include "torus_start.h"
+#include "torus_follower.h"
 
 whirl_torus_options whirl_torus_default(void) {
     return (whirl_torus_options){.integrate = whirl_orbit_default().integrate,

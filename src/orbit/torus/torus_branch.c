@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "torus_describe.h"
 #include "torus_follower.h"
 
 whirl_torus_branch_options whirl_torus_branch_default(double from, double to) {

@@ -1,12 +1,10 @@
 // What is told of a torus that was found.
-#include "torus_describe.h"
+#include "torus_follower.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "harmonics.h"
 
 static const double two_pi = 6.283185307179586476925;
 

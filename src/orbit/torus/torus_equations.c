@@ -1,10 +1,8 @@
-#include "torus_equations.h"
+#include "torus_follower.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "harmonics.h"
 
 static void release(whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);

@@ -2,14 +2,13 @@
 // its rotation, each factor interpolated between the nodes (Jorba 2001). What lies along the curve is taken out of
 // every factor, and what is left stays orthonormal; the logarithms of its lengths are smooth functions of the angle
 // where the torus is, so that their weighted Birkhoff averages converge faster than any power of the walk's length.
-#include "torus_describe.h"
+#include "torus_follower.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "birkhoff.h"
-#include "harmonics.h"
+#include "numerics.h"
 
 enum { SETTLING = 256, FEWEST_STEPS = 512, MOST_STEPS = 8192 };
 

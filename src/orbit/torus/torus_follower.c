@@ -5,9 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "torus_describe.h"
-#include "torus_options.h"
-
 whirl_status torus_follower_begin(torus_follower *f, const whirl_family *family, size_t revolutions, size_t dimension,
                                   const double *at, double value, const whirl_torus_branch_options *options) {
     *f = (torus_follower){.options = options};

@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "quantities.h"
-#include "regimes.h"
+#include "report_parts.h"
 #include "whirl/engine/claims.h"
 
 /// A claim beside the table it is compared with.

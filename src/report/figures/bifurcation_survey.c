@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "bifurcation.h"
-#include "machine_at.h"
+#include "figure_kinds.h"
 #include "quantities.h"
+#include "report_parts.h"
 
 static int by_value(const void *left, const void *right) {
     const double a = *(const double *)left, b = *(const double *)right;

@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bifurcation.h"
+#include "figure_build.h"
+#include "figure_kinds.h"
 #include "quantities.h"
-#include "symbols.h"
 
 enum {
     MANY_POINTS = 150,  ///< of a sweep: so many stand so close together that small dots are enough

@@ -3,10 +3,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
 #include "quantities.h"
-#include "symbols.h"
-#include "tori.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -2,7 +2,13 @@
 #ifndef REPORT_FIGURE_BUILD_H
 #define REPORT_FIGURE_BUILD_H
 
+#include "report_parts.h"
+#include "whirl/engine/descriptor.h"
 #include "whirl/engine/figure.h"
+
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
 
 /// A range of numbers.
 typedef struct span {
@@ -72,5 +78,50 @@ double figure_number_width(const whirl_figure *figure);
 
 /// cm of text of so many letters.
 double figure_text_width(const whirl_figure *figure, size_t letters);
+
+// ---------------------------------------------------------------- script_data
+// Data inside an HTML page: JSON whose text can end no script element, and arrays of numbers as base64.
+
+/// Writes a JSON string, quotes included. '<', '>' and '&' are escaped, so that no text is ever markup; bytes that are
+/// not UTF-8 become U+FFFD.
+void script_text(FILE *stream, const char *text);
+
+/// Writes a number with the digits that give the same double back, null for NaN and infinities.
+void script_number(FILE *stream, double value);
+
+/// Writes ',"NAME":VALUE' for every member of a struct that has a name.
+void script_members(FILE *stream, const whirl_member *member, const void *from);
+
+/// A stream of bytes written as base64 (RFC 4648); starts as {stream}.
+typedef struct base64 {
+    FILE *stream;
+    uint32_t bits;
+    unsigned count; ///< bytes held in `bits`, 0 to 2
+} base64;
+
+void base64_byte(base64 *to, uint8_t byte);
+void base64_float32(base64 *to, double value); ///< little-endian; NaN stays NaN
+void base64_float64(base64 *to, double value); ///< little-endian
+void base64_end(base64 *to);                   ///< writes what is held, with padding
+
+// ---------------------------------------------------------------- symbols
+// Symbols, words and units as journals set them, in labels of figures: letters between dollars are symbols, in italics
+// with subscripts.
+
+enum { SYMBOL_SIZE = 256 };
+
+/// A name as a symbol: "r_k" becomes "$r_{k}$", "k1" likewise, "omega" and "r_delta" get their Greek letters; a name
+/// that is a word stays one.
+void symbol_of(const char *name, char *text, size_t size);
+
+/// The same units with the scale of lengths as a symbol.
+whirl_shown_units symbol_units(const whirl_shown_units *units);
+
+/// The axis of a parameter: symbol and unit.
+void symbol_parameter(const whirl_shown_units *units, const char *name, char *text, size_t size);
+
+/// The axis of x or y of a station, "$x$ (mm)", or of another length, "radius (mm)".
+void symbol_length(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *text,
+                   size_t size);
 
 #endif

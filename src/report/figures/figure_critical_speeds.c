@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "symbols.h"
 
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     (void)of;

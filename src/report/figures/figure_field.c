@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "regimes.h"
-#include "symbols.h"
+#include "report_parts.h"
 
 // ---------------------------------------------------------------- the name
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "machine_at.h"
+#include "report_parts.h"
 
 static const figure_kind *const kinds[] = {
     &bifurcation_figure, &waterfall_figure, &map_figure,    &branch_figure,    &curves_figure,

@@ -3,18 +3,19 @@
 #ifndef REPORT_FIGURE_KINDS_H
 #define REPORT_FIGURE_KINDS_H
 
+#include "figure_build.h"
+#include "report_parts.h"
+#include "whirl/engine/case.h"
+#include "whirl/engine/result.h"
+
 #include <stdbool.h>
 #include <stddef.h>
-
-#include "figure_build.h"
-#include "units.h"
-#include "whirl/engine/case.h"
 
 /// What figures are made from.
 typedef struct drawing {
     const whirl_result *result;
     const whirl_shown_units *units; ///< of its numbers
-    const whirl_case *machine;      ///< that it is of (machine_at.h), or NULL
+    const whirl_case *machine;      ///< that it is of (report_parts.h), or NULL
 } drawing;
 
 typedef struct figure_kind figure_kind;
@@ -83,5 +84,98 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
 extern const figure_kind bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure, torus_figure,
     campbell_figure, shapes_figure, unbalance_figure, critical_speeds_figure, stability_figure, screening_figure,
     orbits_figure, point_figure, field_figure;
+
+// ---------------------------------------------------------------- bifurcation
+// What a bifurcation diagram of a station shows, and what its panels share.
+
+enum { MOST_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
+
+typedef struct bifurcation {
+    const whirl_result *result;
+    const whirl_table *table;
+    const whirl_case *machine; ///< that they are of (report_parts.h), or NULL
+    size_t station;
+    span parameter, x, y, exponent, radius;
+    bool rub, confidence, both;
+    bool shaded;              ///< where the rotor rubs, which is seen where it does not everywhere
+    bool present[MOST_KINDS]; ///< kinds of points
+    size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
+    const whirl_shown_units *units;
+    double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
+    double share;         ///< largest share of the time in contact, with a margin
+    double gap;           ///< radius at which the station touches a stator, 0 where none is near or it changes
+    double clearance;     ///< of the bearing, 0 where there is none or it changes
+    bool ratios;          ///< the points have equal ratios: the axis is logarithmic
+} bifurcation;
+
+/// Kinds of points: classes of regimes, or attractors where several starts lead to them.
+size_t bifurcation_kinds(const bifurcation *of);
+size_t bifurcation_kind(const bifurcation *of, size_t point);
+const char *bifurcation_kind_colour(const bifurcation *of, size_t kind);
+void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_NAME_SIZE]);
+
+/// Fills in ranges and flags from result, table, machine, station, units, length and value.
+void bifurcation_survey(bifurcation *of);
+
+/// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.
+void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high);
+
+// ---------------------------------------------------------------- map_cells
+// Cells of a plane of a map: every point of its grid stands for the part of the plane that is nearest to it.
+
+typedef struct map_cells {
+    size_t plane, columns, rows;
+    double *x, *y;           ///< [columns + 1], [rows + 1] edges, in shown units
+    double z;                ///< value of the third parameter in the plane, in its shown unit; NaN where there is none
+    bool x_ratios, y_ratios; ///< the axes are logarithmic
+    bool refined;
+    size_t *cover;           ///< [rows][columns] the point of the table that stands for a cell (whirl_table_cover)
+    double *memory;          ///< of the edges
+    size_t *cover_of_planes; ///< of all, of which `cover` is a part
+} map_cells;
+
+/// Lays out the cells of a plane of a table with rows; of a partial one, too. False without memory. Freed by
+/// map_cells_free.
+bool map_cells_make(const whirl_shown_units *units, const whirl_table *table, size_t plane, map_cells *cells);
+void map_cells_free(map_cells *cells);
+
+/// Cells of one value that are drawn as one: in a refined map neighbours in a row. Starts as {0}.
+typedef struct map_run {
+    size_t next;  ///< cell behind them
+    double value; ///< theirs
+    span x, y;
+} map_run;
+
+/// The next of them, by values [rows][columns]; cells without one (NaN) are left out. False where there are no more.
+bool map_cells_next(const map_cells *cells, const double *values, map_run *run);
+
+/// Adds lines where cells of different labels [rows][columns] meet; none beside cells without one (0).
+void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *cells, const long *labels);
+
+// ---------------------------------------------------------------- speed_unit
+// The unit of frequencies beside a parameter.
+
+typedef struct speed_unit {
+    double size; ///< rad/s
+    char name[WHIRL_NAME_SIZE];
+    bool of_speed; ///< the parameter is the speed of the shaft
+} speed_unit;
+
+/// The parameter's unit where that is the speed of the shaft (the field `speeds` of every point), else Hz.
+speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char *speeds);
+
+// ---------------------------------------------------------------- tori
+// Tori in the figures of branches.
+
+/// The table of tori of the result, NULL where it has none or all are without one.
+const whirl_table *tori_table(const whirl_result *result);
+
+/// Adds the bands in which a coordinate (0: x, 1: y) of the sections of a station lies, from the orbits at which they
+/// begin; `size` is one unit of the parameter.
+void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of, size_t station, size_t column,
+                    double size);
+
+/// What a caption says of them.
+extern const char tori_caption[];
 
 #endif

@@ -6,11 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "map_cells.h"
 #include "quantities.h"
-#include "regimes.h"
-#include "symbols.h"
+#include "report_parts.h"
 
 enum { MOST_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 

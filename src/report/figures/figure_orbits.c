@@ -4,11 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "machine_at.h"
-#include "motions_told.h"
 #include "quantities.h"
-#include "symbols.h"
+#include "report_parts.h"
 
 enum { MOST_STATIONS = 12, MOST_MOTIONS = 6, STEPS = 180 };
 

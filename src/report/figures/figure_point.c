@@ -5,11 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "machine_at.h"
-#include "named_lines.h"
 #include "quantities.h"
-#include "symbols.h"
+#include "report_parts.h"
 
 /// An orbit is near a circle that it misses or passes by this share of its size.
 static const double NEAR = 0.35;

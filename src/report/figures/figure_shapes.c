@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
-#include "speed_unit.h"
 
 enum { SHAPES = 6 };
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
-#include "margins.h"
+#include "shown_kinds.h"
 
 /// A figure a point, of not too many.
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {

@@ -1,12 +1,12 @@
 // Tori: the bands that they fill in the figures of branches, and figures of their numbers over the parameter.
-#include "tori.h"
+#include "figure_kinds.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "quantities.h"
-#include "symbols.h"
 
 const char tori_caption[] =
     " Green: the bands that quasi-periodic motions fill, with solid edges where they are stable, dashed where not.";

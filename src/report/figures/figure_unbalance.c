@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "symbols.h"
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -4,10 +4,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "bifurcation.h"
-#include "machine_at.h"
+#include "figure_build.h"
+#include "figure_kinds.h"
 #include "quantities.h"
-#include "symbols.h"
+#include "report_parts.h"
 
 // Viridis from its bright end: on white the largest amplitudes are the darkest.
 static const char *const darker[] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",

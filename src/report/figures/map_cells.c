@@ -1,5 +1,5 @@
 // Cells of a map: where they lie, and where those of different kinds meet.
-#include "map_cells.h"
+#include "figure_kinds.h"
 
 #include <math.h>
 #include <stdint.h>

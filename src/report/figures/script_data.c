@@ -1,10 +1,9 @@
-#include "script_data.h"
+#include "figure_build.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "number.h"
-#include "utf8.h"
+#include "words.h"
 
 /// Characters to be escaped have at most four digits.
 static void escape(FILE *stream, unsigned character) {

@@ -3,8 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "figure_build.h"
 #include "figure_kinds.h"
-#include "symbols.h"
 
 const char *shown_owner(const drawing *of, const figure_place *place) {
     if (place->field->extent == WHIRL_PER_STATION) return of->result->stations[place->which].name;

@@ -1,4 +1,4 @@
-#include "symbols.h"
+#include "figure_build.h"
 
 #include <ctype.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "margins.h"
+#include "shown_kinds.h"
 
 #include <math.h>
 #include <stdio.h>

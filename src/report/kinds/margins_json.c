@@ -1,10 +1,7 @@
-#include "margins_json.h"
+#include "shown_kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-#include "margins.h"
-#include "scaled.h"
 
 /// In SI, zero to peak.
 static const whirl_shown_units plain = {

@@ -1,13 +1,12 @@
-#include "scaled.h"
+#include "shown_kinds.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "margins.h"
-#include "name_list.h"
 #include "whirl/engine/analyze.h"
+#include "words.h"
 
 /// Whether a list of names has one.
 static bool lists(const char *list, const char *wanted) {

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "summary.h"

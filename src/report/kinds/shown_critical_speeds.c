@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "html.h"
-#include "margins.h"
+#include "page.h"
 #include "shown_kinds.h"
 #include "summary.h"
 

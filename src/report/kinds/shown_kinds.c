@@ -1,6 +1,6 @@
 // The registry of kinds of tables that are shown each in its own way.
 #include "shown_kinds.h"
-#include "html.h"
+#include "page.h"
 
 static const shown_kind *const kinds[] = {&shown_branches,        &shown_tori,      &shown_modes,  &shown_unbalance,
                                           &shown_critical_speeds, &shown_stability, &shown_statics};

@@ -4,6 +4,9 @@
 #define REPORT_SHOWN_KINDS_H
 
 #include "page.h"
+#include "report_parts.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/shown.h"
 
 typedef struct shown_kind {
     const char *field;         ///< which its tables have, and no others
@@ -31,5 +34,97 @@ void shown_kind_about(const page *to, const shown_kind *kind);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics;
+
+// ---------------------------------------------------------------- margins
+// Critical speeds as peaks of a response to unbalance, and their margins.
+
+enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
+
+/// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
+extern const double margin_decrement;
+
+/// By how much the limit of the cross coupling of stages shall exceed the anticipated one at a point, 10 times in
+/// region B of the screening diagram, else 2; and whether it does and the decrement with stages is large enough, so
+/// that bearings and stages tell enough (Level I).
+double margin_coupling(const whirl_table *table, size_t point);
+bool margin_level_one(const whirl_table *table, size_t point);
+
+/// A peak as it is told.
+typedef struct margin_row {
+    double probe;           ///< its angle, degrees
+    double speed;           ///< in margin_speed_unit
+    double amplitude;       ///< in the unit of lengths and the kind of amplitude that are shown
+    double amplification;   ///< factor
+    char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
+    bool told, holds;       ///< whether a margin is asked for, and had
+    bool above;             ///< the peak lies above the running speeds
+    double had, asked;      ///< margins in %; NaN where running speeds are not said, or the peak is within them
+    char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
+} margin_row;
+
+/// The unit of speeds of the shaft: the one that is shown, else rpm.
+whirl_unit margin_speed_unit(const whirl_shown_units *units);
+
+/// Speed, amplitude in m and lag [points of the table] that probe 0 or 1 of a station sees; how many, 0 where speeds do
+/// not rise along the table.
+size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
+                       double *speeds, double *sizes, double *lags);
+
+/// The peaks that both probes of a station see; none where speeds do not rise along the table, or too few points are
+/// there.
+size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
+                   margin_row rows[2 * MARGIN_PEAKS]);
+
+// ---------------------------------------------------------------- margins_json
+// Margins of responses to unbalance as a part of a JSON document.
+
+/// Of every response over the speed, by the name of its table: unbalances by rule, peaks with their margins, and scaled
+/// responses beside clearances; lengths in m, zero to peak where not said, speeds in rad/s, angles in degrees.
+json_t *margins_json(bool *well, const whirl_result *result);
+
+// ---------------------------------------------------------------- scaled
+// Responses to unbalance scaled to the vibration limit, and what they take of clearances (after API 617: which edition
+// counts is for the user to check).
+
+/// The scale of a table's responses: lengths in m peak to peak.
+typedef struct scaled {
+    double limit;   ///< of vibration, min(25.4, 25.4 sqrt(12000/N)) um, N rpm the highest running speed
+    double largest; ///< that any of the probes sees between the running speeds
+    size_t station; ///< at which
+    double factor;  ///< limit over largest, 6 at most
+    bool beyond;    ///< the largest is beyond the limit: the factor is below 1
+    double trip;    ///< rad/s, up to which clearances are looked at; 0: not said, at all speeds
+    bool reaches;   ///< points reach over the trip speed
+} scaled;
+
+/// What the response takes of a station's clearance.
+typedef struct scaled_row {
+    size_t station;
+    double axis;      ///< m, the largest scaled major axis at any point, peak to peak
+    double speed;     ///< rad/s, where
+    double clearance; ///< m, the diametral one there
+    bool holds;       ///< the axis is at most 75 % of it
+} scaled_row;
+
+/// The unit of these lengths: the one that is asked for, else um, in which the limit is told.
+whirl_unit scaled_unit(const whirl_shown_units *units);
+
+/// Whether a station is one that engineers look at: with probes, where these are said (probes_at), a clearance or an
+/// unbalance by rule; all where probes are not said.
+bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
+
+/// Whether a table tells running speeds, and what it lacks where scaled_of fails then.
+bool scaled_asked(const whirl_table *table);
+extern const char *const scaled_lacks;
+
+/// False where the table does not tell running speeds, or its points do not reach over them.
+bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
+
+/// What follows a sentence that tells the factor: that the limit is passed, and up to which speed clearances count.
+enum { SCALED_TEXT = 200 };
+void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCALED_TEXT]);
+
+/// Rows [station count] of all stations with a clearance; how many.
+size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
 
 #endif

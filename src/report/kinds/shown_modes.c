@@ -1,7 +1,7 @@
 // How modes are shown: in numbers, with critical speeds and thresholds of stability.
 #include <math.h>
 
-#include "html.h"
+#include "page.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "summary.h"

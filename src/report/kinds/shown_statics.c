@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "html.h"
+#include "page.h"
 #include "shown_kinds.h"
 #include "summary.h"
 

@@ -1,9 +1,9 @@
 // How tori are shown: quasi-periodic motions past Neimark-Sacker points, one row a branch of tori.
 #include <math.h>
 
-#include "html.h"
-#include "machine_at.h"
+#include "page.h"
 #include "quantities.h"
+#include "report_parts.h"
 #include "shown_kinds.h"
 
 // ---------------------------------------------------------------- the summary

@@ -2,9 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "html.h"
-#include "margins.h"
-#include "scaled.h"
+#include "page.h"
 #include "shown_kinds.h"
 #include "summary.h"
 

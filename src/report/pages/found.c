@@ -4,12 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "found.h"
-#include "html.h"
-#include "margins.h"
+#include "page.h"
 #include "quantities.h"
-#include "regimes.h"
-#include "scaled.h"
+#include "report_parts.h"
 #include "shown_kinds.h"
 #include "summary.h"
 

@@ -1,9 +1,9 @@
-#include "html.h"
+#include "page.h"
 
 #include <math.h>
 #include <stdarg.h>
 
-#include "utf8.h"
+#include "words.h"
 
 static const char *entity(char letter) {
     switch (letter) {

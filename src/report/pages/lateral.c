@@ -5,11 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "found.h"
-#include "html.h"
-#include "machine_at.h"
-#include "motions_told.h"
-#include "scaled.h"
+#include "page.h"
+#include "report_parts.h"
 #include "shown_kinds.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/model.h"

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "html.h"
 #include "quantities.h"
 #include "shown_kinds.h"
 #include "whirl/version.h"

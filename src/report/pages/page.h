@@ -2,14 +2,14 @@
 #ifndef REPORT_PAGE_H
 #define REPORT_PAGE_H
 
-#include <stdbool.h>
-#include <stdio.h>
-
 #include "claim_parts.h"
-#include "units.h"
+#include "report_parts.h"
 #include "whirl/engine/claims.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/result.h"
+
+#include <stdbool.h>
+#include <stdio.h>
 
 enum { FOLDER_NAME_SIZE = 96, FIGURE_FILE_SIZE = 208 };
 
@@ -69,5 +69,47 @@ void page_figures(const page *to, size_t result);            ///< all but the ma
 void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
                                      size_t result); ///< that of its first diagram; NULL where it has none
+
+// ---------------------------------------------------------------- found
+// What was found, in sentences, each an item of a list.
+
+/// Results of a page.
+typedef struct found_part {
+    size_t first, end; ///< [first, end)
+    bool all;          ///< what was not looked for is told, too
+} found_part;
+
+/// What is done with a table.
+typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
+
+/// Does it (NULL: nothing) with every table that has points and the field; how many have.
+size_t found_each(const page *to, found_part part, const char *field, each_table *act, void *context);
+
+/// Critical speeds with damping, margins, clearances, stability.
+void found_at_rest(const page *to, found_part part);
+
+/// Of a table what the summary says: kinds of motion with their ranges, trust, doubts, attractors, jumps.
+void found_table(const page *to, size_t result, const whirl_table *table);
+
+// ---------------------------------------------------------------- html
+// Text in HTML. Everything that comes from a case, a result or a claim goes through here.
+
+/// Writes text that may hold anything: markup and quotes escaped, control characters and bytes that are not UTF-8
+/// replaced by U+FFFD. Fit for element content and for attributes in double quotes.
+void html_text(FILE *stream, const char *text);
+
+/// Formats as printf and writes the outcome by html_text; longer outcomes are cut at 4095 bytes.
+void html_printf(FILE *stream, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/// Begins a table of that class ("" for none) that scrolls by itself where it is wider than the page: a region with a
+/// name, which the keyboard can reach. Ends with </table></div>.
+void html_table(FILE *stream, const char *label, const char *class);
+
+/// A cell of a table with a number of six digits; an empty one where it is not finite.
+void html_number(FILE *stream, double value);
 
 #endif

@@ -9,10 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "found.h"
-#include "html.h"
-#include "margins.h"
-#include "scaled.h"
+#include "page.h"
+#include "shown_kinds.h"
 
 enum { CELL = 256 };
 

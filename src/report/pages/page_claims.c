@@ -2,7 +2,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "html.h"
 #include "page.h"
 
 static const struct {

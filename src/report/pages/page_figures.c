@@ -1,5 +1,4 @@
 // The figures with their captions, and the files that they were made from.
-#include "html.h"
 #include "page.h"
 
 static void write_links(const page *to, const drawn_figure *what) {

@@ -4,11 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "html.h"
-#include "machine_at.h"
 #include "page.h"
 #include "quantities.h"
-#include "regimes.h"
+#include "report_parts.h"
 
 enum { SHOWN_LINES = 5, NAMES_SIZE = 512 };
 

@@ -2,10 +2,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "html.h"
 #include "page.h"
 #include "quantities.h"
-#include "ranges_told.h"
+#include "report_parts.h"
 
 static void write_row(FILE *stream, const char *term, const char *text) {
     fputs("<dt>", stream);

@@ -3,9 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "html.h"
 #include "page.h"
-#include "regimes.h"
+#include "report_parts.h"
 
 enum { SHOWN = 32, MOST_RANGES = 8, MOST_NAMES = 6 };
 

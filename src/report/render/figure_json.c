@@ -2,7 +2,7 @@
 #include <jansson.h>
 #include <string.h>
 
-#include "document.h"
+#include "report_parts.h"
 #include "whirl/engine/figure.h"
 
 static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "texts"};

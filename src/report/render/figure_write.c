@@ -3,9 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gnuplot.h"
-#include "gnuplot_script.h"
-#include "report_file.h"
+#include "render.h"
+#include "report_parts.h"
 #include "whirl/engine/figure.h"
 
 static whirl_status write_json(const whirl_figure *figure, const char *folder, const char *name) {

@@ -1,4 +1,4 @@
-#include "gnuplot.h"
+#include "render.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -8,8 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "program.h"
-#include "utf8.h"
+#include "words.h"
 
 extern char **environ; // POSIX declares it nowhere
 

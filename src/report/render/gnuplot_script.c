@@ -1,11 +1,10 @@
-#include "gnuplot_script.h"
+#include "render.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "figure_build.h"
-#include "gnuplot.h"
-#include "number.h"
+#include "words.h"
 
 enum { MARKUP_SIZE = 1024 };
 

@@ -1,5 +1,3 @@
-#include "print.h"
-
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -8,7 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "program.h"
+#include "render.h"
 
 enum { COMMAND_MISSING = 127, NAME_SIZE = 64 };
 
@@ -47,4 +45,10 @@ whirl_status document_print(const char *program, const char *folder, const char 
         status = whirl_fail(WHIRL_IO_ERROR, "'%.100s' failed to make %.200s", program, path);
     free(found);
     return status;
+}
+
+// ---------------------------------------------------------------- program
+
+char *program_found(const char *program) {
+    return strchr(program, '/') ? realpath(program, NULL) : strdup(program);
 }

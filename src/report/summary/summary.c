@@ -4,8 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "motions_told.h"
-#include "ranges_told.h"
+#include "report_parts.h"
 #include "shown_kinds.h"
 #include "whirl/engine/report.h"
 

@@ -2,10 +2,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "machine_at.h"
-#include "named_lines.h"
 #include "quantities.h"
-#include "regimes.h"
+#include "report_parts.h"
 #include "summary.h"
 
 static void print_rubs(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "regimes.h"
+#include "report_parts.h"
 #include "summary.h"
 #include "whirl/engine/report.h"
 

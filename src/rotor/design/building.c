@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "bow.h"
+#include "mesh.h"
 
 /// The status with the kind of the element that it is of.
 static whirl_status named(const building *b, size_t index, whirl_status status) {

@@ -2,10 +2,8 @@
 #ifndef ROTOR_BUILDING_H
 #define ROTOR_BUILDING_H
 
-#include "between.h"
 #include "design.h"
 #include "mesh.h"
-#include "reduction.h"
 
 /// A design on its way to a rotor.
 typedef struct building {

@@ -4,10 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "centred.h"
-#include "doubts.h"
 #include "elements/films/pads_look_up.h"
-#include "turbulence.h"
+#include "laws.h"
+#include "pads.h"
 #include "whirl/engine/bearing.h"
 
 static oil oil_of(const key_value *values) {

@@ -3,7 +3,7 @@
 #define ROTOR_PADS_BUILD_H
 
 #include "element.h"
-#include "oil.h"
+#include "laws.h"
 
 /// Pads that tilt on pivots that yield: what tilting_pad is made then.
 extern const element_type tilting_pad_yielding_type;

@@ -1,4 +1,4 @@
-#include "table.h"
+#include "pads.h"
 
 #include <math.h>
 #include <stdlib.h>

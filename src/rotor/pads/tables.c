@@ -1,4 +1,4 @@
-#include "tables.h"
+#include "pads.h"
 
 #include <math.h>
 #include <stdatomic.h>

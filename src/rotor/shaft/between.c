@@ -1,4 +1,4 @@
-#include "between.h"
+#include "mesh.h"
 
 #include <stdlib.h>
 #include <string.h>

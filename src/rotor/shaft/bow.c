@@ -1,12 +1,10 @@
 // A bent shaft turns with its bow: M q'' + ... + K (q - u exp(i tau)) = ..., so that K u turns as a force (Nicholas,
 // Gunter, Allaire 1976). The bow is told at stations; between them the shaft is bent as if it were held there and
 // nowhere else, which leaves forces at these stations alone.
-#include "bow.h"
+#include "mesh.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-#include "held.h"
 
 static const key_value *value_of(const whirl_design *design, size_t station, int key) {
     return &design->stations[station].values[key];

@@ -3,6 +3,7 @@
 #define ROTOR_MESH_H
 
 #include "design.h"
+#include "element.h"
 #include "shafts.h"
 
 typedef struct mesh_node {
@@ -38,5 +39,85 @@ void mesh_inertia(const mesh *from, assembly *to);
 
 /// Adds stiffness, coupling mass, gyroscopic moments and damping, once coordinates are numbered.
 void mesh_build(const mesh *from, assembly *to);
+
+// ---------------------------------------------------------------- reduction
+// Reduction of shafts by component modes (Craig, Bampton 1968): what elements act on stays as it is, the nodes between
+// follow by the way they give way statically and by their lowest modes while these stand still.
+//
+// With q_B what is kept and q_I what is not,
+//
+//     q_I = Psi q_B + Phi (z - Phi' (M_II Psi + M_IB) q_B),    Psi = -K_II^-1 K_IB,   K_II Phi = M_II Phi w^2,
+//
+// where the usual modal coordinates are shifted so that z is coupled with q_B by stiffness alone, not by mass: then
+// only the few q_B have a mass matrix to be inverted. A column of Phi is scaled to a largest displacement of 1 (of
+// a tilt: what that is at the radius of gyration), so that z is a displacement in m, and its inertia the modal mass.
+
+/// What became of a shaft.
+typedef struct reduction {
+    size_t kept, all; ///< modes in a plane, and how many there are
+    double highest;   ///< rad/s of the highest that is kept; 0 where none is
+    size_t first;     ///< coordinate of its first mode along x; that along y follows, then the next mode
+} reduction;
+
+/// Reduces the shafts of the assembly that are to be, before assembly_finish: renumbers coordinates, transforms all
+/// that is linear, and renames the ports and states of the elements. out [mesh->shaft_count], or NULL. WHIRL_BAD_INPUT
+/// where a shaft's stiffness is not positive; WHIRL_NO_MEMORY.
+whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out);
+
+/// The coordinates of one plane (x, tilt_x) of a shaft's nodes that the assembly has, at most 2 a node; how many.
+size_t reduction_nodes(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate);
+
+/// Stiffness and mass [count][count] of shafts between these coordinates, mass with what stations bring.
+void reduction_matrices(const assembly *of, size_t count, const size_t *coordinate, double *stiffness, double *mass);
+
+// ---------------------------------------------------------------- between
+// What lies between the stations of shafts: how it follows them where nothing else is said of it.
+
+/// So much of a station's displacement, along x or along y, is in a coordinate; of velocities as much.
+typedef struct between_term {
+    size_t row, column; ///< coordinates along x, those along y stand behind them; the station's is the column
+    double share;       ///< of their units
+} between_term;
+
+/// The state of shafts that give way statically between displacements of their stations (a shaft with a single one
+/// stays straight): tilts, nodes of meshes and coordinates of modes. Of an assembly that is finished but for its body's
+/// scales; made [mesh->shaft_count]. *terms is the caller's to free, NULL where there are none. WHIRL_BAD_INPUT where a
+/// shaft has no such state; WHIRL_NO_MEMORY.
+whirl_status between_stations(const mesh *from, const assembly *of, const reduction *made, between_term **terms,
+                              size_t *count);
+
+// ---------------------------------------------------------------- bow
+// Shafts that are bent and turn so.
+
+/// Adds the forces that turn with a shaft whose stations have a bow: those that bend a straight one so. WHIRL_BAD_INPUT
+/// where a station with a bow lies on no shaft of finite elements, a shaft has too few of them, another speed, flats or
+/// hysteresis.
+whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *to);
+
+// ---------------------------------------------------------------- held
+// A shaft in one plane that is held at some of its nodes, which may be raised.
+
+/// Displacement and slope of each node along the shaft, node by node, then the load of every support.
+typedef struct held_shaft {
+    const mesh *from;
+    size_t shaft, first, nodes; ///< first: of its nodes in the mesh
+    size_t supports;
+    const size_t *support; ///< [supports] nodes, counted along the shaft
+} held_shaft;
+
+/// A shaft of the mesh, without supports.
+held_shaft held_find(const mesh *from, size_t shaft);
+
+/// 2 nodes + supports.
+size_t held_unknowns(const held_shaft *of);
+
+/// The stiffness of a piece, of a shaft with flats its mean; without that of its axial force.
+void held_piece(const mesh_piece *own, matrix4 *stiffness, matrix4 *axial);
+
+/// Stiffness, and supports that displacements keep to: [K -C'; C 0], [unknowns][unknowns], zeros at first.
+void held_fill(const held_shaft *of, bool axial, double *matrix);
+
+/// N/m [supports][supports]: the load of the first by raising the second by 1 m, by the stiffness of the shaft alone.
+whirl_status held_influence(const held_shaft *of, double *influence);
 
 #endif

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "building.h"
-#include "timoshenko.h"
+#include "shafts.h"
 
 static bool is_even(const shaft_piece *piece) {
     return piece->outer[0] == piece->outer[1] && piece->inner[0] == piece->inner[1];

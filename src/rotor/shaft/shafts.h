@@ -3,7 +3,58 @@
 #define ROTOR_SHAFTS_H
 
 #include "element.h"
-#include "timoshenko.h"
+
+#include <stdbool.h>
+
+// ---------------------------------------------------------------- timoshenko
+// The finite element of a shaft: a piece that bends and shears, and carries mass and rotary inertia.
+//
+// In one plane the coordinates of a piece are displacement and slope of its left end, then of its right end; a slope
+// is the derivative of the displacement along the shaft where nothing shears, so that both planes of a round shaft
+// have the same matrices. The displacements between the ends are those of a piece without mass, exactly, for any taper
+// (Friswell et al. 2010, sec. 5.4; Przemieniecki 1968): for a cylinder the element of Timoshenko beams with cubic
+// displacements, phi = 12 E I/(kappa G A L^2).
+
+/// How shear is counted: Cowper 1966 and Hutchinson 2001, for hollow circles; none: Bernoulli, Euler, Rayleigh.
+typedef enum shear_law { SHEAR_COWPER, SHEAR_HUTCHINSON, SHEAR_NONE } shear_law;
+
+/// Pa, Pa, kg/m3.
+typedef struct material {
+    double modulus, shear_modulus, density;
+} material;
+
+/// m; N, positive where it pulls.
+typedef struct shaft_piece {
+    double length;
+    double outer[2], inner[2]; ///< diameters at its ends
+    double flats;              ///< distance of two flats across the shaft; 0: it is round
+    material of;
+    shear_law shear;
+    bool rotary; ///< with rotary inertia
+    double axial;
+} shaft_piece;
+
+/// By displacement and slope of the left end, then of the right one.
+typedef struct matrix4 {
+    double at[4][4];
+} matrix4;
+
+/// SI.
+typedef struct piece_matrices {
+    /// In the plane of the larger and of the smaller stiffness, across flats and along their normal.
+    matrix4 stiffness[2];
+    matrix4 axial;    ///< stiffness by the axial force
+    matrix4 mass;     ///< consistent, with the rotary inertia
+    matrix4 polar;    ///< what the rate of rotation makes gyroscopic moments of
+    double weight[4]; ///< force and moment of its weight on the ends, over gravity: kg, kg m
+    double lumped_mass[2], lumped_diametral[2], lumped_polar[2]; ///< of its ends: kg, kg m2
+} piece_matrices;
+
+void piece_fill(const shaft_piece *piece, piece_matrices *out);
+
+/// Mass of the piece a metre, kg/m, and its smaller bending stiffness, N m2, `at` of its length from its left end.
+double piece_line_mass(const shaft_piece *piece, double at);
+double piece_bending(const shaft_piece *piece, double at);
 
 /// Keys of `materials`, `shafts` and the element `segment`, in the order of their tables.
 enum { MATERIAL_MODULUS, MATERIAL_SHEAR_MODULUS, MATERIAL_POISSON, MATERIAL_DENSITY, MATERIAL_KEYS };

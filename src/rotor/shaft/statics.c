@@ -4,9 +4,9 @@
 #include <string.h>
 
 #include "building.h"
-#include "held.h"
 #include "matrix.h"
-#include "name_list.h"
+#include "mesh.h"
+#include "words.h"
 
 /// m/s2. All is solved with it, and scaled to that of the design, which may have none.
 static const double standard_gravity = 9.80665;

@@ -1,5 +1,5 @@
 // The matrices of a piece of shaft, by quadrature: exact for cylinders, to rounding for cones.
-#include "timoshenko.h"
+#include "shafts.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,13 +1,12 @@
 // Results as CSV files (RFC 4180). The files are described in docs/result-file.md.
-#include "atomic_file.h"
-#include "format.h"
+#include "store.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "number.h"
 #include "whirl/engine/shown.h"
+#include "words.h"
 
 /// A line being written.
 typedef struct line {

@@ -2,11 +2,9 @@
 // in them.
 #include "mat.h"
 
-#include "atomic_file.h"
-#include "bytes.h"
-#include "stored.h"
-#include "utf8.h"
+#include "store.h"
 #include "whirl/engine/result.h"
+#include "words.h"
 
 #include <matio.h>
 #include <stdint.h>

@@ -1,9 +1,8 @@
 // Results as NumPy's archives: a zip of .npy files (NumPy Enhancement Proposal 1, format version 1.0), named as the
 // datasets of the result file. docs/result-file.md says what is in them.
-#include "atomic_file.h"
-#include "stored.h"
-#include "utf8.h"
+#include "store.h"
 #include "whirl/engine/result.h"
+#include "words.h"
 
 #include <stdint.h>
 #include <stdio.h>

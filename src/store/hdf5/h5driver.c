@@ -1,4 +1,4 @@
-#include "h5driver.h"
+#include "h5file.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,5 @@
 #include "h5file.h"
 
-#include "plain.h"
-
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
-// Walking through the object headers of a file: see plain.h.
-#include "plain.h"
-
+// Walking through the object headers of a file: see h5file.h.
 #include <stdlib.h>
 #include <string.h>
+
+#include "h5file.h"
 
 enum {
     /// II.A, superblock version 3.
@@ -173,4 +173,30 @@ whirl_status plain_check(const byte_source *source) {
     if (through.reason) return whirl_fail(WHIRL_IO_ERROR, "%s", strerror(through.reason));
     return whirl_fail(WHIRL_BAD_INPUT, "is damaged, or holds what whirl does not write (at byte %llu)",
                       (unsigned long long)through.wrong);
+}
+
+// ---------------------------------------------------------------- plain_part
+// Reading a part of a file from its beginning on.
+
+uint64_t plain_number(plain_part *part, int bytes) {
+    uint64_t value = 0;
+    if (part->left < (size_t)bytes) {
+        part->short_of = true;
+        part->left = 0;
+        return 0;
+    }
+    for (int i = bytes - 1; i >= 0; --i) value = value << 8 | part->at[i];
+    part->at += bytes;
+    part->left -= (size_t)bytes;
+    return value;
+}
+
+void plain_skip(plain_part *part, size_t bytes) {
+    if (part->left < bytes) {
+        part->short_of = true;
+        part->left = 0;
+        return;
+    }
+    part->at += bytes;
+    part->left -= bytes;
 }

@@ -1,7 +1,7 @@
-// The messages of object headers that whirl's files have: see plain.h.
-#include "plain.h"
+// The messages of object headers that whirl's files have: see h5file.h.
+#include "h5file.h"
 
-#include "shape.h"
+#include "store.h"
 
 #include <string.h>
 

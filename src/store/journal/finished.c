@@ -1,8 +1,8 @@
-#include "finished.h"
+#include "journal_file.h"
 
 #include <stdlib.h>
 
-#include "room.h"
+#include "memory.h"
 
 static void copy_point(const whirl_table *whole, size_t from, finished *out) {
     whirl_table *table = &out->table;

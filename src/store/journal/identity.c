@@ -1,4 +1,4 @@
-#include "identity.h"
+#include "journal_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,10 +6,9 @@
 #include <string.h>
 
 #include "build.h"
-#include "crc32c.h"
 #include "isa.h"
-#include "number.h"
-#include "room.h"
+#include "memory.h"
+#include "words.h"
 
 enum { SHOWN = 90 };
 

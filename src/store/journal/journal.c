@@ -7,14 +7,10 @@
 #include <string.h>
 
 #include "clock.h"
-#include "crc32c.h"
-#include "identity.h"
 #include "journal_file.h"
 #include "journal_frame.h"
-#include "journal_header.h"
-#include "journal_scan.h"
-#include "room.h"
-#include "underway.h"
+#include "memory.h"
+#include "store.h"
 
 enum { MOST_BATCHES = 128 };
 

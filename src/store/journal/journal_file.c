@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "bytes.h"
+#include "store.h"
 
 // ---------------------------------------------------------------- opening
 

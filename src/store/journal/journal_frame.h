@@ -3,7 +3,7 @@
 //   header   16 bytes  "whirl journal 1\n"
 //             8        length of the identity
 //             4        CRC-32C of the 24 bytes before
-//                      the identity: what is computed, as text (identity.h)
+//                      the identity: what is computed, as text (journal_file.h)
 //             4        CRC-32C of all before
 //
 //   frame     8 bytes  magic

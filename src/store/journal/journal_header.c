@@ -1,9 +1,8 @@
-#include "journal_header.h"
+#include "journal_file.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "identity.h"
 #include "journal_frame.h"
 
 whirl_status journal_header_write(const journal_file *file, const journal_identity *identity) {

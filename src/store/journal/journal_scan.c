@@ -1,8 +1,6 @@
-#include "journal_scan.h"
+#include "journal_file.h"
 
 #include <string.h>
-
-#include "crc32c.h"
 
 enum { WINDOW = 1 << 16 };
 

@@ -1,4 +1,4 @@
-#include "underway.h"
+#include "store.h"
 
 #include <dirent.h>
 #include <limits.h>
@@ -7,9 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "atomic_file.h"
-#include "crc32c.h"
-#include "journal_scan.h"
+#include "journal_file.h"
 
 enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 

@@ -1,9 +1,7 @@
-#include "alike.h"
+#include "attractors.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "motion.h"
 
 struct alike {
     const whirl_table *table;

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "attractors.h"
-#include "axes.h"
+#include "bounds.h"
 
 /// Motions that are further from each other, over their extent, do not go on as one another.
 static const double farthest = 0.5;

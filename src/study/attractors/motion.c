@@ -1,4 +1,4 @@
-#include "motion.h"
+#include "attractors.h"
 
 #include <math.h>
 #include <stdlib.h>

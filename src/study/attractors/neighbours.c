@@ -1,12 +1,12 @@
 // Attractors that random starts miss, for their basins are small, are found where they are large and followed from
 // there, as a carried sweep follows one: every place starts from the ends of its neighbours' motions on attractors that
 // it lacks.
-#include "neighbours.h"
+#include "attractors.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "axes.h"
+#include "bounds.h"
 
 /// What is known of the attractors before a round.
 typedef struct survey {

@@ -1,6 +1,6 @@
 // Critical speeds and thresholds of stability between two points: modes are followed from one machine to the next, and
 // what changes sign is closed in on.
-#include "critical.h"
+#include "kinds.h"
 
 #include <math.h>
 #include <stdint.h>

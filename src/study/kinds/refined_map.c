@@ -1,11 +1,10 @@
-#include "refined_map.h"
+#include "kinds.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "alike.h"
+#include "attractors.h"
 #include "kept.h"
-#include "squares.h"
 
 struct refined_map {
     const whirl_table *table;

@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "critical.h"
-#include "deal.h"
+#include "passes.h"
 
 /// Points that one thread, or one share, takes at a time: neighbours share the modes of the point between them.
 enum { RESTING_PIECE = 8 };

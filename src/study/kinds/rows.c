@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "whirl/engine/result.h"
+
 double *rows_block(const rows *r, size_t row) {
     return r->table->blocks + row * r->table->layout.size;
 }
@@ -169,4 +171,31 @@ bool rows_go_on(const rows *r) {
 bool rows_found(void *context, const whirl_branch_point *point) {
     (void)point;
     return rows_go_on(context);
+}
+
+// ---------------------------------------------------------------- torus_rows
+// Branches of tori as the rows of a table.
+
+static void find_largest_line(const whirl_table *table, whirl_tori *own) {
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_AMPLITUDE);
+    double largest = -1.0;
+    for (size_t station = 0; field && station < field->repeat; station++)
+        for (size_t axis = 0; axis < field->columns; axis++) {
+            const double amplitude = whirl_table_field(table, own->last, field->name, station)[axis];
+            if (amplitude > largest) own->station = station, own->axis = axis;
+            largest = fmax(largest, amplitude);
+        }
+}
+
+whirl_tori whirl_table_tori(const whirl_table *table, size_t first) {
+    whirl_tori own = {.first = first, .last = first};
+    while (own.last + 1 < table->count && whirl_table_number(table, own.last + 1, WHIRL_FIELD_TORUS_NUMBER, 0) ==
+                                              whirl_table_number(table, first, WHIRL_FIELD_TORUS_NUMBER, 0))
+        own.last++;
+    for (size_t point = first; point <= own.last; point++) {
+        own.found += isfinite(whirl_table_number(table, point, WHIRL_FIELD_TORUS_ROTATION, 0));
+        own.stable += whirl_table_number(table, point, WHIRL_FIELD_TORUS_UNSTABLE, 0) == 0.0;
+    }
+    if (own.found > 0) find_largest_line(table, &own);
+    return own;
 }

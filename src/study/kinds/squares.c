@@ -1,4 +1,4 @@
-#include "squares.h"
+#include "kinds.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,7 @@
 #include "whirl/engine/result.h"
 
 #include "kept.h"
-#include "room.h"
+#include "memory.h"
 
 #include <math.h>
 #include <stdlib.h>

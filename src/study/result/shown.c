@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "unit_words.h"
+#include "words.h"
 
 static bool near(double a, double b) {
     return fabs(a - b) <= 1e-12 * fabs(b);

@@ -11,8 +11,7 @@
 
 #include "bracket.h"
 #include "clock.h"
-#include "mineral_oil.h"
-#include "taylor.h"
+#include "numerics.h"
 #include "whirl/engine/study.h"
 
 static const double pi = 3.14159265358979323846, um = 1e-6, zero_degrees = 273.15;

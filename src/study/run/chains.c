@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "clock.h"
-#include "room.h"
+#include "memory.h"
 
 // ---------------------------------------------------------------- making
 

@@ -5,7 +5,7 @@
 #ifndef STUDY_CHAINS_H
 #define STUDY_CHAINS_H
 
-#include "deal.h"
+#include "passes.h"
 
 /// Points that are computed one after the other.
 typedef struct chain {

@@ -1,8 +1,8 @@
 // The options of a study as they describe themselves.
 #include <math.h>
 
-#include "members.h"
 #include "whirl/engine/study.h"
+#include "words.h"
 
 const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {

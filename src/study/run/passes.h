@@ -5,7 +5,7 @@
 #include "tracker.h"
 #include "whirl/engine/study.h"
 
-/// What is known of a map that is refined (refined_map.h).
+/// What is known of a map that is refined (kinds.h).
 typedef struct refined_map refined_map;
 
 /// What all passes share.
@@ -231,5 +231,28 @@ whirl_status follow_points(study_run *run, int round, double *budget, size_t *do
 
 /// Does points in doubt again until the budget is used up or nothing is left in doubt. Stops are the tracker's.
 whirl_status refine_points(study_run *run);
+
+// ---------------------------------------------------------------- deal
+// The pieces of a pass (chains, neighbours at rest) as threads take them, and other runs where points are dealt out.
+
+typedef struct deal {
+    const whirl_dealer *dealer; ///< NULL: all pieces are this run's
+    size_t number;              ///< of the pass (pass_number)
+    size_t count;               ///< pieces
+    size_t next, end;           ///< those that this run has and that no thread has begun
+    size_t dealt;               ///< all before this one are with some run
+    int threads;                ///< that all of them are for
+} deal;
+
+/// Of a pass of so many pieces.
+deal deal_begin(const study_run *run, const pass *p, size_t count);
+
+/// Pieces that no thread has begun, as far as is known.
+static inline size_t deal_left(const deal *d) {
+    return d->end - d->next + d->count - d->dealt;
+}
+
+/// Takes the next piece; false where none is left. Called by one thread at a time.
+bool deal_take(deal *d, size_t *piece);
 
 #endif

@@ -3,10 +3,10 @@
 #include <omp.h>
 #include <stdlib.h>
 
-#include "neighbours.h"
+#include "attractors.h"
+#include "kinds.h"
+#include "memory.h"
 #include "passes.h"
-#include "refined_map.h"
-#include "room.h"
 
 static bool has_regime(const whirl_batch *batch) {
     whirl_analysis_set regime = 0;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "turns.h"
+#include "numerics.h"
 
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     const whirl_trace_options *trace = &batch->record.trace;

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "kinds.h"
-#include "refined_map.h"
 
 /// Points of a batch that stay together.
 static size_t piece_of(const whirl_batch *batch) {

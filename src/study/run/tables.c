@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "kept.h"
+#include "memory.h"
 #include "passes.h"
-#include "room.h"
 
 static void fill_values(whirl_table *table, const whirl_batch *batch) {
     const bool found = batch_is_found(batch);

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "confidence.h"
+#include "section.h"
 #include "whirl/engine/analyze.h"
 
 static whirl_verdict verdict_of(whirl_regime regime, int period, whirl_confidence agreement) {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "lyapunov.h"
+#include "analysis.h"
 #include "near.h"
 #include "synthetic.h"
 

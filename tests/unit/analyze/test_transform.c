@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "transform.h"
+#include "signal_parts.h"
 
 static const double two_pi = 6.283185307179586476925;
 

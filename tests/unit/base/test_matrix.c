@@ -10,9 +10,8 @@
 #include <cmocka.h>
 #include <lapacke.h>
 
-#include "balance.h"
-#include "elimination.h"
 #include "matrix.h"
+#include "numerics.h"
 
 static const double pi = 3.14159265358979323846;
 

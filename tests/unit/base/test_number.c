@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "number.h"
+#include "words.h"
 
 static void short_decimals_stay_short(void **state) {
     static const struct {

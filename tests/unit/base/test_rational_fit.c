@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "rational_fit.h"
+#include "numerics.h"
 
 enum { SAMPLES = RATIONAL_MOST_SAMPLES };
 

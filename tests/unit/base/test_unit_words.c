@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "unit_words.h"
+#include "words.h"
 
 static void words_are_read_in_any_order(void **state) {
     (void)state;

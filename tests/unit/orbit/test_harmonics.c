@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "harmonics.h"
+#include "torus_follower.h"
 
 enum { COUNT = 9, MANY = 31, N = 2 };
 

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "regimes.h"
+#include "report_parts.h"
 #include "sample.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/report.h"

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "script_data.h"
+#include "figure_build.h"
 
 /// What is written in memory, read back as text.
 typedef struct sheet {

@@ -15,11 +15,10 @@
 #include <unistd.h>
 
 #include "figure_build.h"
-#include "gnuplot.h"
-#include "html.h"
+#include "page.h"
 #include "quantities.h"
-#include "regimes.h"
-#include "report_file.h"
+#include "render.h"
+#include "report_parts.h"
 #include "sample.h"
 
 /// What a writer puts out for a text.

@@ -7,11 +7,10 @@
 
 #include <cmocka.h>
 
-#include "gnuplot_script.h"
-#include "machine_at.h"
+#include "figure_build.h"
+#include "render.h"
+#include "report_parts.h"
 #include "sample.h"
-#include "symbols.h"
-#include "units.h"
 
 static whirl_shown_units units_for(const whirl_result *result, const char *asked) {
     whirl_shown_units units;

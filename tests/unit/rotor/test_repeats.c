@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "repeats.h"
+#include "machine.h"
 
 static void ratios(void **unused) {
     (void)unused;

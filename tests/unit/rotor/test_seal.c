@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "black.h"
+#include "laws.h"
 #include "whirl/engine/rotor.h"
 
 #define GEOMETRY                                                                                                       \

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "timoshenko.h"
+#include "shafts.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -12,9 +12,8 @@
 
 #include <cmocka.h>
 
-#include "crc32c.h"
 #include "expect.h"
-#include "journal_scan.h"
+#include "journal_file.h"
 #include "kept.h"
 #include "whole.h"
 

@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include "plain.h"
+#include "h5file.h"
 #include "synthetic.h"
 #include "whole.h"
 

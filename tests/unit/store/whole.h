@@ -2,7 +2,7 @@
 #ifndef TEST_STORE_WHOLE_H
 #define TEST_STORE_WHOLE_H
 
-#include "bytes.h"
+#include "store.h"
 
 #include <stdlib.h>
 

@@ -1,10 +1,9 @@
 // The film of a journal bearing: its pass over vectors where it is short and on the ground, its keys and the numbers of
 // its kernels. film_finite.c has the others' pass.
-#include "doubts.h"
 #include "film_flow.h"
 #include "film_ratio.h"
 #include "film_tangent.h"
-#include "oil.h"
+#include "laws.h"
 #include "registry.h"
 #include "whirl/engine/rotor.h"
 
@@ -32,7 +31,7 @@ const element_kernels ISA(film_kernels) = {.flow = flow};
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-#include "turbulence.h"
+#include "pads.h"
 
 enum {
     AT,

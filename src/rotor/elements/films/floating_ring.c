@@ -19,9 +19,8 @@ enum {
     RING_NUMBERS
 };
 
-#include "doubts.h"
 #include "generic.h"
-#include "oil.h"
+#include "laws.h"
 #include "registry.h"
 
 const element_kernels ISA(floating_ring_kernels) = GENERIC_KERNELS;

@@ -1,4 +1,4 @@
-// The films of pads, fixed or tilting (pads/reynolds.h has the equation, pads/table.h the tables). Included twice, so
+// The films of pads, fixed or tilting (pads/reynolds.h has the equation, pads/pads.h the tables). Included twice, so
 // without a guard; KERNEL_STATES is 0 of fixed pads.
 //
 // For every pad the journal is turned into its frame, x along its middle, moved by the preload and, of one that tilts

@@ -11,9 +11,8 @@ enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 /// What a law is made of; without them the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
-#include "doubts.h"
 #include "generic.h"
-#include "oil.h"
+#include "laws.h"
 #include "registry.h"
 
 const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;

@@ -26,7 +26,7 @@ enum {
 };
 
 #include "generic.h"
-#include "rational_fit.h"
+#include "numerics.h"
 #include "registry.h"
 #include "table.h"
 

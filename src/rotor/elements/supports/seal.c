@@ -20,8 +20,8 @@ enum {
 /// Its law: whether its coefficients follow from its geometry, and which powers keys name.
 enum { SEAL_BLACK = 1, SEAL_GROWS = 2, SEAL_SLOWS = 4 };
 
-#include "black.h"
 #include "generic.h"
+#include "laws.h"
 #include "registry.h"
 
 const element_kernels ISA(seal_kernels) = GENERIC_KERNELS;

@@ -1,7 +1,0 @@
-#ifndef CLI_CORES_H
-#define CLI_CORES_H
-
-/// Cores that this process may run on, which a scheduler or taskset may have made fewer than the computer has.
-int available_cores(void);
-
-#endif

@@ -1,0 +1,79 @@
+/// Words: members by name, lists of names, numbers and units as text, UTF-8.
+#ifndef BASE_WORDS_H
+#define BASE_WORDS_H
+
+#include "whirl/engine/descriptor.h"
+#include "whirl/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// ---------------------------------------------------------------- members
+// How tables of members are written.
+
+/// A whirl_member: `field` of STRUCT, of type WHIRL_MEMBER_<TYPE>, with the parts of its key behind the others.
+#define MEMBER(STRUCT, TYPE, name, field, part, refined, ...)                                                          \
+    { name, WHIRL_MEMBER_##TYPE, offsetof(STRUCT, field), part, {__VA_ARGS__}, refined }
+
+// ---------------------------------------------------------------- name_list
+// Names in one text, with blanks or commas between.
+
+/// Takes the first name off the list (cut to WHIRL_NAME_SIZE - 1 bytes); false where there is none.
+bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]);
+
+// ---------------------------------------------------------------- number
+// Numbers as text.
+
+enum { NUMBER_SIZE = 32 };
+
+/// A finite number with a decimal point in every locale, with the fewest of 15, 16 or 17 significant digits that give
+/// the same double back: 0.1, not 0.10000000000000001. A number that has at most 15 digits is written with these alone.
+void number_text(double value, char text[NUMBER_SIZE]);
+
+// ---------------------------------------------------------------- unit_words
+// The units in which figures and pages may show their numbers, by the words that people write: "um, rpm, Hz, p-p".
+
+/// What a word is a unit, or a way of counting, of.
+typedef enum unit_kind { UNIT_LENGTH = 0, UNIT_SPEED, UNIT_FREQUENCY, UNIT_AMPLITUDE, UNIT_KINDS } unit_kind;
+
+typedef struct unit_word {
+    const char *word, *shown; ///< as it is written, and as it is shown
+    unit_kind kind;
+    /// Lengths in m, speeds in rad/s; 0 for those of the case (the length scale, the order of the running speed);
+    /// frequencies in Hz; amplitudes over the zero-to-peak one.
+    double size;
+} unit_word;
+
+/// At most one word of each kind; NULL where none was chosen.
+typedef struct unit_choice {
+    const unit_word *of[UNIT_KINDS];
+} unit_choice;
+
+/// All words; static, ended by one whose word is NULL.
+const unit_word *unit_words(void);
+
+/// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest
+/// word, for one that is unknown, and for two of a kind.
+whirl_status unit_choice_read(const char *text, unit_choice *choice);
+
+// ---------------------------------------------------------------- utf8
+// UTF-8, as far as readers and reports need it.
+
+/// Bytes of the character at the start of `text` (1 to 4), of which `left` bytes may be read (at least one); 0 where
+/// there is no valid one: overlong forms, surrogates and cut characters are not valid.
+size_t utf8_length(const char *text, size_t left);
+
+/// The same for a text that ends with a zero byte.
+static inline size_t utf8_length_of_text(const char *text) {
+    return utf8_length(text, 4);
+}
+
+/// The number of a valid character of `length` bytes.
+unsigned utf8_character(const char *text, size_t length);
+
+/// Whether a valid character of `length` bytes is safe to show. Not so are control characters (below U+0020, U+007F to
+/// U+009F), which terminals obey; those that turn the direction of a line (Unicode's Bidi_Control), so that it reads
+/// otherwise than it stands; and U+2028 and U+2029, which end lines.
+bool utf8_is_plain(const char *text, size_t length);
+
+#endif

@@ -1,0 +1,73 @@
+/// What linear analyses have of one another.
+#ifndef LINEAR_LINEAR_PARTS_H
+#define LINEAR_LINEAR_PARTS_H
+
+#include "whirl/engine/linear.h"
+#include "whirl/engine/system.h"
+
+// ---------------------------------------------------------------- direction
+// The direction of a whirl.
+
+/// Twice the signed area that two shapes share, out [2], a Hermitian form: that of a shape with itself is its
+/// direction, but for its size. Above 0 forward.
+void direction_area(const whirl_system *system, const double *a, const double *b, double out[2]);
+
+/// Of a motion Re(v exp(i w t)), v [dimension][2]: whirl_mode.direction.
+double whirl_direction(const whirl_system *system, const double *v);
+
+// ---------------------------------------------------------------- mean
+// A system without what drives it in time: the forcing at zero amplitude, turning phases at their mean.
+
+/// A system with workspace.
+typedef struct mean_system {
+    const whirl_system *system;
+    size_t count;  ///< coordinates that do not turn on and on
+    size_t *kept;  ///< [count] which these are
+    int samples;   ///< phases over which the mean is taken
+    double *state; ///< [dimension] workspace, as the next two
+    double *slope; ///< [dimension]
+    double *unit;  ///< [count][dimension]
+    double *rows;  ///< [count][dimension]
+} mean_system;
+
+/// Makes one in one block, *block, to be freed by free. WHIRL_BAD_INPUT for a system without a Jacobian.
+whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block);
+
+/// Its right-hand side [count] at x [dimension].
+void mean_slope(mean_system *m, const double *x, double *slope);
+
+/// Its Jacobian [count][count] there.
+void mean_jacobian(mean_system *m, const double *x, double *jacobian);
+
+/// Whether the system's Jacobian at x depends on time by the forcing: coefficients turn with the shaft. jacobian
+/// [count][count] is workspace.
+bool mean_is_modulated(mean_system *m, const double *x, double *jacobian);
+
+// ---------------------------------------------------------------- modes
+// Room for modes, and those about a state that is known.
+
+/// For `count` modes and as many real eigenvalues, none of which are there yet; NULL without memory.
+whirl_modes *modes_allocate(size_t dimension, size_t count);
+
+/// whirl_modes_new, or (held) about a state that is taken for the equilibrium as it is.
+whirl_status modes_about(const whirl_system *system, const double *start, bool held, whirl_modes **out);
+
+// ---------------------------------------------------------------- periodic
+// Periodic motions of systems whose coefficients turn with the shaft, and their monodromy matrix.
+
+/// Finds the periodic motion near x [dimension], which becomes where it is at t = 0; monodromy [count][count] of the
+/// coordinates that do not turn on and on, over *period. Unless it shall be `closed`, it is enough that the matrix no
+/// longer changes: that of a linear machine is the same of all motions, and its periodic one may be beyond all bounds.
+/// WHIRL_BAD_INPUT where none is found, or the coefficients fit no number of revolutions.
+whirl_status periodic_find(const mean_system *m, double *x, bool closed, double *monodromy, double *period);
+
+/// Its mean [dimension], and its first harmonic [dimension][2], from where periodic_find left x.
+whirl_status periodic_harmonic(const mean_system *m, const double *x, double *mean, double *harmonic);
+
+// ---------------------------------------------------------------- rest
+// Where a mean system rests.
+
+/// whirl_equilibrium of a system that is prepared.
+whirl_status rest_find(mean_system *m, double *x);
+
+#endif

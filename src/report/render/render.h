@@ -1,0 +1,64 @@
+/// Renderers of figures and documents, which are programs of others.
+#ifndef REPORT_RENDER_H
+#define REPORT_RENDER_H
+
+#include "whirl/engine/figure.h"
+#include "whirl/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+// ---------------------------------------------------------------- gnuplot
+// gnuplot: strings for its scripts, and running them.
+
+/// Writes text as a single-quoted gnuplot string. In such a string nothing is expanded (no backquotes, no escapes, no
+/// macros). An apostrophe becomes U+2019: gnuplot 5.4 misreads a string that begins with an escaped one. Control
+/// characters become spaces and bytes that are not UTF-8 become '?'.
+void gnuplot_string(FILE *script, const char *text);
+
+/// Writes text within a comment line: one line, and no backslash that would join it with the next.
+void gnuplot_comment(FILE *script, const char *text);
+
+/// A script in a folder; `drawn` tells how it ended.
+typedef struct gnuplot_job {
+    const char *folder; ///< borrowed
+    const char *script; ///< file name in it; borrowed
+    bool drawn;
+} gnuplot_job;
+
+/// Runs `program` (NULL: gnuplot on the PATH) on all scripts, each in its folder, as many at once as there are cores.
+/// What gnuplot says goes to SCRIPT.log beside the script, which is removed when gnuplot says nothing.
+/// WHIRL_MISSING_PROGRAM when the program is not there; WHIRL_IO_ERROR naming the first script that failed, after
+/// all have been tried.
+whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count);
+
+// ---------------------------------------------------------------- gnuplot_script
+// Figures as gnuplot draws them: a script with its data beside it.
+
+/// Writes the numbers of a figure, a block a series in the order of panels and series.
+void gnuplot_write_data(FILE *data, const whirl_figure *figure);
+
+/// Writes the script that draws them from the file `data` into NAME.FORMAT for each word of `formats` ("png pdf").
+void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *name, const char *data,
+                          const char *formats);
+
+/// A label in gnuplot's enhanced text: symbols in italics, and no letter that means anything to it. At most `size`
+/// bytes, never cut within an escape.
+void gnuplot_markup(const char *label, char *markup, size_t size);
+
+// ---------------------------------------------------------------- print
+// Documents to be printed, from pages.
+
+/// Makes FOLDER/PDF of FOLDER/PAGE by weasyprint (`program`; NULL: the one on the PATH). WHIRL_MISSING_PROGRAM where
+/// that is not there, WHIRL_IO_ERROR where it fails.
+whirl_status document_print(const char *program, const char *folder, const char *page, const char *pdf);
+
+// ---------------------------------------------------------------- program
+// Programs that are run for reports, in other folders than this one.
+
+/// What is to be run for a program: a name for the PATH, or the whole path of what is named with a folder, which a
+/// relative one would not lead to from elsewhere. NULL where that is not there, or without memory; freed by the caller.
+char *program_found(const char *program);
+
+#endif

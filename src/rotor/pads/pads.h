@@ -1,0 +1,99 @@
+/// Pads of films: where they are, their tables, turbulence.
+#ifndef ROTOR_PADS_H
+#define ROTOR_PADS_H
+
+#include "reynolds.h"
+#include "whirl/engine/bearing.h"
+
+#include <stddef.h>
+
+// ---------------------------------------------------------------- centred
+// How a pad lies before a journal in the middle of its bearing.
+
+/// The tilt, R delta/c, at which its film holds it, by a coarse grid; 0 where none does, or without memory.
+double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel);
+
+// ---------------------------------------------------------------- table
+// The film of a pad as a table, for motions: its force by splines over where the journal is and where it goes.
+//
+// The force is homogeneous in (A, B) = V (cos alpha, sin alpha) (reynolds.h). With the film's thickness at the middle
+// of the pad Hm = 1 - x, t = sqrt(Hm), and v = y over the largest y at which nothing of the pad touches, v = 2 w/(1 +
+// w^2), it is
+//
+//     f = V/((1 - v^2) Hm^2) S(t, w, alpha),
+//
+// S a cubic spline with equal distances of nodes, periodic in alpha. Beyond the table t and w count as at its edge:
+// the factor goes on growing where the film closes. Lengths are in the pad's clearance.
+
+/// What a table is of.
+typedef struct pad_table_key {
+    double arc, ratio;
+    cavitation law;
+    whirl_turbulence turbulence;
+    double reynolds; ///< as in pad_film; 0 of laminar ones
+    double lead;     ///< of a pad that tilts without inertia: by how much its pivot lies before its middle; else 0
+} pad_table_key;
+
+/// Nodes along t, w and alpha, the same of all tables; numbers of one t and w, of one t, and of a whole table.
+enum {
+    PAD_T_NODES = 28,
+    PAD_W_NODES = 27,
+    PAD_ALPHA_NODES = 48,
+    PAD_ROW = 2 * (PAD_ALPHA_NODES + 3),
+    PAD_SHEET = PAD_ROW * (PAD_W_NODES + 2),
+    PAD_COEFFICIENTS = PAD_SHEET * (PAD_T_NODES + 2)
+};
+#define PAD_LEAST_T 0.14
+#define PAD_STEP_T (1.46 / (PAD_T_NODES - 1))
+#define PAD_MOST_W 0.92
+#define PAD_STEP_W (2.0 * PAD_MOST_W / (PAD_W_NODES - 1))
+#define PAD_HALF_TURN 3.14159265358979323846
+#define PAD_STEP_ALPHA (2.0 * PAD_HALF_TURN / PAD_ALPHA_NODES)
+
+/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: by 6e-8 of a force they are rounded,
+/// which is as smooth as they are. Of a pad that tilts freely, about where its film has no moment about the pivot:
+/// r/p at the nodes of t and w (elements/films/pads_balance.h).
+typedef struct pad_table {
+    float coefficients[PAD_COEFFICIENTS];
+    float lean[PAD_T_NODES][PAD_W_NODES];
+} pad_table;
+
+/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed. Errors as
+/// pad_solve.
+whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
+
+/// Fills in `lean` of a pad whose pivot lies `lead` before its middle.
+void pad_table_lean(pad_table *table, double lead);
+
+// ---------------------------------------------------------------- tables
+// The tables of all pads of the process, by number: each is made once and lasts.
+
+enum { MAX_PAD_TABLES = 4096 };
+
+/// The number of the table of such a pad. WHIRL_BAD_INPUT for more tables than MAX_PAD_TABLES.
+whirl_status pad_table_number(const pad_table_key *key, double *number);
+
+/// What that is of.
+pad_table_key pad_table_key_of(double number);
+
+/// The table of a number. Where it is asked for first it is read from the user's cache folder ($XDG_CACHE_HOME/whirl,
+/// or ~/.cache/whirl) if it is whole there, else it is made, which takes seconds, and left there. Not-a-numbers where
+/// there is no memory for it: what moves by it diverges.
+const pad_table *pad_table_of(double number);
+
+// ---------------------------------------------------------------- turbulence
+// What turbulence makes of a film: factors by its local Reynolds number, rho U h/mu with the speed U of the journal's
+// surface and the thickness h. All are 1 where that is 0.
+
+/// What a slope of pressure drives is divided by, around the bearing and along its axis: 12 G of the literature
+/// inverted, (1 + .0136/12 Re^.90, 1 + .0043/12 Re^.96) of Ng and Pan 1965.
+typedef struct turbulent_factors {
+    double around, along;
+} turbulent_factors;
+
+turbulent_factors turbulent_resistance(whirl_turbulence law, double reynolds);
+
+/// Shear of Couette flow over the laminar one, 1 + .0012 Re^.94 (Constantinescu, Galetuse 1965).
+double turbulent_shear(whirl_turbulence law, double reynolds);
+
+#endif

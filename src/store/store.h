@@ -1,0 +1,187 @@
+/// How results lie in files, byte by byte and item by item.
+#ifndef STORE_STORE_H
+#define STORE_STORE_H
+
+#include "whirl/engine/result.h"
+#include "whirl/engine/study.h"
+#include "whirl/status.h"
+
+#include <hdf5.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+// ---------------------------------------------------------------- atomic_file
+// A file that appears whole or not at all: written under a temporary name beside its own, synced, then renamed.
+
+enum { ATOMIC_PATH_SIZE = 4096 };
+
+typedef struct atomic_file {
+    FILE *stream; ///< to write to, or by its descriptor; NULL when not open
+    char path[ATOMIC_PATH_SIZE], temporary[ATOMIC_PATH_SIZE];
+} atomic_file;
+
+/// Opens the temporary file. WHIRL_IO_ERROR with path and reason: a folder of that name, no such parent folder, ...
+whirl_status atomic_file_open(atomic_file *out, const char *path);
+
+/// Gives the file its name when everything was written, removes it when not. Closes it in any case.
+whirl_status atomic_file_commit(atomic_file *out);
+
+/// Removes what was written.
+void atomic_file_discard(atomic_file *out);
+
+/// Makes a folder, and those above it that are missing. Well when it is there.
+whirl_status atomic_folder(const char *path);
+
+// ---------------------------------------------------------------- bytes
+// Bytes that are read at any place: a file's, or those of a block of memory.
+
+typedef struct byte_source {
+    /// Reads exactly `size` bytes that are there; 0, or an errno.
+    int (*read)(void *context, uint64_t offset, void *to, size_t size);
+    void *context;
+    uint64_t size;
+} byte_source;
+
+/// A block of memory, which is borrowed.
+byte_source bytes_of_memory(unsigned char *bytes, size_t size);
+
+enum { BYTE_WINDOW = 1 << 16 };
+
+/// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A stretch of it is kept, for headers are
+/// read in many small pieces.
+typedef struct byte_file {
+    int descriptor;
+    byte_source source; ///< its context is this structure, which must stay where it is
+    uint64_t start;     ///< of the stretch
+    size_t length;
+    unsigned char window[BYTE_WINDOW];
+} byte_file;
+whirl_status bytes_open(byte_file *file, const char *path);
+void bytes_close(byte_file *file);
+
+/// All bytes of a stretch of an open file, read or written; what a signal interrupts goes on. 0, or an errno.
+int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size);
+int bytes_write_at(int descriptor, uint64_t offset, const void *from, size_t size);
+
+// ---------------------------------------------------------------- shape
+// Shapes of datasets.
+
+enum {
+    SHAPE_AXES = 3,                 ///< of points: planes, rows and columns
+    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< of a dataset: those, stations, rows, columns
+};
+
+/// How values lie: in a list, or in rows and columns, one row after the other, or in planes of these.
+typedef struct shape {
+    int rank; ///< 1 to SHAPE_AXES
+    size_t sizes[SHAPE_AXES];
+} shape;
+
+static inline shape list_of(size_t count) {
+    return (shape){1, {count}};
+}
+
+static inline size_t shape_count(shape of) {
+    size_t count = 1;
+    for (int i = 0; i < of.rank; ++i) count *= of.sizes[i];
+    return count;
+}
+
+// ---------------------------------------------------------------- format
+// Names and bounds that writing and reading share. The layout of the file is described in docs/result-file.md.
+
+#define FORMAT_NAME "whirl result"
+
+enum {
+    FORMAT_VERSION = 2, ///< version 1 had all points of a study, and a mark for those that were done
+    FORMAT_MAX_TABLES = 64,
+    FORMAT_MAX_FACTS = 1024,
+    FORMAT_MAX_PARAMETERS = 100000,
+    FORMAT_MAX_CASE_BYTES = 1 << 20,
+    FORMAT_MAX_MEANING = 512, ///< bytes of a field's meaning with its end
+    FORMAT_MAX_COLUMNS = 32,  ///< that are named
+    FORMAT_MAX_ANALYSES = 32  ///< bits of a whirl_analysis_set
+};
+
+/// What stands in the attribute "extent" of a field.
+extern const char *const format_extents[3];
+
+/// Groups of a file that are no tables.
+bool format_reserved(const char *name);
+
+/// A name of letters, digits, '_', '-' and `slashes` times '/' between them: what may name tables (0) and fields (1).
+bool format_is_name(const char *name, int slashes);
+
+/// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
+/// 1; points of a whole map have two dimensions. Returns their number.
+int format_dimensions(const whirl_field *field, shape points, size_t dimensions[SHAPE_MAX_RANK]);
+
+/// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
+int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]);
+
+/// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
+bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
+
+// ---------------------------------------------------------------- stored
+// What stands in a result file, walked as it stands there: groups, datasets and attributes, whatever their names.
+
+/// The values of a dataset or an attribute, in memory.
+typedef struct stored_array {
+    enum { STORED_NUMBERS, STORED_WHOLES, STORED_TEXTS } kind; ///< double, int64_t, texts of `width` bytes each
+    int rank;                                                  ///< 0: a single value
+    size_t sizes[SHAPE_MAX_RANK], count, width;                ///< the last dimension runs fastest; width of an element
+    void *values;
+} stored_array;
+
+/// Meets what is in a group or on an object; `object` is an open group or dataset.
+typedef struct stored_visitor {
+    void (*member)(whirl_status *status, void *context, const char *name, hid_t object);
+    void (*attribute)(whirl_status *status, void *context, const char *name, const stored_array *array);
+    void *context;
+} stored_visitor;
+
+/// Visits the members of a group by name (groups only), then the attributes of the object in their order. The first
+/// error ends it; a visitor may leave out either function.
+void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visitor);
+
+bool stored_is_group(hid_t object);
+
+/// The kind and shape of a dataset, no values. WHIRL_BAD_INPUT where its numbers are not all in the file.
+void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline);
+
+/// The same with the values, to be freed with stored_free.
+void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
+void stored_free(stored_array *array);
+
+/// Opens a result that has been read through before (see whirl_result_read_outline), calls `write` with its root, and
+/// closes it.
+typedef void (*stored_writer)(whirl_status *status, void *context, hid_t root);
+whirl_status stored_open(const char *path, stored_writer write, void *context);
+
+// ---------------------------------------------------------------- underway
+// States of points under way: files JOURNAL-N beside the journal, one a thread, each replaced as a whole every few
+// seconds.
+//
+// A state is good for its point whenever it was saved, so nothing need be removed before the end: of several the one
+// furthest on counts. Frames are those of the journal; their payload begins with the revolutions that were done.
+
+typedef struct underway underway;
+
+/// States beside the journal at `path` of the study with that hash. Those of an earlier run are found where it is
+/// resumed, else removed. NULL without memory.
+underway *underway_open(const char *path, uint64_t identity, bool resume);
+
+/// Finds the states beside another journal of the same study, too.
+void underway_take(underway *states, const char *path);
+
+/// Closes; the files stay, or are removed.
+void underway_close(underway *states);
+void underway_remove(underway *states);
+
+/// See whirl_keeper.
+void underway_save(underway *states, size_t worker, const whirl_kept_state *kept, size_t count);
+void *underway_saved(const underway *states, size_t batch, size_t slot, double *revolutions, size_t *size);
+
+#endif
