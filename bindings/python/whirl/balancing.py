@@ -4,7 +4,8 @@
 >>> found.correction["drive"].moment, found.correction["drive"].angle
 >>> rows = whirl.readings(result, {"de": "left", "nde": ("right", numpy.radians(45))}, run=1)
 
-libwhirl computes (``whirl/engine/balance.h``). All is in SI and radians; angles and phases are told as the file tells them.
+libwhirl computes (``whirl/engine/balance.h``). All is in SI and radians; angles and phases are told as the file tells
+them.
 """
 
 from __future__ import annotations
