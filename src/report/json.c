@@ -695,6 +695,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "case", document_text(result->case_name), stream) &&
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
+           dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as analyses have them
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
            dump_fits(result, stream) && dump_beyond(result, stream) &&
@@ -704,10 +705,10 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title",      "case",      "speed",          "length_scale",
-                                        "force_scale", "partial",    "table",     "points",         "parameters",
-                                        "jumps",       "integrated", "keyphasor", "keyphasor_rate", "attractors",
-                                        "refined",     "warnings",   "margins",   "beyond",         "fits"};
+    static const char *const taken[] = {
+        "whirl",      "title",   "case",       "speed",   "length_scale", "force_scale", "partial",
+        "table",      "points",  "parameters", "jumps",   "integrated",   "keyphasor",   "keyphasor_rate",
+        "attractors", "refined", "warnings",   "margins", "beyond",       "fits",        "amplitudes"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
