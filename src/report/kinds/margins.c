@@ -20,6 +20,23 @@ bool margin_level_one(const whirl_table *table, size_t point) {
            !(limit < margin_coupling(table, point) * anticipated); // not known: far above
 }
 
+const char *margin_lacks(const whirl_table *table) {
+    static const double rounding = 1e-9;
+    const whirl_record_options *record = &table->record;
+    const double low = record->running_low > 0.0 ? record->running_low : record->running_high;
+    const double high = record->running_high > 0.0 ? record->running_high : low;
+    double first = INFINITY, last = 0.0;
+    for (size_t i = 0; i < table->count; i++) {
+        if (!whirl_table_done(table, i)) continue;
+        const double speed = whirl_table_number(table, i, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+        if (isfinite(first) && !(speed > last)) return "points do not rise along the speed";
+        first = fmin(first, speed);
+        last = speed;
+    }
+    const bool over = first <= low * (1.0 + rounding) && last >= high * (1.0 - rounding);
+    return over ? NULL : "points do not reach over the running speeds: compute more points";
+}
+
 size_t margin_response(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                        double *speeds, double *sizes, double *lags) {
     size_t count = 0;

@@ -107,6 +107,11 @@ bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out
     return out->largest > 0.0;
 }
 
+const char *scaled_verdict(const scaled *by, const scaled_row *row) {
+    if (!row->holds) return "fails";
+    return by->trip > 0.0 && !by->reaches ? "holds, but points do not reach the trip speed" : "holds";
+}
+
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows) {
     static const double share = 0.75;
     const double last = last_speed(table);

@@ -49,6 +49,10 @@ extern const double margin_decrement;
 double margin_coupling(const whirl_table *table, size_t point);
 bool margin_level_one(const whirl_table *table, size_t point);
 
+/// Why peaks of a response that tells running speeds may have escaped: its points lie along another parameter, or do
+/// not reach over these speeds; NULL where they do.
+const char *margin_lacks(const whirl_table *table);
+
 /// A peak as it is told.
 typedef struct margin_row {
     double probe;           ///< its angle, degrees
@@ -126,5 +130,8 @@ void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCA
 
 /// Rows [station count] of all stations with a clearance; how many.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
+
+/// "holds" or "fails"; that points do not reach the trip speed is said with it.
+const char *scaled_verdict(const scaled *by, const scaled_row *row);
 
 #endif

@@ -86,14 +86,18 @@ static void count_swept(const page *to, size_t result, const whirl_table *table,
 /// Peaks with margins, of all responses.
 typedef struct peak_count {
     size_t told, held, tables;
-    double lack;     ///< of the worst, %; infinite of a peak within the running speeds
-    char worst[512]; ///< the one that lacks most
+    double lack;       ///< of the worst, %; infinite of a peak within the running speeds
+    char unknown[512]; ///< the first table of which peaks may have escaped, and why
+    char worst[512];   ///< the one that lacks most
 } peak_count;
 
 static void count_peaks(const page *to, size_t result, const whirl_table *table, void *context) {
     peak_count *const all = context;
     margin_row rows[2 * MARGIN_PEAKS];
-    all->tables += table->record.running_low > 0.0 || table->record.running_high > 0.0;
+    all->tables += scaled_asked(table);
+    if (scaled_asked(table) && margin_lacks(table) && !*all->unknown)
+        snprintf(all->unknown, sizeof all->unknown, "Peaks of %s may be missing: %s.", table->name,
+                 margin_lacks(table));
     for (size_t s = 0; s < to->results[result]->station_count; s++) {
         const size_t count = margin_rows(to->results[result], table, &to->units[result], s, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
@@ -114,6 +118,7 @@ typedef struct tightest {
     bool any;
     double share;
     scaled_row row;
+    const char *verdict;
     whirl_unit speed; ///< in which that of the row is told
     char where[256];
 } tightest;
@@ -127,8 +132,11 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
     for (size_t i = 0; i < count; i++) {
         const double share = rows[i].axis / rows[i].clearance;
         if (found->any && share <= found->share) continue;
-        *found =
-            (tightest){.any = true, .share = share, .row = rows[i], .speed = margin_speed_unit(&to->units[result])};
+        *found = (tightest){.any = true,
+                            .share = share,
+                            .row = rows[i],
+                            .verdict = scaled_verdict(&by, &rows[i]),
+                            .speed = margin_speed_unit(&to->units[result])};
         snprintf(found->where, sizeof found->where, "%s (%s)", own->stations[rows[i].station].name, table->name);
     }
     free(rows);
@@ -177,13 +185,17 @@ static void write_margins(const page *to, found_part part) {
     begin_sentence(to, "Separation margins");
     if (peaks.tables == 0)
         fputs("Not told: no response to unbalance has its running speeds (running_from, running_to).", to->stream);
+    else if (peaks.told == 0 && *peaks.unknown)
+        fputs("Not known.", to->stream);
     else if (peaks.told == 0)
-        fputs("No peak has an amplification of 2.5 or more: no margin is asked for.", to->stream);
+        fputs("No peak at the speeds that were looked at has an amplification of 2.5 or more: no margin is asked for.",
+              to->stream);
     else if (peaks.told == peaks.held)
         html_printf(to->stream, "All %zu peaks of which a margin is asked for have it.", peaks.told);
     else
         html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; the worst is %s.",
                     peaks.told - peaks.held, peaks.told, peaks.worst);
+    if (*peaks.unknown) html_printf(to->stream, " %s", peaks.unknown);
     end_sentence(to);
 }
 
@@ -197,7 +209,7 @@ static void write_clearances(const page *to, found_part part) {
                     "Responses scaled to the vibration limit take at most %.3g %% of a diametral clearance, at %s at "
                     "%.5g %s, 75 %% allowed: %s.",
                     100.0 * close.share, close.where, close.row.speed / close.speed.size, close.speed.name,
-                    close.row.holds ? "holds" : "fails");
+                    close.verdict);
     else
         fputs("Not told: no station with a clearance, or no running speeds with points between them.", to->stream);
     end_sentence(to);

@@ -58,12 +58,17 @@ static void write_margin(const page *to, size_t result, const whirl_table *table
                      margin_speed_unit(&to->units[result]).name);
         }
     }
-    if (told == 0) snprintf(row.found, CELL, "no peak with an amplification of 2.5 or more");
-    snprintf(row.verdict, CELL,
-             told == 0      ? "none asked for"
-             : held == told ? "holds"
-                            : "fails: %zu of %zu peaks",
-             told - held, told);
+    const char *const lacks = margin_lacks(table);
+    if (told == 0 && !lacks)
+        snprintf(row.found, CELL, "no amplification of 2.5 or more at the speeds that were looked at");
+    if (held < told)
+        snprintf(row.verdict, CELL, "fails: %zu of %zu peaks", told - held, told);
+    else
+        snprintf(row.verdict, CELL, "%s%s",
+                 lacks  ? "not known: "
+                 : told ? "holds"
+                        : "none asked for",
+                 lacks ? lacks : "");
     write_row(to, table, &row);
 }
 
@@ -91,10 +96,7 @@ static void write_clearance(const page *to, size_t result, const whirl_table *ta
         most = share;
         snprintf(row.found, CELL, "%.3g %% at %s, %.5g %s, scaled by %.4g", 100.0 * share,
                  own->stations[rows[i].station].name, rows[i].speed / speed.size, speed.name, by->factor);
-        snprintf(row.verdict, CELL,
-                 !rows[i].holds                   ? "fails"
-                 : by->trip > 0.0 && !by->reaches ? "holds, but points do not reach the trip speed"
-                                                  : "holds");
+        snprintf(row.verdict, CELL, "%s", scaled_verdict(by, &rows[i]));
     }
     free(rows);
     if (count > 0) write_row(to, table, &row);
@@ -105,7 +107,12 @@ static void ask_response(const page *to, size_t result, const whirl_table *table
     (void)context;
     if (!scaled_asked(table)) return;
     write_margin(to, result, table);
-    if (!scaled_of(to->results[result], table, &by)) return;
+    if (!scaled_of(to->results[result], table, &by)) {
+        asked_row row = {.what = "vibration at probes, clearances", .clause = "2.11"};
+        snprintf(row.verdict, CELL, "not known: %s", scaled_lacks);
+        write_row(to, table, &row);
+        return;
+    }
     write_vibration(to, result, table, &by);
     write_clearance(to, result, table, &by);
 }
