@@ -20,6 +20,11 @@ bool margin_level_one(const whirl_table *table, size_t point) {
            !(limit < margin_coupling(table, point) * anticipated); // not known: far above
 }
 
+bool margin_level_two_asked(const whirl_table *table, size_t point) {
+    return !(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0) > 0.0) ||
+           !margin_level_one(table, point);
+}
+
 const char *margin_lacks(const whirl_table *table) {
     static const double rounding = 1e-9;
     const whirl_record_options *record = &table->record;

@@ -49,6 +49,9 @@ extern const double margin_decrement;
 double margin_coupling(const whirl_table *table, size_t point);
 bool margin_level_one(const whirl_table *table, size_t point);
 
+/// Whether seals and impellers decide at a point (Level II): it has no stages, or Level I does not hold.
+bool margin_level_two_asked(const whirl_table *table, size_t point);
+
 /// Why peaks of a response that tells running speeds may have escaped: its points lie along another parameter, or do
 /// not reach over these speeds; NULL where they do.
 const char *margin_lacks(const whirl_table *table);

@@ -27,6 +27,11 @@ static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
         snprintf(text, SENTENCE,
                  "no stages: seals and impellers decide; decrement %.3g with them, above %g asked for: %s", complete,
                  least, whole);
+    else if (margin_level_one(table, point) && complete <= least)
+        snprintf(text, SENTENCE,
+                 "decrement above %g and limit above %g times the anticipated, as Level I asks for, but decrement %.3g "
+                 "with seals and impellers, above %g asked for: fails",
+                 least, coupling, complete, least);
     else if (margin_level_one(table, point))
         snprintf(text, SENTENCE, "decrement above %g and limit above %g times the anticipated: holds by Level I", least,
                  coupling);

@@ -146,6 +146,7 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
 typedef struct least_decrement {
     double complete, decrement, ratio;
     size_t without;         ///< points that have no mode
+    bool asked;             ///< seals and impellers decide there
     size_t screened, dense; ///< points in the screening diagram, and in its region B
     const char *where;
 } least_decrement;
@@ -159,7 +160,9 @@ static void find_decrement(const page *to, size_t result, const whirl_table *tab
         found->without += whirl_table_done(table, point) && isnan(complete);
         found->screened += whirl_table_done(table, point) && isfinite(region);
         found->dense += whirl_table_done(table, point) && region > 0.5;
-        if (!whirl_table_done(table, point) || !(complete < found->complete)) continue;
+        if (!whirl_table_done(table, point)) continue;
+        if (!(complete < found->complete)) continue;
+        found->asked = margin_level_two_asked(table, point);
         found->complete = complete;
         found->decrement = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0);
         found->ratio = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) /
@@ -229,7 +232,10 @@ static void write_stability(const page *to, found_part part) {
         else if (isfinite(least.ratio))
             html_printf(to->stream, ", whose cross coupling is at its limit when it is %.3g times as large",
                         least.ratio);
-        html_printf(to->stream, least.complete > margin_decrement ? "; above %g: holds." : "; not above %g: fails.",
+        html_printf(to->stream,
+                    least.complete > margin_decrement ? "; above %g: holds."
+                    : least.asked                     ? "; not above %g: fails."
+                                                      : "; not above %g: fails, though Level I holds there.",
                     margin_decrement);
         if (least.screened > 0)
             html_printf(to->stream, " In the screening diagram %zu of %zu points are in region B.", least.dense,

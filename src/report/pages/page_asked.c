@@ -119,45 +119,54 @@ static void ask_response(const page *to, size_t result, const whirl_table *table
 
 // ---------------------------------------------------------------- stability
 
-/// The least of a number over all points; NaN where no point has it.
-static double least_of(const whirl_table *table, const char *field) {
-    double least = NAN;
+/// What points of a table have of their stability.
+typedef struct stability_found {
+    bool stages, one, two; ///< whether there are stages; Level I holds at all; the least of all is asked for
+    double decrement,
+        complete;         ///< the least with stages, and of all; NaN: none
+    double ratio, factor; ///< limit over anticipated, and what is asked of it, where it lacks most
+} stability_found;
+
+static stability_found find_stability(const whirl_table *table) {
+    stability_found of = {false, true, false, NAN, NAN, INFINITY, 2.0};
     for (size_t i = 0; i < table->count; i++) {
-        const double own = whirl_table_number(table, i, field, 0);
-        if (whirl_table_done(table, i) && !(own >= least)) least = isnan(own) ? least : own;
+        if (!whirl_table_done(table, i)) continue;
+        const bool asked = margin_level_two_asked(table, i);
+        const double complete = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_COMPLETE, 0);
+        const double anticipated = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
+        const double ratio = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_LIMIT, 0) / anticipated;
+        const double factor = margin_coupling(table, i);
+        if (isnan(of.complete) || complete < of.complete) of.complete = complete, of.two = asked;
+        if (!(anticipated > 0.0)) continue;
+        of.stages = true;
+        of.one = of.one && !asked;
+        of.decrement = fmin(of.decrement, whirl_table_number(table, i, WHIRL_FIELD_STABILITY_DECREMENT, 0));
+        if (ratio / factor < of.ratio / of.factor) of.ratio = ratio, of.factor = factor;
     }
-    return least;
+    return of;
 }
 
 static void ask_stability(const page *to, size_t result, const whirl_table *table, void *context) {
+    static const char none[] = "no mode that does not go backward";
     asked_row one = {.what = "stability, Level I", .clause = "5"}, two = {.what = "stability, Level II", .clause = "6"};
-    double ratio = INFINITY, factor = 2.0;
-    bool stages = false, holds = true;
+    const stability_found of = find_stability(table);
     (void)result, (void)context;
-    for (size_t i = 0; i < table->count; i++) {
-        const double anticipated = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
-        const double limit = whirl_table_number(table, i, WHIRL_FIELD_STABILITY_LIMIT, 0);
-        if (!whirl_table_done(table, i) || !(anticipated > 0.0)) continue;
-        stages = true;
-        holds = holds && margin_level_one(table, i);
-        factor = fmax(factor, margin_coupling(table, i));
-        if (limit / anticipated < ratio) ratio = limit / anticipated;
-    }
-    const double decrement = least_of(table, WHIRL_FIELD_STABILITY_DECREMENT);
-    const double complete = least_of(table, WHIRL_FIELD_STABILITY_COMPLETE);
     snprintf(one.asked, CELL, "limit of the cross coupling at least %g times the anticipated, decrement at least %g",
-             factor, margin_decrement);
-    snprintf(one.found, CELL, isfinite(ratio) ? "decrement %.3g, limit %.3g times" : "decrement %.3g, no limit",
-             decrement, ratio);
-    snprintf(one.verdict, CELL, holds ? "holds" : "not enough: Level II decides");
-    if (stages) write_row(to, table, &one);
+             of.factor, margin_decrement);
+    if (isnan(of.decrement))
+        snprintf(one.found, CELL, "%s", none);
+    else
+        snprintf(one.found, CELL, isfinite(of.ratio) ? "decrement %.3g, limit %.3g times" : "decrement %.3g, no limit",
+                 of.decrement, of.ratio);
+    snprintf(one.verdict, CELL, of.one ? "holds" : "not enough: Level II decides");
+    if (of.stages) write_row(to, table, &one);
     snprintf(two.asked, CELL, "decrement above %g with seals and impellers", margin_decrement);
-    snprintf(two.found, CELL, isnan(complete) ? "no mode that does not go backward" : "decrement %.3g", complete);
+    snprintf(two.found, CELL, isnan(of.complete) ? none : "decrement %.3g", of.complete);
     snprintf(two.verdict, CELL,
-             isnan(complete)               ? ""
-             : complete > margin_decrement ? "holds"
-             : stages && holds             ? "not asked for: Level I holds"
-                                           : "fails");
+             isnan(of.complete)               ? ""
+             : of.complete > margin_decrement ? "holds"
+             : of.two                         ? "fails"
+                                              : "fails, though Level I holds there");
     write_row(to, table, &two);
 }
 
