@@ -30,16 +30,24 @@ static double value_at(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
-/// The running speeds, where they are said and the parameter is the speed.
-static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v, double high) {
+/// The running speeds within `shown`, where they are said and the parameter is the speed; false where none are.
+static bool running_of(const view *v, span shown, span *out) {
     const whirl_record_options *record = &v->table->record;
     const double from = record->running_low > 0.0 ? record->running_low : record->running_high;
     const double to = record->running_high > 0.0 ? record->running_high : from;
-    const double speed = whirl_table_number(v->table, 0, WHIRL_FIELD_UNBALANCE_SPEED, 0);
-    if (!(from > 0.0) || fabs(speed - v->table->values[0]) > 1e-9 * speed) return;
-    const double margin = 1e-3 * (panel->x.high - panel->x.low); // one speed alone is a line
-    whirl_series *band = panel_series(figure, panel, WHIRL_BOXES, "#D8D8D8", 1.0);
-    series_add_box(figure, band, (span){from / v->size - margin, to / v->size + margin}, (span){0.0, high});
+    const double margin = 1e-3 * (shown.high - shown.low); // one speed alone is a line
+    for (size_t point = 0; point < v->table->count; point++) {
+        const double speed = whirl_table_number(v->table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
+        if (whirl_table_done(v->table, point) && fabs(speed - v->table->values[point]) > 1e-9 * speed) return false;
+    }
+    *out = (span){fmax(from / v->size - margin, shown.low), fmin(to / v->size + margin, shown.high)};
+    return from > 0.0 && out->low < out->high;
+}
+
+static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v, double high) {
+    span running;
+    if (!running_of(v, (span){panel->x.low, panel->x.high}, &running)) return;
+    series_add_box(figure, panel_series(figure, panel, WHIRL_BOXES, "#D8D8D8", 1.0), running, (span){0.0, high});
 }
 
 static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
@@ -146,7 +154,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const view v = {of, table, place->station, whirl_shown_parameter(of->units, table->parameter).size};
-    span range = span_empty();
+    span range = span_empty(), running;
     figure->width = 17.5;
     for (size_t i = 0; i < table->count; i++) span_widen(&range, table->values[i] / v.size);
     whirl_panel *lag = figure_panel(figure, "lag", 0.6, 3.6), *polar = figure_panel(figure, "polar", 0.4, 3.6);
@@ -168,7 +176,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag "
         "grows); centreline of the shaft.%s",
         of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi,
-        table->record.running_high > 0.0 || table->record.running_low > 0.0 ? " Grey: where the machine runs." : "");
+        running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
 }
 
 const figure_kind unbalance_figure = {.list = list, .describe = describe};
