@@ -70,23 +70,41 @@ static void add_circle(whirl_figure *figure, whirl_panel *panel, double radius, 
     }
 }
 
+/// The walls around a station, all that motions have: a parameter may be the clearance. In the unit that is shown;
+/// gives the widest.
+static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
+                        size_t station, const size_t *motions, size_t count) {
+    double widest = 0.0, clearances[MOST_MOTIONS], gaps[MOST_MOTIONS];
+    for (size_t k = 0; k < count; k++) {
+        const machine_walls walls = machine_walls_at(of->machine, of->result, table, motions[k], station);
+        const double scale = whirl_shown_length(of->units, table, motions[k]);
+        bool film = true, stator = true; // not drawn yet
+        clearances[k] = scale * walls.clearance;
+        gaps[k] = scale * walls.gap;
+        for (size_t i = 0; i < k; i++) {
+            film = film && fabs(clearances[i] - clearances[k]) > 1e-9 * clearances[k];
+            stator = stator && fabs(gaps[i] - gaps[k]) > 1e-9 * gaps[k];
+        }
+        if (film) add_circle(figure, panel, clearances[k], false);
+        if (stator) add_circle(figure, panel, gaps[k], true);
+        widest = fmax(widest, fmax(clearances[k], gaps[k]));
+    }
+    return widest;
+}
+
 /// The motions at a station; named in the legend once.
 static void add_station(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t station,
                         const size_t *motions, size_t count) {
     const char *name = of->result->stations[station].name;
-    const machine_walls walls = machine_walls_at(of->machine, of->result, table, motions[0], station);
-    const double scale = whirl_shown_length(of->units, table, motions[0]);
-    const double size = 1.08 * scale * fmax(walls.clearance, walls.gap);
     whirl_panel *panel = figure_panel(figure, name, 1.0 / 3.0, 2.2);
     if (!panel) return;
     snprintf(panel->title, sizeof panel->title, "%.60s", name);
     panel->equal = true;
+    const double size = 1.08 * add_walls(figure, panel, of, table, station, motions, count);
     axis_show(&panel->x, (span){-size, size});
     axis_show(&panel->y, (span){-size, size});
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
-    add_circle(figure, panel, scale * walls.clearance, false);
-    add_circle(figure, panel, scale * walls.gap, true);
     for (size_t k = 0; k < count; k++) {
         const numbers samples = point_waveform(table, motions[k], station);
         const double length = whirl_shown_length(of->units, table, motions[k]);
