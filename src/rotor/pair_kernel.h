@@ -10,8 +10,8 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "elements/films/film_kernel.h"
 #include "elements/contacts/rub_kernel.h"
+#include "elements/films/film_kernel.h"
 #include "elements/shafts/shaft_kernel.h"
 #include "elements/shafts/station_kernel.h"
 #include "lanes.h"

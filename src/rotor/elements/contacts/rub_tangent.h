@@ -6,8 +6,8 @@
 #ifndef ROTOR_RUB_TANGENT_H
 #define ROTOR_RUB_TANGENT_H
 
-#include "rub_kernel.h"
 #include "elements/tangent.h"
+#include "rub_kernel.h"
 
 /// Derivatives of N/r, where it touches.
 static inline void rub_push_tangent(const element *rub, size_t stride, const vec *number, const rub_place *p,

@@ -12,8 +12,8 @@
 #ifndef ROTOR_FILM_TANGENT_H
 #define ROTOR_FILM_TANGENT_H
 
-#include "film_kernel.h"
 #include "elements/tangent.h"
+#include "film_kernel.h"
 
 /// The quantities above.
 typedef struct film_slopes {
