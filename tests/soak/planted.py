@@ -21,7 +21,7 @@ FAULTS = [
      "a[j] = v_fnma(p.push, v_fma(f, p.x, p.y), a[j]);", "a[j] = v_fnma(p.push, v_fnma(f, p.x, p.y), a[j]);", TESTS),
     ("integrate", "a digit of dop853", "src/integrate/methods/dop853_tableau.h",
      "{0.02958758547680685, 0, 0.08876275643042054}", "{0.02958758547680685, 0, 0.08876275642042054}", TESTS),
-    ("linear", "whirl has the other direction", "src/linear/direction.c",
+    ("linear", "whirl has the other direction", "src/linear/modes.c",
      "(x[1] * y[0] - x[0] * y[1])", "(x[0] * y[1] - x[1] * y[0])", TESTS),
     ("orbit", "period doublings are looked for where folds are", "src/orbit/branch/vanishing.c",
      "return product_about(orbit, -1.0);", "return product_about(orbit, 1.0);", TESTS),

@@ -239,32 +239,3 @@ bool approach_arrives(const approach *a, const settling *states) {
     if (!a->orbit || a->past % a->orbit->revolutions != 0 || a->good < fewest_returns) return false;
     return a->last <= nearer * a->far || a->last <= rounding * a->noise * distance(a, settling_state(states, 0), NULL);
 }
-
-// ---------------------------------------------------------------- archive
-
-void archive_part(archive *a, void *memory, size_t size) {
-    if (a->way != ARCHIVE_MEASURE) {
-        if (!a->sound || size > a->size - a->at) {
-            a->sound = false;
-            return;
-        }
-        if (a->way == ARCHIVE_WRITE)
-            memcpy(a->bytes + a->at, memory, size);
-        else
-            memcpy(memory, a->bytes + a->at, size);
-    }
-    a->at += size;
-}
-
-void archive_same(archive *a, double number) {
-    double there = number;
-    archive_part(a, &there, sizeof there);
-    if (there != number) a->sound = false;
-}
-
-void archive_count(archive *a, size_t *count, size_t most) {
-    archive_part(a, count, sizeof *count);
-    if (*count <= most) return;
-    a->sound = false;
-    *count = 0;
-}
