@@ -7,7 +7,7 @@
 ///     x = X cos phi + Y sin phi + PADS_PRELOAD,  y = Y cos phi - X sin phi - s,  A = x - 2 y',  B = y + 2 x',
 ///     f = V/((1 - v^2) (1 - x)^2) S(t, w, alpha),  s'' = -PADS_TILT f_y,  journal: PADS_FORCE f, turned back,
 ///
-/// with t, v, w and the table S of src/rotor/pads/pads.h, V and alpha the size and the direction of (A, B).
+/// with t, v, w and the table S of src/rotor/pads/pad_tables.h, V and alpha the size and the direction of (A, B).
 #ifndef BENCH_PADS_H
 #define BENCH_PADS_H
 

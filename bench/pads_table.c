@@ -1,9 +1,10 @@
-// Writes the table of a pad (src/rotor/pads/pads.h) of pads.h, as the numbers that it is.
+// Writes the table of a pad (src/rotor/pads/pad_tables.h) of pads.h, as the numbers that it is.
 //
 //   bench_pads_table FILE
 #include <stdio.h>
 
 #include "machines.h"
+#include "pad_tables.h"
 #include "pads.h"
 
 int main(int argc, char **argv) {

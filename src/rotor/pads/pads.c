@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bracket.h"
-#include "pads.h"
+#include "pad_tables.h"
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
 

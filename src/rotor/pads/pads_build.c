@@ -6,7 +6,7 @@
 
 #include "elements/films/pads_look_up.h"
 #include "laws.h"
-#include "pads.h"
+#include "pad_tables.h"
 #include "whirl/engine/bearing.h"
 
 static oil oil_of(const key_value *values) {

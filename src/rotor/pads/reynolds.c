@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "pads.h"
+#include "pad_tables.h"
 
 /// Solutions of cavities whose edge moves by a volume a pass are found on the next coarser grid first.
 enum { LEAST_AROUND = 24, LEAST_ALONG = 3, MOST_PASSES = 200 };

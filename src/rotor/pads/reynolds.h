@@ -9,7 +9,7 @@
 /// P = 0 at both ends; at the edges before and after the pad it is that of the grooves there, 0 or `supply` to zeta =
 /// `groove` and from there to the end on a straight line to 0. The pressure is 6 mu Omega (R/c)^2 P. The force on the
 /// journal over mu Omega R L (R/c)^2 is 3 int int P (-cos p, -sin p) dp dzeta. In a turbulent film H^3 is divided by
-/// the factors of the local Reynolds number, `reynolds` H (pads.h).
+/// the factors of the local Reynolds number, `reynolds` H (pad_tables.h).
 #ifndef ROTOR_REYNOLDS_H
 #define ROTOR_REYNOLDS_H
 

@@ -1,4 +1,4 @@
-#include "pads.h"
+#include "pad_tables.h"
 
 #include <math.h>
 #include <stdlib.h>

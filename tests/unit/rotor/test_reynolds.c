@@ -2,7 +2,7 @@
 // that grooves press into a gap without a wedge.
 #include <math.h>
 
-#include "pads.h"
+#include "pad_tables.h"
 #include "reynolds.h"
 #include "settings.h"
 

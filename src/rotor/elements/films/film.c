@@ -31,7 +31,7 @@ const element_kernels ISA(film_kernels) = {.flow = flow};
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
 
-#include "pads.h"
+#include "pad_tables.h"
 
 enum {
     AT,

@@ -1,5 +1,5 @@
-// The films of pads, fixed or tilting (pads/reynolds.h has the equation, pads/pads.h the tables). Included twice, so
-// without a guard; KERNEL_STATES is 0 of fixed pads.
+// The films of pads, fixed or tilting (pads/reynolds.h has the equation, pads/pad_tables.h the tables). Included twice,
+// so without a guard; KERNEL_STATES is 0 of fixed pads.
 //
 // For every pad the journal is turned into its frame, x along its middle, moved by the preload and, of one that tilts
 // by s, by -s along the pad at its pivot; all of a machine that turns clockwise is that of its mirror image. The film's

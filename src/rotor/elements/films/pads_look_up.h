@@ -6,7 +6,7 @@
 
 #include "element.h"
 #include "elementary.h"
-#include "pads.h"
+#include "pad_tables.h"
 
 enum { MAX_PADS = 6 };
 
@@ -123,7 +123,7 @@ VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *sp
     pads_keep(splines, spot->by_w);
 }
 
-/// `lean` of a table (pads/pads.h) between its nodes, linear along both axes.
+/// `lean` of a table (pads/pad_tables.h) between its nodes, linear along both axes.
 VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
     const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);

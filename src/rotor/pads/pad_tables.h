@@ -1,6 +1,6 @@
 /// Pads of films: where they are, their tables, turbulence.
-#ifndef ROTOR_PADS_H
-#define ROTOR_PADS_H
+#ifndef ROTOR_PAD_TABLES_H
+#define ROTOR_PAD_TABLES_H
 
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
