@@ -207,8 +207,11 @@ double units_order(const whirl_shown_units *units, double speed);
 /// The axis of orders of the running speed, or of the frequencies that they are; `full`: of backward whirl, too.
 void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size);
 
-/// "p-p" of amplitudes, as they are shown; "0-p" of other distances; "" of places.
-const char *units_counted(const whirl_shown_units *units, whirl_counting counting);
+/// Whether the parameter of a table is the speed of the shaft, which the field `speeds` has of every point.
+bool units_of_speed(const whirl_table *table, const char *speeds);
+
+/// Which way a mode whirls by its direction, from -1 to 1: 1 forward, -1 backward, 0 to and fro.
+int units_way(double direction);
 
 /// What a length of a point of the table is multiplied by to be shown.
 double units_length(const whirl_shown_units *units, const whirl_table *table, size_t point, whirl_counting counting);

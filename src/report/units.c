@@ -17,8 +17,17 @@ void units_order_label(const whirl_shown_units *units, bool orders, bool full, c
         snprintf(label, size, full ? "frequency (%s, %s)" : "frequency (%s)", units->frequency_name, below);
 }
 
-const char *units_counted(const whirl_shown_units *units, whirl_counting counting) {
-    return counting == WHIRL_AMPLITUDE ? units->amplitude_name : counting == WHIRL_ZERO_TO_PEAK ? "0-p" : "";
+int units_way(double direction) {
+    const double flat = 0.05;
+    return direction > flat ? 1 : direction < -flat ? -1 : 0;
+}
+
+bool units_of_speed(const whirl_table *table, const char *speeds) {
+    for (size_t point = 0; point < table->count; point++) {
+        const double speed = whirl_table_number(table, point, speeds, 0);
+        if (whirl_table_done(table, point) && fabs(speed - table->values[point]) > 1e-9 * fabs(speed)) return false;
+    }
+    return true;
 }
 
 double units_length(const whirl_shown_units *units, const whirl_table *table, size_t point, whirl_counting counting) {
@@ -27,7 +36,7 @@ double units_length(const whirl_shown_units *units, const whirl_table *table, si
 
 void units_length_label(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *label,
                         size_t size) {
-    const char *counted = units_counted(units, counting);
+    const char *counted = whirl_shown_counted(units, counting);
     if (!*counted)
         snprintf(label, size, units->ratio ? "%s / %s" : "%s (%s)", quantity, units->length_name);
     else

@@ -30,9 +30,8 @@ if [ "$3" = compile ]; then
     for layer in "${@:4}"; do
         rm -f ./*_src_"$layer"_*.o
         find "$root/src/$layer" -name '*.c' -not -path '*/kernels/*' -not -path '*/elements/*' -printf 'compile %p 0\n'
-        for kernel in "$root/src/$layer"/{kernels,elements}/*.c; do
-            [ ! -e "$kernel" ] || printf 'compile %s\n' "$kernel 0" "$kernel 1"
-        done
+        find "$root/src/$layer" -name '*.c' \( -path '*/kernels/*' -o -path '*/elements/*' \) \
+            -printf 'compile %p 0\ncompile %p 1\n'
         [ $layer != integrate ] || echo "compile $root/explorer/core/no_cvode.c 0 integrate"
     done | grep -v '/cvode.c ' | tr '\n' '\0' | xargs -0 -P "$(nproc)" -I {} bash -c '{}'
     exit

@@ -37,6 +37,9 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
 /// What lengths of a point of the table are multiplied by to be shown.
 double whirl_shown_length(const whirl_shown_units *units, const whirl_table *table, size_t point);
 
+/// How numbers that are counted so are called: "p-p", "0-p", "" of places; static, or of the units.
+const char *whirl_shown_counted(const whirl_shown_units *units, whirl_counting counting);
+
 /// Whether one factor shows all lengths of the table (NULL: those of the case as it stands), the stations' clearances
 /// and gaps included.
 bool whirl_shown_one_length(const whirl_shown_units *units, const whirl_table *table);

@@ -85,7 +85,8 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, b
             const double *ratio = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
             const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
-                const size_t own = direction[i] > 0.05 ? 0 : direction[i] < -0.05 ? 1 : 2;
+                const int way = units_way(direction[i]);
+                const size_t own = way > 0 ? 0 : way < 0 ? 1 : 2;
                 const double height = frequency[i] / v->unit.size;
                 if (own != d || height > v->top) continue;
                 const double x = v->table->values[point] / v->size, y = damping ? ratio[i] : height;
@@ -203,12 +204,7 @@ const figure_kind campbell_figure = {.list = list, .describe = describe};
 
 speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char *speeds) {
     const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
-    speed_unit found = {.size = 6.283185307179586476925, .name = "Hz", .of_speed = true};
-    for (size_t point = 0; point < table->count; point++) {
-        const double *speed = whirl_table_field(table, point, speeds, 0);
-        if (speed && whirl_table_done(table, point) && fabs(*speed - table->values[point]) > 1e-9 * fabs(*speed))
-            found.of_speed = false;
-    }
+    speed_unit found = {.size = 6.283185307179586476925, .name = "Hz", .of_speed = units_of_speed(table, speeds)};
     if (!found.of_speed) return found;
     found.size = unit.size;
     snprintf(found.name, sizeof found.name, "%s", *unit.name ? unit.name : "rad/s");

@@ -19,8 +19,7 @@ static double speed_of(const whirl_table *table, size_t point, int direction, si
     const double *speeds = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
     const double *directions = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
     for (size_t i = 0; whirl_table_done(table, point) && i < field->rows && isfinite(speeds[i]); i++) {
-        const int own = directions[i] > 0.05 ? 1 : directions[i] < -0.05 ? -1 : 0;
-        if (own == direction && which-- == 0) return speeds[i];
+        if (units_way(directions[i]) == direction && which-- == 0) return speeds[i];
     }
     return NAN;
 }

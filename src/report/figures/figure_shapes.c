@@ -107,14 +107,13 @@ static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table 
     const speed_unit unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED);
     const double frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)[mode];
     const double direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0)[mode];
+    static const char *const ways[] = {", backward", "", ", forward"};
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "mode-%zu", mode + 1);
     whirl_panel *panel = figure_panel(figure, name, 0.5, 2.1);
     if (!panel) return;
     snprintf(panel->title, sizeof panel->title, "%zu: %.5g %.40s%s", mode + 1, frequency / unit.size, unit.name,
-             direction > 0.05    ? ", forward"
-             : direction < -0.05 ? ", backward"
-                                 : "");
+             ways[units_way(direction) + 1]);
     set_places(figure, panel, of->result, places);
     if (!lowest) *panel->x.label = '\0';
     for (size_t column = 0; column < 4; column++) {

@@ -4,6 +4,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "shown_kinds.h"
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -32,16 +33,11 @@ static double value_at(const view *v, size_t point) {
 
 /// The running speeds within `shown`, where they are said and the parameter is the speed; false where none are.
 static bool running_of(const view *v, span shown, span *out) {
-    const whirl_record_options *record = &v->table->record;
-    const double from = record->running_low > 0.0 ? record->running_low : record->running_high;
-    const double to = record->running_high > 0.0 ? record->running_high : from;
+    double from, to;
+    if (!margin_running(v->table, &from, &to) || !units_of_speed(v->table, WHIRL_FIELD_UNBALANCE_SPEED)) return false;
     const double margin = 1e-3 * (shown.high - shown.low); // one speed alone is a line
-    for (size_t point = 0; point < v->table->count; point++) {
-        const double speed = whirl_table_number(v->table, point, WHIRL_FIELD_UNBALANCE_SPEED, 0);
-        if (whirl_table_done(v->table, point) && fabs(speed - v->table->values[point]) > 1e-9 * speed) return false;
-    }
     *out = (span){fmax(from / v->size - margin, shown.low), fmin(to / v->size + margin, shown.high)};
-    return from > 0.0 && out->low < out->high;
+    return out->low < out->high;
 }
 
 static void add_running(whirl_figure *figure, whirl_panel *panel, const view *v, double high) {

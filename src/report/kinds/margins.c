@@ -7,6 +7,18 @@
 #include "summary.h"
 #include "whirl/engine/analyze.h"
 
+bool margin_running(const whirl_table *table, double *low, double *high) {
+    const double from = table->record.running_low, to = table->record.running_high;
+    *low = from > 0.0 ? from : to;
+    *high = to > 0.0 ? to : from;
+    return *low > 0.0;
+}
+
+bool margin_asked(const whirl_table *table) {
+    double low, high;
+    return margin_running(table, &low, &high);
+}
+
 const double margin_decrement = 0.1;
 
 double margin_coupling(const whirl_table *table, size_t point) {
@@ -27,10 +39,8 @@ bool margin_level_two_asked(const whirl_table *table, size_t point) {
 
 const char *margin_lacks(const whirl_table *table) {
     static const double rounding = 1e-9;
-    const whirl_record_options *record = &table->record;
-    const double low = record->running_low > 0.0 ? record->running_low : record->running_high;
-    const double high = record->running_high > 0.0 ? record->running_high : low;
-    double first = INFINITY, last = 0.0;
+    double low, high, first = INFINITY, last = 0.0;
+    margin_running(table, &low, &high);
     for (size_t i = 0; i < table->count; i++) {
         if (!whirl_table_done(table, i)) continue;
         const double speed = whirl_table_number(table, i, WHIRL_FIELD_UNBALANCE_SPEED, 0);
@@ -80,11 +90,10 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
 
 static void tell_margin(const whirl_table *table, const whirl_response_peak *peak, margin_row *row) {
     char *const text = row->text;
-    const double from = table->record.running_low, to = table->record.running_high;
-    const double low = from > 0.0 ? from : to, high = to > 0.0 ? to : from; // one alone: it runs at that speed
+    double low, high;
     *text = '\0';
     row->had = row->asked = NAN;
-    if (!(low > 0.0)) return;
+    if (!margin_running(table, &low, &high)) return;
     const bool above = peak->speed > high, below = peak->speed < low;
     const double asked = whirl_margin_required(peak->amplification, above);
     const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
@@ -126,4 +135,19 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
         }
     }
     return told;
+}
+
+margin_tally margin_count(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units) {
+    margin_tally all = {.more = INFINITY};
+    margin_row rows[2 * MARGIN_PEAKS];
+    for (size_t station = 0; station < result->station_count; station++) {
+        const size_t count = margin_rows(result, table, units, station, rows);
+        for (const margin_row *row = rows; row < rows + count; row++) {
+            const double more = isnan(row->had) ? -(double)INFINITY : row->had - row->asked;
+            if (!row->told) continue;
+            if (all.told++ == 0 || more < all.more) all.worst = *row, all.more = more, all.station = station;
+            all.held += row->holds;
+        }
+    }
+    return all;
 }

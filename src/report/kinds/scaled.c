@@ -43,10 +43,6 @@ whirl_unit scaled_unit(const whirl_shown_units *units) {
     return units->size.size > 0.0 ? units->size : (whirl_unit){.name = "um", .size = 1e-6};
 }
 
-bool scaled_asked(const whirl_table *table) {
-    return table->record.running_high > 0.0 || table->record.running_low > 0.0;
-}
-
 /// The largest amplitude in m that a probe sees between two speeds, at points and, along the speed, between them;
 /// `room` [3 points of the table].
 static double largest_seen(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
@@ -88,11 +84,11 @@ void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCA
 
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out) {
     static const double rpm = 0.104719755119659774, most = 6.0;
-    const double high = fmax(table->record.running_high, table->record.running_low);
-    const double low = table->record.running_low > 0.0 ? table->record.running_low : high;
     const bool clearances = has_clearances(result, table);
+    double low, high;
+    const bool running = margin_running(table, &low, &high);
     *out = (scaled){.limit = 25.4e-6 * fmin(1.0, sqrt(12000.0 * rpm / high))};
-    double *const room = high > 0.0 ? malloc((3 * table->count + 1) * sizeof *room) : NULL;
+    double *const room = running ? malloc((3 * table->count + 1) * sizeof *room) : NULL;
     if (!room) return false;
     for (size_t s = 0; s < result->station_count; s++)
         for (size_t probe = 0; probe < 2 && has_probes(result, table, s, clearances); probe++) {
@@ -134,4 +130,13 @@ size_t scaled_rows(const whirl_result *result, const whirl_table *table, const s
         if (row.axis >= 0.0) rows[count++] = row;
     }
     return count;
+}
+
+bool scaled_tightest(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *row) {
+    scaled_row *rows = calloc(result->station_count + 1, sizeof *rows);
+    const size_t count = rows ? scaled_rows(result, table, by, rows) : 0;
+    for (size_t i = 0; i < count; i++)
+        if (i == 0 || rows[i].axis / rows[i].clearance > row->axis / row->clearance) *row = rows[i];
+    free(rows);
+    return count > 0;
 }

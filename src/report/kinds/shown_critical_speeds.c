@@ -17,8 +17,7 @@ static void list_speeds(const whirl_table *table, size_t point, int direction, d
     size_t used = 0, count = 0;
     *text = '\0';
     for (size_t i = 0; i < field->rows && count < LISTED && isfinite(speeds[i]); i++) {
-        const int own = directions[i] > 0.05 ? 1 : directions[i] < -0.05 ? -1 : 0;
-        if (own == direction && used < size)
+        if (units_way(directions[i]) == direction && used < size)
             used += (size_t)snprintf(text + used, size - used, "%s%.6g", count++ ? ", " : "", speeds[i] / unit);
     }
 }

@@ -40,6 +40,12 @@ extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance
 
 enum { MARGIN_PEAKS = 32, MARGIN_TEXT = 160 };
 
+/// The speeds between which a machine runs, rad/s; one that is said alone is both. False where none is said.
+bool margin_running(const whirl_table *table, double *low, double *high);
+
+/// Whether margins and clearances are asked for: a table tells running speeds.
+bool margin_asked(const whirl_table *table);
+
 /// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
 extern const double margin_decrement;
 
@@ -82,6 +88,16 @@ size_t margin_response(const whirl_result *result, const whirl_table *table, siz
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]);
 
+/// All peaks of a response of which a margin is asked for.
+typedef struct margin_tally {
+    size_t told, held;
+    margin_row worst; ///< the first that lacks most of its margin or, where none does, has least more than that
+    double more;      ///< what that one has more than is asked for, %; minus infinity within the running speeds
+    size_t station;   ///< of that one
+} margin_tally;
+
+margin_tally margin_count(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units);
+
 // ---------------------------------------------------------------- margins_json
 // Margins of responses to unbalance as a part of a JSON document.
 
@@ -120,8 +136,7 @@ whirl_unit scaled_unit(const whirl_shown_units *units);
 /// unbalance by rule; all where probes are not said.
 bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
 
-/// Whether a table tells running speeds, and what it lacks where scaled_of fails then.
-bool scaled_asked(const whirl_table *table);
+/// What a table that tells running speeds lacks where scaled_of fails.
 extern const char *const scaled_lacks;
 
 /// False where the table does not tell running speeds, or its points do not reach over them.
@@ -133,6 +148,9 @@ void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCA
 
 /// Rows [station count] of all stations with a clearance; how many.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
+
+/// The first of these that takes most of its clearance; false where there is none.
+bool scaled_tightest(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *row);
 
 /// "holds" or "fails"; that points do not reach the trip speed is said with it.
 const char *scaled_verdict(const scaled *by, const scaled_row *row);

@@ -15,7 +15,8 @@ static double shown_ratio(double ratio) {
 }
 
 static const char *way_of(double direction) {
-    return direction > 0.05 ? "forward" : direction < -0.05 ? "backward" : "to and fro";
+    static const char *const names[] = {"backward", "to and fro", "forward"};
+    return names[units_way(direction) + 1];
 }
 
 // ---------------------------------------------------------------- the summary
@@ -55,7 +56,8 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     if (rigid > 0)
         fprintf(out, "  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, summary_plural(rigid));
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
-        const char *const whirls = direction[i] > 0.05 ? " forward" : direction[i] < -0.05 ? " backward" : "";
+        static const char *const ways[] = {" backward", "", " forward"};
+        const char *const whirls = ways[units_way(direction[i]) + 1];
         fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i],
                 frequency[i] / 6.283185307179586, *whirls ? 10 : 0, shown_ratio(ratio[i]), whirls);
     }
@@ -145,15 +147,6 @@ static bool is_modulated(const whirl_table *table) {
     return false;
 }
 
-/// Whether the parameter is the speed of the shaft, which then need not be told beside it.
-static bool is_speed(const whirl_table *table) {
-    for (size_t point = 0; point < table->count; point++) {
-        const double speed = whirl_table_number(table, point, WHIRL_FIELD_MODES_SPEED, 0);
-        if (whirl_table_done(table, point) && !(fabs(speed - table->values[point]) <= 1e-9 * fabs(speed))) return false;
-    }
-    return true;
-}
-
 /// Frequency in Hz, damping ratio, logarithmic decrement, way round.
 static void write_mode(FILE *stream, double frequency, double ratio, double direction) {
     static const double turn = 6.283185307179586;
@@ -198,7 +191,7 @@ static void write_lowest(const page *to, size_t index, const whirl_table *table)
 /// Critical speeds, and thresholds of stability.
 static void write_critical(const page *to, size_t index, const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
-    const bool speeds = is_speed(table);
+    const bool speeds = units_of_speed(table, WHIRL_FIELD_MODES_SPEED); // it need not be told beside the parameter
     char label[UNIT_LABEL_SIZE];
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
     html_table(to->stream, "Critical speeds and thresholds of stability", "");

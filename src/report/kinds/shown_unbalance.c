@@ -57,7 +57,7 @@ static void print_scaled(FILE *out, const whirl_shown_units *units, const whirl_
                     result->stations[row->station].name, row->axis / length.size, length.name, row->speed / speed.size,
                     speed.name, 100.0 * row->axis / row->clearance, row->clearance / length.size, length.name,
                     row->holds ? "holds" : "fails");
-    } else if (scaled_asked(table)) {
+    } else if (margin_asked(table)) {
         fprintf(out, "  responses are not scaled: %s\n", scaled_lacks);
     }
     free(rows);
@@ -133,7 +133,7 @@ static void write_scaled(const page *to, size_t index, const whirl_table *table)
                     100.0 * row->axis / row->clearance, row->holds ? "holds" : "fails");
         }
         fputs("</tbody></table></div>\n", to->stream);
-    } else if (scaled_asked(table)) {
+    } else if (margin_asked(table)) {
         fprintf(to->stream, "<p>Responses are not scaled: %s.</p>\n", scaled_lacks);
     }
     free(rows);
@@ -143,7 +143,7 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     const whirl_shown_units *units = &to->units[index];
     const whirl_result *result = to->results[index];
     const whirl_unit length = summary_length_unit(units);
-    const bool running = table->record.running_low > 0.0 || table->record.running_high > 0.0;
+    const bool running = margin_asked(table);
     margin_row rows[2 * MARGIN_PEAKS];
     html_table(to->stream, "Peaks of the response", "");
     fprintf(to->stream,
@@ -171,11 +171,6 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     write_scaled(to, index, table);
 }
 
-/// Where it has running speeds, of which margins and clearances are told.
-static bool is_found(const whirl_table *table) {
-    return table->record.running_low > 0.0 || table->record.running_high > 0.0;
-}
-
 const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
                                     .anchor = "peaks",
                                     .name = "Peaks of the response",
@@ -184,6 +179,6 @@ const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
                                              "speeds are said, the separation margin after API 617 (which edition "
                                              "counts is for the user to check).",
                                     .explored = true,
-                                    .found = is_found,
+                                    .found = margin_asked,
                                     .summarize = summarize,
                                     .section = section};

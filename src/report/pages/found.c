@@ -86,31 +86,25 @@ static void count_swept(const page *to, size_t result, const whirl_table *table,
 /// Peaks with margins, of all responses.
 typedef struct peak_count {
     size_t told, held, tables;
-    double lack;       ///< of the worst, %; infinite of a peak within the running speeds
+    double more;       ///< what the worst has more than is asked for, % (margin_tally)
     char unknown[512]; ///< the first table of which peaks may have escaped, and why
     char worst[512];   ///< the one that lacks most
 } peak_count;
 
 static void count_peaks(const page *to, size_t result, const whirl_table *table, void *context) {
     peak_count *const all = context;
-    margin_row rows[2 * MARGIN_PEAKS];
-    all->tables += scaled_asked(table);
-    if (scaled_asked(table) && margin_lacks(table) && !*all->unknown)
+    const margin_tally own = margin_count(to->results[result], table, &to->units[result]);
+    all->tables += margin_asked(table);
+    if (margin_asked(table) && margin_lacks(table) && !*all->unknown)
         snprintf(all->unknown, sizeof all->unknown, "Peaks of %s may be missing: %s.", table->name,
                  margin_lacks(table));
-    for (size_t s = 0; s < to->results[result]->station_count; s++) {
-        const size_t count = margin_rows(to->results[result], table, &to->units[result], s, rows);
-        for (const margin_row *row = rows; row < rows + count; row++) {
-            all->told += row->told;
-            all->held += row->told && row->holds;
-            const double lack = isnan(row->had) ? (double)INFINITY : row->asked - row->had;
-            if (!row->told || row->holds || (*all->worst && lack <= all->lack)) continue;
-            all->lack = lack;
-            snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
-                     to->results[result]->stations[s].name, row->speed, margin_speed_unit(&to->units[result]).name,
-                     row->amplification, row->text);
-        }
-    }
+    all->told += own.told;
+    all->held += own.held;
+    if (own.held == own.told || (*all->worst && own.more >= all->more)) return;
+    all->more = own.more;
+    snprintf(all->worst, sizeof all->worst, "%s at %s, %.5g %s, amplification %.3g: %.100s", table->name,
+             to->results[result]->stations[own.station].name, own.worst.speed,
+             margin_speed_unit(&to->units[result]).name, own.worst.amplification, own.worst.text);
 }
 
 /// The clearance of which scaled responses take most.
@@ -127,19 +121,16 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
     tightest *const found = context;
     const whirl_result *own = to->results[result];
     scaled by;
-    scaled_row *rows = calloc(own->station_count + 1, sizeof *rows);
-    const size_t count = rows && scaled_of(own, table, &by) ? scaled_rows(own, table, &by, rows) : 0;
-    for (size_t i = 0; i < count; i++) {
-        const double share = rows[i].axis / rows[i].clearance;
-        if (found->any && share <= found->share) continue;
-        *found = (tightest){.any = true,
-                            .share = share,
-                            .row = rows[i],
-                            .verdict = scaled_verdict(&by, &rows[i]),
-                            .speed = margin_speed_unit(&to->units[result])};
-        snprintf(found->where, sizeof found->where, "%s (%s)", own->stations[rows[i].station].name, table->name);
-    }
-    free(rows);
+    scaled_row row;
+    if (!scaled_of(own, table, &by) || !scaled_tightest(own, table, &by, &row)) return;
+    const double share = row.axis / row.clearance;
+    if (found->any && share <= found->share) return;
+    *found = (tightest){.any = true,
+                        .share = share,
+                        .row = row,
+                        .verdict = scaled_verdict(&by, &row),
+                        .speed = margin_speed_unit(&to->units[result])};
+    snprintf(found->where, sizeof found->where, "%s (%s)", own->stations[row.station].name, table->name);
 }
 
 /// The least decrement of the whole machine.

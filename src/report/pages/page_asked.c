@@ -39,35 +39,26 @@ static void write_row(const page *to, const whirl_table *table, const asked_row 
 static void write_margin(const page *to, size_t result, const whirl_table *table) {
     asked_row row = {.what = "separation margin", .clause = "2.10"};
     const whirl_result *own = to->results[result];
-    size_t told = 0, held = 0;
-    double least = INFINITY;
-    for (size_t s = 0; s < own->station_count; s++) {
-        margin_row peaks[2 * MARGIN_PEAKS];
-        const size_t count = margin_rows(own, table, &to->units[result], s, peaks);
-        for (const margin_row *peak = peaks; peak < peaks + count; peak++) {
-            const double more = isnan(peak->had) ? -(double)INFINITY : peak->had - peak->asked;
-            told += peak->told;
-            held += peak->told && peak->holds;
-            if (!peak->told || (more >= least && *row.found)) continue;
-            least = more;
-            snprintf(row.asked, CELL, "%.3g %% (amplification %.3g)", peak->asked, peak->amplification);
-            snprintf(row.found, CELL, isnan(peak->had) ? "peak within the running speeds" : "%.3g %% %s", peak->had,
-                     peak->above ? "above" : "below");
-            const size_t used = strlen(row.found);
-            snprintf(row.found + used, CELL - used, ": %s at %.5g %s", own->stations[s].name, peak->speed,
-                     margin_speed_unit(&to->units[result]).name);
-        }
+    const margin_tally all = margin_count(own, table, &to->units[result]);
+    const margin_row *const peak = &all.worst;
+    if (all.told > 0) {
+        snprintf(row.asked, CELL, "%.3g %% (amplification %.3g)", peak->asked, peak->amplification);
+        snprintf(row.found, CELL, isnan(peak->had) ? "peak within the running speeds" : "%.3g %% %s", peak->had,
+                 peak->above ? "above" : "below");
+        const size_t used = strlen(row.found);
+        snprintf(row.found + used, CELL - used, ": %s at %.5g %s", own->stations[all.station].name, peak->speed,
+                 margin_speed_unit(&to->units[result]).name);
     }
     const char *const lacks = margin_lacks(table);
-    if (told == 0 && !lacks)
+    if (all.told == 0 && !lacks)
         snprintf(row.found, CELL, "no amplification of 2.5 or more at the speeds that were looked at");
-    if (held < told)
-        snprintf(row.verdict, CELL, "fails: %zu of %zu peaks", told - held, told);
+    if (all.held < all.told)
+        snprintf(row.verdict, CELL, "fails: %zu of %zu peaks", all.told - all.held, all.told);
     else
         snprintf(row.verdict, CELL, "%s%s",
-                 lacks  ? "not known: "
-                 : told ? "holds"
-                        : "none asked for",
+                 lacks      ? "not known: "
+                 : all.told ? "holds"
+                            : "none asked for",
                  lacks ? lacks : "");
     write_row(to, table, &row);
 }
@@ -85,27 +76,20 @@ static void write_vibration(const page *to, size_t result, const whirl_table *ta
 /// The clearance of which scaled responses take most.
 static void write_clearance(const page *to, size_t result, const whirl_table *table, const scaled *by) {
     const whirl_result *own = to->results[result];
+    const whirl_unit speed = margin_speed_unit(&to->units[result]);
     asked_row row = {.what = "close clearances", .clause = "2.12", .asked = "at most 75 % of the diametral clearance"};
-    scaled_row *rows = calloc(own->station_count + 1, sizeof *rows);
-    const size_t count = rows ? scaled_rows(own, table, by, rows) : 0;
-    double most = 0.0;
-    for (size_t i = 0; i < count; i++) {
-        const double share = rows[i].axis / rows[i].clearance;
-        const whirl_unit speed = margin_speed_unit(&to->units[result]);
-        if (share < most) continue;
-        most = share;
-        snprintf(row.found, CELL, "%.3g %% at %s, %.5g %s, scaled by %.4g", 100.0 * share,
-                 own->stations[rows[i].station].name, rows[i].speed / speed.size, speed.name, by->factor);
-        snprintf(row.verdict, CELL, "%s", scaled_verdict(by, &rows[i]));
-    }
-    free(rows);
-    if (count > 0) write_row(to, table, &row);
+    scaled_row close;
+    if (!scaled_tightest(own, table, by, &close)) return;
+    snprintf(row.found, CELL, "%.3g %% at %s, %.5g %s, scaled by %.4g", 100.0 * close.axis / close.clearance,
+             own->stations[close.station].name, close.speed / speed.size, speed.name, by->factor);
+    snprintf(row.verdict, CELL, "%s", scaled_verdict(by, &close));
+    write_row(to, table, &row);
 }
 
 static void ask_response(const page *to, size_t result, const whirl_table *table, void *context) {
     scaled by;
     (void)context;
-    if (!scaled_asked(table)) return;
+    if (!margin_asked(table)) return;
     write_margin(to, result, table);
     if (!scaled_of(to->results[result], table, &by)) {
         asked_row row = {.what = "vibration at probes, clearances", .clause = "2.11"};

@@ -56,8 +56,8 @@ static bool has_one_scale(const whirl_table *table) {
 /// The units that the case asks for (`units`); where it asks for none amplitudes are zero to peak.
 static whirl_shown_units units_of(const whirl_result *result) {
     whirl_shown_units units;
-    if (whirl_result_shown_units(result, NULL, &units).code == WHIRL_OK) return units;
-    return (whirl_shown_units){.result = result, .amplitude = 1.0, .amplitude_name = "0-p"};
+    whirl_result_shown_units(result, NULL, &units); // which nothing asked for cannot be wrong
+    return units;
 }
 
 /// A length, and how it is counted: "[um p-p]" as the case asks; else "[0.2 mm 0-p]", "[mm]", "[0.2 mm per radian]".
@@ -65,15 +65,12 @@ static void length_text(const whirl_shown_units *units, const whirl_table *table
                         const char *behind, char *text, size_t size) {
     const double scale = units->result->length_scale;
     const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
-    const whirl_counting counting = whirl_field_counting(field);
+    const char *counted = whirl_shown_counted(units, whirl_field_counting(field));
     static const char micro[] = "\xC2\xB5"; // spreadsheets take files for their own alphabet
     const bool is_micro = strncmp(length.name, micro, sizeof micro - 1) == 0;
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s%.60s", is_micro ? "u" : "", length.name + (is_micro ? sizeof micro - 1 : 0));
-    const char *space = counting == WHIRL_FROM_CENTRE ? "" : " ";
-    const char *counted = counting == WHIRL_FROM_CENTRE ? ""
-                          : counting == WHIRL_AMPLITUDE ? units->amplitude_name
-                                                        : "0-p";
+    const char *space = *counted ? " " : "";
     if (units->size.size <= 0.0 && has_one_scale(table) && scale != length.size)
         snprintf(text, size, "[%.10g %s%s%s%s]", scale / length.size, name, space, counted, behind);
     else
@@ -119,7 +116,7 @@ static void column_text(const whirl_field *field, size_t column, char *text, siz
     if (field->columns == 1)
         snprintf(text, size, "%s", "");
     else if (whirl_field_column_names(field, names))
-        snprintf(text, size, "%s", names[column]);
+        snprintf(text, size, "%.63s", names[column]);
     else
         snprintf(text, size, "column %zu", column + 1);
 }

@@ -94,6 +94,10 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
     return status;
 }
 
+const char *whirl_shown_counted(const whirl_shown_units *units, whirl_counting counting) {
+    return counting == WHIRL_AMPLITUDE ? units->amplitude_name : counting == WHIRL_ZERO_TO_PEAK ? "0-p" : "";
+}
+
 bool whirl_shown_one_length(const whirl_shown_units *units, const whirl_table *table) {
     return units->ratio || !table || !table->length_scales;
 }
