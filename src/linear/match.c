@@ -29,26 +29,29 @@ static double distance(const whirl_modes *from, size_t i, const whirl_modes *to,
 }
 
 /// The likest pair first, of those that are left. apart [from->count][to->count] is used up.
-static void pair_off(const whirl_modes *from, const whirl_modes *to, double *apart, size_t *partner) {
+static void pair_off(const whirl_modes *from, const whirl_modes *to, double *apart, size_t *partner, double *unlike) {
     for (size_t pairs = 0; pairs < from->count && pairs < to->count; pairs++) {
         size_t best = 0;
         for (size_t at = 1; at < from->count * to->count; at++)
             if (apart[at] < apart[best]) best = at;
         const size_t i = best / to->count, k = best % to->count;
         partner[i] = k;
+        if (unlike) unlike[i] = apart[best];
         for (size_t other = 0; other < to->count; other++) apart[i * to->count + other] = (double)INFINITY;
         for (size_t other = 0; other < from->count; other++) apart[other * to->count + k] = (double)INFINITY;
     }
 }
 
-whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner) {
+whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner,
+                               double *unlike) {
     double *apart = malloc((from->count * to->count + 1) * sizeof *apart);
     if (!apart) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare %zu modes", from->count);
     for (size_t i = 0; i < from->count; i++) {
         partner[i] = SIZE_MAX;
+        if (unlike) unlike[i] = (double)INFINITY;
         for (size_t k = 0; k < to->count; k++) apart[i * to->count + k] = distance(from, i, to, k, scale);
     }
-    pair_off(from, to, apart, partner);
+    pair_off(from, to, apart, partner, unlike);
     free(apart);
     return whirl_ok();
 }

@@ -473,22 +473,35 @@ static void put_start(bool *well, json_t *object, const whirl_result *result, co
     document_put(well, object, "attractor", label > 0 ? json_integer((json_int_t)label) : json_null());
 }
 
+/// What the modes of a point are called along the parameter, by rising frequency as they stand there.
+static void put_mode_names(bool *well, json_t *object, const mode_lines *lines, size_t point) {
+    json_t *names = json_array();
+    for (size_t i = 0; i < lines->modes; i++) {
+        const char *name = mode_lines_name(lines, point, i);
+        document_append(well, names, *name ? document_text(name) : json_null());
+    }
+    document_put(well, member(well, object, "modes"), "name", names);
+}
+
 static bool dump_table(const char *key, const whirl_result *result, const whirl_table *table,
                        const whirl_coexistence *found, bool full, FILE *stream) {
     fprintf(stream, ",\n\"%s\": [", key);
-    bool first = true;
-    for (size_t point = 0; point < table->count; ++point) {
-        bool well = true;
+    bool first = true, well = true;
+    mode_lines lines;
+    const bool followed = mode_lines_of(table, &lines);
+    for (size_t point = 0; point < table->count && well; ++point) {
         if (!whirl_table_done(table, point)) continue;
         json_t *object = point_object(&well, result, table, point);
         if (!full) leave_out_rows(object);
         if (found->labels) put_start(&well, object, result, table, point, found);
+        if (followed) put_mode_names(&well, object, &lines, point);
         fputs(first ? "\n" : ",\n", stream);
-        if (!document_write(well, object, stream)) return false;
+        well = document_write(well, object, stream);
         first = false;
     }
+    mode_lines_free(&lines);
     fputs("\n]", stream);
-    return true;
+    return well;
 }
 
 static bool dump_points(const char *key, const whirl_result *result, const whirl_table *table, bool full,

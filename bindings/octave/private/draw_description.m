@@ -200,9 +200,9 @@ end
 end
 
 function draw_texts(axes_handle, series, x, y, font)
-sides = {'above', 'below', 'left', 'right', 'slanted'};
-horizontal = {'center', 'center', 'right', 'left', 'left'};
-vertical = {'bottom', 'top', 'bottom', 'top', 'bottom'};
+sides = {'above', 'below', 'left', 'right', 'slanted', 'beside'};
+horizontal = {'center', 'center', 'right', 'left', 'left', 'left'};
+vertical = {'bottom', 'top', 'bottom', 'top', 'bottom', 'middle'};
 side = strcmp(series.side, sides);
 texts = cellstr(series.texts);
 for i = 1:numel(texts)

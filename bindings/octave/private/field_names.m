@@ -92,6 +92,7 @@ names.modes_growth = 'modes/growth';
 names.modes_damping_ratio = 'modes/damping_ratio';
 names.modes_decrement = 'modes/decrement';
 names.modes_direction = 'modes/direction';
+names.modes_before = 'modes/before';
 names.modes_overdamped = 'modes/overdamped';
 names.modes_rigid_body = 'modes/rigid_body';
 names.modes_stability = 'modes/stability';

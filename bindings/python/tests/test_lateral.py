@@ -276,3 +276,24 @@ def test_coefficients_of_short_films():
         assert table["statics/stiffness"][point][0] == pytest.approx(h * load / 100e-6 * np.array(a), rel=1e-6)
         assert table["statics/damping"][point][0] == pytest.approx(h * load / (100e-6 * speed) * np.array(b), rel=1e-6)
         assert np.isnan(table["statics/stiffness"][point][1]).all()
+
+
+def test_margins_are_asked_where_probes_are(tmp_path):
+    def peaks(rule):
+        own = "    - unbalance: {at: middle, moment: 3 kg.mm}"
+        text = CASE.format(rule=rule, unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
+        text = text.replace("points: 9,", "points: 321,")
+        path = tmp_path / "case.yaml"
+        path.write_text(text)
+        told = subprocess.run([COMMAND, "run", path, "--json"], capture_output=True, text=True, check=True).stdout
+        return json.loads(told)["margins"]["unbalance"]["peaks"]
+
+    everywhere, probed = peaks(""), peaks(", probes_at: [left, right]")
+    assert len(everywhere) == len(probed) > 0
+    assert all(peak["asked"] is not None for peak in everywhere)
+    for before, after in zip(everywhere, probed):
+        if after["station"] in ("left", "right"):
+            assert before == after
+        else:
+            unjudged = {"asked": None, "margin": None, "holds": None, "above": False}
+            assert after == before | unjudged

@@ -93,6 +93,7 @@ def _texts(ax, series, x, y, font):
         "left": {"xytext": (-3, 2), "ha": "right", "va": "bottom"},
         "right": {"xytext": (3, -2), "ha": "left", "va": "top"},
         "slanted": {"xytext": (1, 2), "ha": "left", "va": "bottom", "rotation": 60, "rotation_mode": "anchor"},
+        "beside": {"xytext": (3, 0), "ha": "left", "va": "center"},
     }
     look = {"textcoords": "offset points", "fontsize": 0.9 * font, "color": series["colour"], **places[series["side"]]}
     return [ax.annotate(words, at, **look) for words, at in zip(series["texts"], zip(x, y))]

@@ -92,6 +92,7 @@ export const FIELD = {
   MODES_DAMPING_RATIO: 'modes/damping_ratio',
   MODES_DECREMENT: 'modes/decrement',
   MODES_DIRECTION: 'modes/direction',
+  MODES_BEFORE: 'modes/before',
   MODES_OVERDAMPED: 'modes/overdamped',
   MODES_RIGID_BODY: 'modes/rigid_body',
   MODES_STABILITY: 'modes/stability',

@@ -208,6 +208,7 @@ const SIDES: Readonly<Record<string, readonly [number, number, string]>> = {
   left: [-3, -2, 'end'],
   right: [3, 8, 'start'],
   slanted: [1, -2, 'start'],
+  beside: [3, 3, 'start'],
 };
 
 function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale | undefined, font: number): string {

@@ -536,7 +536,7 @@ typedef struct whirl_field {
 } whirl_field;
 
 /// The most fields of a block, and the most columns that have names.
-enum { WHIRL_MAX_FIELDS = 192, WHIRL_MAX_COLUMNS = 32 };
+enum { WHIRL_MAX_FIELDS = 256, WHIRL_MAX_COLUMNS = 32 };
 
 /// The fields of a point's block.
 typedef struct whirl_layout {
@@ -703,6 +703,7 @@ typedef struct whirl_resting {
     const whirl_modes *modes;       ///< of it, where they are asked for, else NULL
     size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
+    const size_t *before;           ///< [modes->count] which mode of that point each was, from 1; 0: none; NULL: unknown
     /// Makes the same machine at another speed (rad/s; 0: its own), to be released; value: of the variant. Errors as
     /// those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,

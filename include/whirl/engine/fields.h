@@ -108,6 +108,7 @@
 #define WHIRL_FIELD_MODES_DAMPING_RATIO "modes/damping_ratio"
 #define WHIRL_FIELD_MODES_DECREMENT "modes/decrement"
 #define WHIRL_FIELD_MODES_DIRECTION "modes/direction"
+#define WHIRL_FIELD_MODES_BEFORE "modes/before"
 #define WHIRL_FIELD_MODES_OVERDAMPED "modes/overdamped"
 #define WHIRL_FIELD_MODES_RIGID_BODY "modes/rigid_body"
 #define WHIRL_FIELD_MODES_STABILITY "modes/stability"

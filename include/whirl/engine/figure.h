@@ -42,7 +42,8 @@ typedef enum whirl_side {
     WHIRL_BELOW,
     WHIRL_LEFT,
     WHIRL_RIGHT,
-    WHIRL_SLANTED ///< to the right, rising
+    WHIRL_SLANTED, ///< to the right, rising
+    WHIRL_BESIDE   ///< to the right, at its height
 } whirl_side;
 
 /// Numbers that are drawn in one way. Arrays are the figure's.

@@ -83,8 +83,10 @@ void whirl_modes_free(whirl_modes *modes);
 
 /// Which mode of `to` each of `from` has become, partner [from->count], SIZE_MAX where there is none left: by
 /// likeness of shapes (modal assurance criterion, Allemang, Brown 1982) and nearness of eigenvalues, with those of
-/// `from` times `scale` (where the units of time differ). WHIRL_NO_MEMORY.
-whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner);
+/// `from` times `scale` (where the units of time differ). unlike [from->count], or NULL: how unlike each is to its
+/// partner, 0 where they are one, 1 and more where they have nothing in common. WHIRL_NO_MEMORY.
+whirl_status whirl_modes_match(const whirl_modes *from, const whirl_modes *to, double scale, size_t *partner,
+                               double *unlike);
 
 /// The motion x = rest + Re(X exp(i 2 pi t / period)) in which small forcing once a revolution ends: rest [dimension],
 /// response [dimension][2] X. Of a system whose coefficients turn with the shaft: the periodic motion itself, its mean

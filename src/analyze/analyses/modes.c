@@ -13,6 +13,7 @@ enum {
     RATIO,
     DECREMENT,
     DIRECTION,
+    BEFORE,
     OVERDAMPED,
     RIGID_BODY,
     STABILITY,
@@ -48,6 +49,8 @@ static const field_plan fields[FIELD_COUNT] = {
                    1, kept},
     [DIRECTION] = {WHIRL_FIELD_MODES_DIRECTION, "1", "1: circles with the rotation, -1: against it, 0: neither",
                    WHIRL_PER_POINT, 1, kept},
+    [BEFORE] = {WHIRL_FIELD_MODES_BEFORE, "1",
+                "which mode of the point before it was, counted from 1; 0: none is like it", WHIRL_PER_POINT, 1, kept},
     [OVERDAMPED] = {WHIRL_FIELD_MODES_OVERDAMPED, "1/s", "eigenvalues without a frequency, largest first",
                     WHIRL_PER_POINT, 1, kept},
     [RIGID_BODY] = {WHIRL_FIELD_MODES_RIGID_BODY, "1",
@@ -84,6 +87,7 @@ static void fill_modes(const whirl_resting *point, const whirl_modes *modes, siz
         view_numbers(view, RATIO, 0)[i] = (0.0 - mode->real) / size;
         view_numbers(view, DECREMENT, 0)[i] = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
         view_numbers(view, DIRECTION, 0)[i] = mode->direction;
+        if (point->before) view_numbers(view, BEFORE, 0)[i] = point->before[i] <= most ? (double)point->before[i] : 0.0;
     }
     for (size_t i = 0; i < modes->real_count && i < most; i++)
         view_numbers(view, OVERDAMPED, 0)[i] = rate * modes->reals[i];

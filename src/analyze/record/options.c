@@ -44,8 +44,9 @@ static const whirl_member members[] = {
            false, "", WHIRL_ANY, "", "a station where one such unbalance stands", ""),
     MEMBER(whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "",
            WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
-           "a station or a list of them, whose vibration is limited where it runs: by it responses are scaled; absent: "
-           "those with the clearance of a bearing, or all",
+           "a station or a list of them, where vibration is measured: margins are asked of peaks there, by the "
+           "largest of which responses are scaled; absent: of all, scaled by those with the clearance of a bearing, if "
+           "any",
            ""),
     MEMBER(whirl_record_options, NUMBER, "placed_weight", placed_weight, "unbalance", false, "weight", "W", "kg",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "mass that it goes by; 0: what hangs over there",

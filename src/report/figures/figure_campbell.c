@@ -1,9 +1,14 @@
-// Campbell's diagram: frequencies and damping of modes over a parameter, with critical speeds and thresholds.
+// Campbell's diagram: frequencies and damping of modes over a parameter, with critical speeds and thresholds; and the
+// logarithmic decrement of modes by name.
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "shown_kinds.h"
 
 enum { MOST_CRITICAL = 256 };
 
@@ -24,6 +29,12 @@ typedef struct view {
 static const double *frequencies_of(const view *v, size_t point) {
     return whirl_table_done(v->table, point) ? whirl_table_field(v->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0)
                                              : NULL;
+}
+
+/// A mode's frequency as it is shown, or a number of a field.
+static double height_of(const view *v, const char *field, size_t point, size_t mode) {
+    const bool frequency = strcmp(field, WHIRL_FIELD_MODES_FREQUENCY) == 0;
+    return whirl_table_field(v->table, point, field, 0)[mode] / (frequency ? v->unit.size : 1.0);
 }
 
 static size_t modes_of(const view *v) {
@@ -52,19 +63,19 @@ static double top_of(const view *v) {
     return top > 0.0 ? top / v->unit.size : 1.0;
 }
 
-/// What is shown of damping: of modes whose frequencies are. More than 0.25 leaves no peak of a response to unbalance
-/// (amplification below 2.5, API 617): more is shown where no mode has less.
-static span damping_of(const view *v) {
+/// What is shown of a field of damping: of modes whose frequencies are, up to `most`. More than 0.25 leaves no peak of
+/// a response to unbalance (amplification below 2.5, API 617): more is shown where no mode has less.
+static span damping_of(const view *v, const char *field, double most) {
     span shown = {0.0, 0.0};
     double least = (double)INFINITY;
     for (int pass = 0; pass < 2; pass++)
         for (size_t point = 0; point < v->table->count; point++) {
             const double *frequency = frequencies_of(v, point);
-            const double *ratio = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+            const double *damping = whirl_table_field(v->table, point, field, 0);
             for (size_t i = 0; frequency && i < modes_of(v); i++) {
                 if (!(frequency[i] <= v->top * v->unit.size)) continue;
-                if (pass == 0) least = fmin(least, ratio[i]);
-                if (pass == 1 && ratio[i] <= fmax(0.25, 1.5 * least)) span_widen(&shown, ratio[i]);
+                if (pass == 0) least = fmin(least, damping[i]);
+                if (pass == 1 && damping[i] <= fmax(most, 1.5 * least)) span_widen(&shown, damping[i]);
             }
         }
     // What rounding leaves of no damping is no picture.
@@ -74,7 +85,7 @@ static span damping_of(const view *v) {
 // ---------------------------------------------------------------- modes
 
 /// Dots of modes in the colours of their whirl, and marks on some of them.
-static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
+static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field) {
     const size_t few = v->table->count / 25 + 1;
     for (size_t d = 0; d < sizeof directions / sizeof *directions; d++) {
         whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, directions[d].colour, 0.45);
@@ -82,19 +93,78 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, b
         if (marks) marks->mark = directions[d].mark;
         for (size_t point = 0; point < v->table->count; point++) {
             const double *frequency = frequencies_of(v, point);
-            const double *ratio = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
             const double *direction = whirl_table_field(v->table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
                 const int way = units_way(direction[i]);
                 const size_t own = way > 0 ? 0 : way < 0 ? 1 : 2;
-                const double height = frequency[i] / v->unit.size;
-                if (own != d || height > v->top) continue;
-                const double x = v->table->values[point] / v->size, y = damping ? ratio[i] : height;
+                if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
+                const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
                 series_add(figure, dots, x, y);
                 if (point % few == 0) series_add(figure, marks, x, y);
             }
         }
     }
+}
+
+/// The end of a line at the right edge.
+typedef struct line_end {
+    double at, number;
+    const char *name;
+} line_end;
+
+static int by_height(const void *a, const void *b) {
+    const line_end *p = a, *q = b;
+    return p->number < q->number ? -1 : p->number > q->number;
+}
+
+/// The names of lines at their ends, none over another.
+static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, size_t count) {
+    const double apart = 0.29 / panel->height * (panel->y.high - panel->y.low); // 0.29 cm
+    double room = panel->y.high - 0.5 * apart;
+    whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
+    if (names) names->side = WHIRL_BESIDE;
+    qsort(ends, count, sizeof *ends, by_height);
+    for (size_t i = 1; i < count; i++) ends[i].number = fmax(ends[i].number, ends[i - 1].number + apart);
+    for (size_t i = count; i-- > 0; room = ends[i].number - apart) ends[i].number = fmin(ends[i].number, room);
+    for (size_t i = 0; i < count; i++) series_add_text(figure, names, ends[i].at, ends[i].number, ends[i].name);
+}
+
+/// One line of `lines`, as far as its frequencies are shown; false where its end is not.
+static bool add_line(whirl_figure *figure, whirl_panel *panel, whirl_series *series, const view *v,
+                     const mode_lines *lines, size_t line, const char *field, line_end *end) {
+    *end = (line_end){.number = NAN, .name = lines->names[line]};
+    for (size_t point = 0; point < v->table->count; point++) {
+        size_t i = 0;
+        while (i < lines->modes && lines->line[point * lines->modes + i] != line) i++;
+        const bool seen = i < lines->modes && height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) <= v->top;
+        end->at = v->table->values[point] / v->size;
+        end->number = seen ? height_of(v, field, point, i) : (double)NAN;
+        if (seen) series_add(figure, series, end->at, end->number);
+        if (!seen) series_break(figure, series);
+    }
+    series_break(figure, series);
+    return end->number >= panel->y.low && end->number <= panel->y.high;
+}
+
+/// Lines along the modes that are there at the last point, with their names: thin ones, or in colours, dashed of those
+/// that do not go forward.
+static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured) {
+    const size_t last = v->table->count - 1;
+    mode_lines lines;
+    if (!mode_lines_of(v->table, &lines)) return;
+    line_end *ends = calloc(lines.modes, sizeof *ends);
+    size_t count = 0;
+    for (size_t i = 0; ends && i < lines.modes; i++) {
+        const size_t line = lines.line[last * lines.modes + i];
+        if (line == SIZE_MAX) continue;
+        whirl_series *series =
+            panel_series(figure, panel, WHIRL_LINE, coloured ? line_colour(i) : "#B0B0B0", coloured ? 0.8 : 0.3);
+        if (series) series->dashed = coloured && !strchr(lines.names[line], 'F');
+        count += add_line(figure, panel, series, v, &lines, line, field, &ends[count]);
+    }
+    if (ends) add_names(figure, panel, ends, count);
+    free(ends);
+    mode_lines_free(&lines);
 }
 
 static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view *v) {
@@ -160,16 +230,23 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
         list_figure(to, &place, "campbell", "Campbell diagram over %s", table->parameter);
 }
 
+/// Values of the parameter, with room for names at the right where modes were followed.
 static span range_of(const view *v) {
     span range = span_empty();
     for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);
+    if (table_has(v->table, WHIRL_FIELD_MODES_BEFORE)) range.high += 0.06 * (range.high - range.low);
     return span_with_margin(range, 0.0, 1e-300);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    view v = {.of = of, .table = place->table, .unit = speed_unit_of(of, place->table, WHIRL_FIELD_MODES_SPEED)};
-    v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
+static view view_of(const drawing *of, const whirl_table *table) {
+    view v = {.of = of, .table = table, .unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED)};
+    v.size = whirl_shown_parameter(of->units, table->parameter).size;
     v.top = top_of(&v);
+    return v;
+}
+
+static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const view v = view_of(of, place->table);
     whirl_panel *frequency = figure_panel(figure, "frequency", 1.0, 5.3);
     whirl_panel *damping = figure_panel(figure, "damping", 1.0, 3.4);
     if (!frequency || !damping) return;
@@ -179,26 +256,58 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     axis_show(&frequency->x, range_of(&v));
     axis_show(&damping->x, range_of(&v));
     axis_show(&frequency->y, (span){0.0, v.top});
-    axis_show(&damping->y, damping_of(&v));
+    axis_show(&damping->y, damping_of(&v, WHIRL_FIELD_MODES_DAMPING_RATIO, 0.25));
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");
     add_synchronous(figure, frequency, &v);
-    add_modes(figure, frequency, &v, false);
+    add_lines(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY, false);
+    add_modes(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY);
     add_critical(figure, frequency, &v, false);
     whirl_series *zero = panel_level(figure, damping, 0.0, "#9A9A9A", 0.4);
     if (zero) zero->dashed = true;
-    add_modes(figure, damping, &v, true);
+    add_lines(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO, false);
+    add_modes(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO);
     add_critical(figure, damping, &v, true);
     snprintf(
         figure->caption, sizeof figure->caption,
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
         "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
         "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
-        "negative where a mode grows.",
+        "negative where a mode grows. Names at the right count modes that go forward (F), backward (B) or to and fro "
+        "(M) there, by rising frequency.",
         v.table->parameter);
 }
 
 const figure_kind campbell_figure = {.list = list, .describe = describe};
+
+static void list_decrement(figure_list *to, const drawing *of, const whirl_table *table) {
+    const figure_place place = {.kind = &decrement_figure, .table = table, .point = NO_POINT};
+    (void)of;
+    if (table_has(table, WHIRL_FIELD_MODES_BEFORE) && table->count > 1)
+        list_figure(to, &place, "decrement", "Logarithmic decrement of modes over %s", table->parameter);
+}
+
+static void describe_decrement(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    const view v = view_of(of, place->table);
+    whirl_panel *panel = figure_panel(figure, "decrement", 1.0, 5.3);
+    if (!panel) return;
+    symbol_parameter(of->units, v.table->parameter, panel->x.label, sizeof panel->x.label);
+    snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
+    axis_show(&panel->x, range_of(&v));
+    axis_show(&panel->y, damping_of(&v, WHIRL_FIELD_MODES_DECREMENT, 1.6));
+    whirl_series *zero = panel_level(figure, panel, 0.0, "#9A9A9A", 0.4);
+    whirl_series *asked = panel_level(figure, panel, margin_decrement, "#9A9A9A", 0.4);
+    if (zero) zero->dashed = true;
+    if (asked) asked->dashed = true;
+    add_lines(figure, panel, &v, WHIRL_FIELD_MODES_DECREMENT, true);
+    snprintf(figure->caption, sizeof figure->caption,
+             "Logarithmic decrement of the lowest modes over %s, followed by shape and frequency from value to value. "
+             "Names count by rising frequency at the last value, F: forward (solid), B: backward, M: to and fro "
+             "(dashed). Grey: 0, below which a mode grows, and %g.",
+             v.table->parameter, margin_decrement);
+}
+
+const figure_kind decrement_figure = {.list = list_decrement, .describe = describe_decrement};
 
 // ---------------------------------------------------------------- speed_unit
 

@@ -3,9 +3,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "summary.h"
 #include "whirl/engine/analyze.h"
+#include "words.h"
 
 bool margin_running(const whirl_table *table, double *low, double *high) {
     const double from = table->record.running_low, to = table->record.running_high;
@@ -17,6 +19,14 @@ bool margin_running(const whirl_table *table, double *low, double *high) {
 bool margin_asked(const whirl_table *table) {
     double low, high;
     return margin_running(table, &low, &high);
+}
+
+bool margin_probed(const whirl_result *result, const whirl_table *table, size_t station) {
+    const char *list = table->record.probes_at;
+    char name[WHIRL_NAME_SIZE];
+    bool probed = !*list;
+    while (!probed && name_list_next(&list, name)) probed = strcmp(name, result->stations[station].name) == 0;
+    return probed;
 }
 
 const double margin_decrement = 0.1;
@@ -88,12 +98,16 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-static void tell_margin(const whirl_table *table, const whirl_response_peak *peak, margin_row *row) {
+static void tell_margin(const whirl_table *table, bool probed, const whirl_response_peak *peak, margin_row *row) {
     char *const text = row->text;
     double low, high;
     *text = '\0';
     row->had = row->asked = NAN;
     if (!margin_running(table, &low, &high)) return;
+    if (!probed) {
+        snprintf(text, MARGIN_TEXT, "no probe there: no margin asked for");
+        return;
+    }
     const bool above = peak->speed > high, below = peak->speed < low;
     const double asked = whirl_margin_required(peak->amplification, above);
     const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
@@ -120,6 +134,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
     static const double degree = 3.14159265358979323846 / 180.0;
     const double speed = margin_speed_unit(units).size;
     const double size = units->amplitude / summary_length_unit(units).size;
+    const bool probed = margin_probed(result, table, station);
     whirl_response_peak peaks[MARGIN_PEAKS];
     size_t told = 0;
     for (size_t probe = 0; probe < 2; probe++) {
@@ -131,7 +146,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
                                 .amplitude = size * peaks[i].amplitude,
                                 .amplification = peaks[i].amplification};
             tell_way(&peaks[i], row->way);
-            tell_margin(table, &peaks[i], row);
+            tell_margin(table, probed, &peaks[i], row);
         }
     }
     return told;

@@ -3,18 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "whirl/engine/analyze.h"
-#include "words.h"
-
-/// Whether a list of names has one.
-static bool lists(const char *list, const char *wanted) {
-    char name[WHIRL_NAME_SIZE];
-    while (name_list_next(&list, name))
-        if (strcmp(name, wanted) == 0) return true;
-    return false;
-}
 
 /// Whether any station has a clearance.
 static bool has_clearances(const whirl_result *result, const whirl_table *table) {
@@ -24,15 +14,13 @@ static bool has_clearances(const whirl_result *result, const whirl_table *table)
 }
 
 static bool has_probes(const whirl_result *result, const whirl_table *table, size_t station, bool clearances) {
-    const char *list = table->record.probes_at;
-    if (*list) return lists(list, result->stations[station].name);
+    if (*table->record.probes_at) return margin_probed(result, table, station);
     return !clearances || whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station) > 0.0;
 }
 
 bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station) {
-    const char *list = table->record.probes_at;
     const double *placed = whirl_table_field(table, 0, WHIRL_FIELD_UNBALANCE_PLACED, station);
-    return !*list || lists(list, result->stations[station].name) || (placed && hypot(placed[0], placed[1]) > 0.0) ||
+    return margin_probed(result, table, station) || (placed && hypot(placed[0], placed[1]) > 0.0) ||
            whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, station) > 0.0;
 }
 

@@ -35,6 +35,26 @@ void shown_kind_about(const page *to, const shown_kind *kind);
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics;
 
+// ---------------------------------------------------------------- mode_lines
+// Modes followed from point to point along a parameter, each with a name.
+
+/// "2F": the second of those that go forward where they were seen last, by rising frequency; B: backward, M: mixed, to
+/// and fro. Those that go on to the last point count first.
+enum { MODE_NAME = 24 };
+
+typedef struct mode_lines {
+    size_t count, modes;      ///< lines, and modes of a point
+    size_t *line;             ///< [points][modes] which line each is of, SIZE_MAX of none
+    char (*names)[MODE_NAME]; ///< [count]
+} mode_lines;
+
+/// To be freed. False, with nothing to free, of a table whose modes were not followed, and without memory.
+bool mode_lines_of(const whirl_table *table, mode_lines *out);
+void mode_lines_free(mode_lines *lines);
+
+/// Of a mode of a point; "" of none, and where there are no lines.
+const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
+
 // ---------------------------------------------------------------- margins
 // Critical speeds as peaks of a response to unbalance, and their margins.
 
@@ -45,6 +65,9 @@ bool margin_running(const whirl_table *table, double *low, double *high);
 
 /// Whether margins and clearances are asked for: a table tells running speeds.
 bool margin_asked(const whirl_table *table);
+
+/// Whether margins are asked of the peaks of a station: it is one of probes_at, or these are not said.
+bool margin_probed(const whirl_result *result, const whirl_table *table, size_t station);
 
 /// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
 extern const double margin_decrement;
@@ -71,7 +94,8 @@ typedef struct margin_row {
     char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
     bool told, holds;       ///< whether a margin is asked for, and had
     bool above;             ///< the peak lies above the running speeds
-    double had, asked;      ///< margins in %; NaN where running speeds are not said, or the peak is within them
+    double had, asked;      ///< margins in %; NaN where running speeds are not said, there is no probe, or the peak is
+                            ///< within these speeds
     char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
 } margin_row;
 

@@ -42,7 +42,7 @@ int shown_modes_growing(const whirl_table *table, size_t point) {
 
 /// Whether a point is stable, which stands first as reports leave out what is long, and its lowest modes, a line each:
 /// "  254.1 rad/s  (40.44 Hz, 2426 rpm)  damping ratio 0.0213  forward".
-static void print_modes(FILE *out, const whirl_table *table, size_t point) {
+static void print_modes(FILE *out, const whirl_table *table, const mode_lines *lines, size_t point) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
@@ -58,8 +58,10 @@ static void print_modes(FILE *out, const whirl_table *table, size_t point) {
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
         static const char *const ways[] = {" backward", "", " forward"};
         const char *const whirls = ways[units_way(direction[i]) + 1];
-        fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s\n", frequency[i],
-                frequency[i] / 6.283185307179586, *whirls ? 10 : 0, shown_ratio(ratio[i]), whirls);
+        const char *const name = mode_lines_name(lines, point, i);
+        fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s%s%s\n", frequency[i],
+                frequency[i] / 6.283185307179586, *whirls || *name ? 10 : 0, shown_ratio(ratio[i]), whirls,
+                *name ? "  " : "", name);
     }
     const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
     if (isfinite(modulo))
@@ -94,12 +96,15 @@ static void print_critical(FILE *out, const whirl_shown_units *units, const whir
 static void print_modes_at_ends(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
     size_t first = 0, last = table->count;
+    mode_lines lines;
+    mode_lines_of(table, &lines);
     while (first < table->count && !whirl_table_done(table, first)) first++;
     while (last > first && !whirl_table_done(table, last - 1)) last--;
     for (size_t point = first; point < last; point += point + 1 < last ? last - 1 - point : 1) {
         fprintf(out, " modes at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-        print_modes(out, table, point);
+        print_modes(out, table, &lines, point);
     }
+    mode_lines_free(&lines);
 }
 
 static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
@@ -107,7 +112,7 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
         print_critical(out, units, table);
         print_modes_at_ends(out, units, table);
     } else if (whirl_table_done(table, 0)) {
-        print_modes(out, table, 0);
+        print_modes(out, table, &(mode_lines){.line = NULL}, 0);
     }
 }
 
@@ -175,16 +180,20 @@ static void write_lowest(const page *to, size_t index, const whirl_table *table)
     const double *ratio = whirl_table_field(table, last, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
     const double *direction = whirl_table_field(table, last, WHIRL_FIELD_MODES_DIRECTION, 0);
     char label[UNIT_LABEL_SIZE];
+    mode_lines lines;
     if (!frequency || !whirl_table_done(table, last) || !isfinite(frequency[0])) return;
+    mode_lines_of(table, &lines);
     units_point_label(&to->units[index], table, last, label, sizeof label);
     html_table(to->stream, "Lowest modes", "");
     fputs("<thead><tr><th>mode at ", to->stream);
     html_text(to->stream, label);
     fprintf(to->stream, "</th>%s", of_modes);
     for (size_t i = 0; i < field->rows && i < SHOWN && isfinite(frequency[i]); i++) {
-        fprintf(to->stream, "<tr><th>%zu</th>", i + 1);
+        const char *name = mode_lines_name(&lines, last, i);
+        fprintf(to->stream, "<tr><th>%zu%s%s</th>", i + 1, *name ? ": " : "", name);
         write_mode(to->stream, frequency[i], ratio[i], direction[i]);
     }
+    mode_lines_free(&lines);
     fputs("</tbody></table></div>\n", to->stream);
 }
 

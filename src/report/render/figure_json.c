@@ -7,7 +7,7 @@
 
 static const char *const shapes[] = {"dots", "line", "area", "bars", "boxes", "texts"};
 static const char *const marks[] = {"disc", "ring", "square", "frame", "up", "down", "diamond", "cross"};
-static const char *const sides[] = {"above", "below", "left", "right", "slanted"};
+static const char *const sides[] = {"above", "below", "left", "right", "slanted", "beside"};
 
 /// A label may have two lines.
 static void put_label(bool *well, json_t *object, const char *label) {

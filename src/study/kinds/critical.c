@@ -38,8 +38,25 @@ whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, dou
 
 void resting_free(resting_machine *r) {
     whirl_modes_free(r->modes);
+    free(r->before);
     if (r->machine.release) r->machine.release(r->machine.owner);
     *r = (resting_machine){.modes = NULL};
+}
+
+whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
+    const size_t count = from->modes->count;
+    size_t *partner = malloc((count + 1) * sizeof *partner);
+    double *unlike = malloc((count + 1) * sizeof *unlike);
+    to->before = calloc(to->modes->count + 1, sizeof *to->before);
+    whirl_status status =
+        partner && unlike && to->before
+            ? whirl_modes_match(from->modes, to->modes, from->machine.clock / to->machine.clock, partner, unlike)
+            : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
+        if (unlike[i] < 1.0) to->before[partner[i]] = i + 1;
+    free(partner);
+    free(unlike);
+    return status;
 }
 
 /// A search between two values, for where a mode meets the speed or, without a mode, where the machine loses or regains
@@ -90,7 +107,7 @@ static whirl_status measure(search *s, const resting_machine *r, double *result)
         size_t *partner = malloc((s->from->modes->count + 1) * sizeof *partner);
         if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
         const whirl_status status =
-            whirl_modes_match(s->from->modes, r->modes, s->from->machine.clock / r->machine.clock, partner);
+            whirl_modes_match(s->from->modes, r->modes, s->from->machine.clock / r->machine.clock, partner, NULL);
         mode = partner[s->mode];
         free(partner);
         if (status.code != WHIRL_OK) return status;
@@ -190,7 +207,7 @@ static whirl_status locate(search *s, const resting_machine *to, whirl_critical 
     if (from->period == 0.0 && to->modes->period == 0.0) {
         size_t *partner = malloc((from->count + 1) * sizeof *partner);
         if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
-        status = whirl_modes_match(from, to->modes, s->from->machine.clock / to->machine.clock, partner);
+        status = whirl_modes_match(from, to->modes, s->from->machine.clock / to->machine.clock, partner, NULL);
         if (status.code == WHIRL_OK) status = locate_speeds(s, to, partner, found, most, count, lost);
         free(partner);
     }

@@ -29,12 +29,16 @@ extern const study_kind rest_kind, branch_kind, torus_kind;
 typedef struct resting_machine {
     whirl_machine machine;
     whirl_modes *modes;
+    size_t *before; ///< [modes->count] which mode of the point before each was, from 1, 0: none; NULL: unknown
     double value;
 } resting_machine;
 
 /// Makes one. Errors as those of the machine, and of whirl_modes_new.
 whirl_status resting_new(const whirl_study *study, const whirl_batch *batch, double value, resting_machine *out);
 void resting_free(resting_machine *r);
+
+/// Finds out which modes of the point before those of a point were. WHIRL_NO_MEMORY.
+whirl_status resting_follow(const resting_machine *from, resting_machine *to);
 
 /// Locates critical speeds and thresholds of stability between two points, to 1e-10 of the parameter: at most `most`
 /// are written to found, *count is how many.

@@ -47,11 +47,12 @@ static whirl_status keep(const worker *w, size_t slot) {
 }
 
 /// What lies between the point before and this one, which is the next point's before.
-static whirl_status locate(worker *w, size_t slot, const resting_machine *own) {
+static whirl_status locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
     if (slot == 0) return status;
     if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
+    if (status.code == WHIRL_OK) status = resting_follow(&w->before, own);
     return status.code == WHIRL_OK
                ? critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count)
                : status;
@@ -94,6 +95,7 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .modes = own->modes,
                                  .critical_count = w->count,
                                  .critical = w->found,
+                                 .before = own->before,
                                  .at_speed = at_speed,
                                  .at_frequency = at_frequency,
                                  .context = &at,
