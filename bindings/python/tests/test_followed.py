@@ -1,10 +1,11 @@
 """Modes followed by their names, through crossings that are known from symmetry."""
 
 import json
+import subprocess
 
 import numpy as np
 import pytest
-from conftest import command
+from conftest import COMMAND, ROOT, command
 
 import whirl
 
@@ -93,3 +94,52 @@ def test_decrement_has_the_lines(tmp_path):
     shown = [line.get_ydata() for line in figure.axes[0].lines if len(line.get_ydata()) >= 45]
     for name in names:
         assert any(np.isclose(ys[np.isfinite(ys)][-1], ends[name], rtol=1e-6) for ys in shown)
+
+
+@pytest.mark.parametrize("shards", [("1/3", "3/3"), ("1/3", "2/3"), ("2/3", "3/3")])
+def test_lines_end_where_a_result_has_gaps(shards, tmp_path):
+    """What is merged of some shards has no values between, over which no line goes: its shape would change."""
+    path, merged = tmp_path / "case.yaml", tmp_path / "r.h5"
+    path.write_text(case(200, 9000, 90))
+    for shard in shards:
+        command("run", path, "-o", merged, "-q", "--shard", shard)
+    assert subprocess.run([COMMAND, "merge", path, "-o", merged, "-q"], check=False).returncode == 3  # unfinished
+    lines = {}
+    points = json.loads(command("show", merged, "--json").stdout)["points"]
+    assert 40 < len(points) < 80
+    for point in points:
+        shapes = np.reshape(point["modes"]["stations"]["middle"]["shape"], (-1, 4))
+        for i, name in enumerate(point["modes"]["name"]):
+            lines.setdefault(name, []).append(np.abs(shapes[i]).max())
+    for sizes in lines.values():
+        assert min(sizes) > 0.05 or max(sizes) < 1e-6
+
+
+def test_one_mode_has_one_name(tmp_path):
+    path = tmp_path / "case.yaml"
+    path.write_text(case(200, 9000, 5).replace("count: 8", "count: 1"))
+    points = json.loads(command("run", path, "--json").stdout)["points"]
+    assert all(point["modes"]["name"] in ("1F", "1B", "2B") for point in points)  # a word, as its frequency is a number
+
+
+def test_modes_of_one_frequency_go_on(tmp_path):
+    """Masses on equal springs at any speed: two modes of each frequency, whose shapes are any mixture."""
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "whirl: 1\nparameters: {omega: 100 rad/s}\nrotor:\n  speed: = omega\n  length_scale: 1 mm\n  stations:\n"
+        "    one: {mass: 1 kg, damping: 3 N s/m}\n    two: {mass: 1 kg, damping: 3 N s/m}\n  elements:\n"
+        "    - spring: {between: [one, ground], stiffness: 10 kN/m}\n"
+        "    - spring: {between: [two, ground], stiffness: 10 kN/m}\n"
+        "study:\n  modes: {parameter: omega, from: 1, to: 200, points: 40}\n"
+    )
+    points = json.loads(command("run", path, "--json").stdout)["points"]
+    assert all(sorted(point["modes"]["name"][:4]) == sorted(points[-1]["modes"]["name"][:4]) for point in points)
+    assert None not in points[-1]["modes"]["name"][:4]
+
+
+def test_frequencies_that_fold_have_no_names(tmp_path):
+    text = (ROOT / "cases/cracked-rotor.yaml").read_text()
+    path = tmp_path / "case.yaml"
+    path.write_text(text.split("study:")[0] + "study:\n  modes: {parameter: w, from: 0.3, to: 2, points: 6}\n")
+    for point in json.loads(command("run", path, "--json").stdout)["points"]:
+        assert "name" not in point["modes"] and point["modes"]["modulo"] > 0

@@ -1,6 +1,7 @@
 """Unbalances by rule, and responses scaled by them, of a rotor whose weight is told in closed form."""
 
 import json
+import re
 import subprocess
 
 import numpy as np
@@ -297,3 +298,32 @@ def test_margins_are_asked_where_probes_are(tmp_path):
         else:
             unjudged = {"asked": None, "margin": None, "holds": None, "above": False}
             assert after == before | unjudged
+
+
+def test_peaks_without_a_probe_are_told(tmp_path):
+    """A disc that peaks where the machine runs, and a probe at a pedestal that does not: the report says whose."""
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        """
+whirl: 1
+parameters: {omega: 3000 rpm}
+rotor:
+  speed: = omega
+  length_scale: 1 mm
+  stations:
+    disc: {mass: 6 kg, eccentricity: 10 um, damping: 100 N s/m}
+    pedestal: {mass: 6 kg, eccentricity: 10 um, damping: 1.2 kN s/m}
+  elements:
+    - spring: {between: [disc, ground], stiffness: 0.5 MN/m}
+    - spring: {between: [pedestal, ground], stiffness: 0.2 MN/m}
+study:
+  unbalance: {parameter: omega, from: 200 rpm, to: 6000 rpm, points: 400, running_from: 2700 rpm,
+              running_to: 3500 rpm, probes_at: pedestal}
+"""
+    )
+    subprocess.run([COMMAND, "run", path, "-q", "-o", tmp_path / "r.h5"], check=True)
+    subprocess.run([COMMAND, "report", tmp_path / "r.h5", "-q", "--lateral", "-o", tmp_path / "out"], check=True)
+    page = " ".join(re.sub("<[^>]*>", " ", (tmp_path / "out/lateral.html").read_text()).split())
+    assert "No peak that a probe sees at the speeds that were looked at has an amplification of 2.5 or more" in page
+    assert "2 peaks of that amplification at stations without a probe are not judged." in page  # x and y of the disc
+    assert "no amplification of 2.5 or more at a probe at the speeds that were looked at" in page

@@ -717,7 +717,8 @@ typedef struct whirl_resting {
 } whirl_resting;
 
 /// kxx, kxy, ... of the bearings at a speed (rad/s) about where the machine rests, coefficients [probe_count][8] as
-/// whirl_bearing_coefficients has them. Errors as these.
+/// whirl_bearing_coefficients has them; 0 of a film that cavitates with the journal in its middle, where slopes differ
+/// with the side. Errors as these.
 whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *coefficients);
 
 /// Fills `block` [layout->size] with what the chosen analyses, all of machines at rest, say of one. Errors as

@@ -48,6 +48,16 @@ static whirl_status find_rest(const whirl_resting *point, double speed, double *
     return status;
 }
 
+/// Sets what is rounding to 0, a bearing at a time.
+static void drop_rounding(double *numbers, size_t probes) {
+    static const double rounding = 1e-30; // N/m, N s/m
+    for (size_t p = 0; p < probes; p++) {
+        double largest = 0.0;
+        for (size_t i = 0; i < 8; i++) largest = fmax(largest, fabs(numbers[8 * p + i]));
+        if (largest <= rounding) memset(numbers + 8 * p, 0, 8 * sizeof *numbers);
+    }
+}
+
 // Where the machine rests matters if they are not the same in the middle and beside it.
 whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *numbers) {
     const size_t probes = point->system->probe_count;
@@ -69,6 +79,7 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
         }
         if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     }
+    if (status.code == WHIRL_OK) drop_rounding(numbers, probes);
     free(x);
     if (alone.release) alone.release(alone.owner);
     return status;

@@ -50,7 +50,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [DIRECTION] = {WHIRL_FIELD_MODES_DIRECTION, "1", "1: circles with the rotation, -1: against it, 0: neither",
                    WHIRL_PER_POINT, 1, kept},
     [BEFORE] = {WHIRL_FIELD_MODES_BEFORE, "1",
-                "which mode of the point before it was, counted from 1; 0: none is like it", WHIRL_PER_POINT, 1, kept},
+                "which mode of the value before it was, counted from 1; 0: none is like it", WHIRL_PER_POINT, 1, kept},
     [OVERDAMPED] = {WHIRL_FIELD_MODES_OVERDAMPED, "1/s", "eigenvalues without a frequency, largest first",
                     WHIRL_PER_POINT, 1, kept},
     [RIGID_BODY] = {WHIRL_FIELD_MODES_RIGID_BODY, "1",

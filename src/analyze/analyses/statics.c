@@ -117,10 +117,9 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
 }
 
-/// Stiffness and damping of bearings where the machine turns and rests; none at speeds beyond their tables, nor of a
-/// film that cavitates with the journal in its middle, where slopes differ with the side and what is found is rounding.
+/// Stiffness and damping of bearings where the machine turns and rests; none at speeds beyond their tables, nor of
+/// those that have neither there.
 static whirl_status fill_coefficients(const whirl_resting *point, const block_view *view) {
-    static const double rounding = 1e-30; // N/m, N s/m
     const size_t probes = point->system->probe_count;
     if (point->speed == 0.0) return whirl_ok();
     double *numbers = malloc((8 * probes + 1) * sizeof *numbers);
@@ -128,7 +127,7 @@ static whirl_status fill_coefficients(const whirl_resting *point, const block_vi
     const whirl_status status = whirl_bearings_at(point, point->speed, numbers);
     for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++) {
         bool any = false;
-        for (size_t i = 0; i < 8; i++) any = any || fabs(numbers[8 * p + i]) > rounding;
+        for (size_t i = 0; i < 8; i++) any = any || numbers[8 * p + i] != 0.0;
         if (!any) continue;
         memcpy(view_numbers(view, STIFFNESS, p), numbers + 8 * p, 4 * sizeof *numbers);
         memcpy(view_numbers(view, DAMPING, p), numbers + 8 * p + 4, 4 * sizeof *numbers);

@@ -45,8 +45,7 @@ static const whirl_member members[] = {
     MEMBER(whirl_record_options, WORD, "probes_at", probes_at, "unbalance", false, "probes_at", "", "",
            WHIRL_KEY_CHOICE, false, "", WHIRL_ANY, "",
            "a station or a list of them, where vibration is measured: margins are asked of peaks there, by the "
-           "largest of which responses are scaled; absent: of all, scaled by those with the clearance of a bearing, if "
-           "any",
+           "largest of which responses are scaled; absent: of all, scaled by those with a clearance, if any",
            ""),
     MEMBER(whirl_record_options, NUMBER, "placed_weight", placed_weight, "unbalance", false, "weight", "W", "kg",
            WHIRL_KEY_NUMBER, false, "0", WHIRL_NOT_NEGATIVE, NULL, "mass that it goes by; 0: what hangs over there",

@@ -106,61 +106,101 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
     }
 }
 
-/// The end of a line at the right edge.
+static bool is_followed(const whirl_table *table) {
+    mode_lines lines;
+    const bool any = mode_lines_of(table, &lines);
+    mode_lines_free(&lines);
+    return any;
+}
+
+/// The end of a line, where the parameter is largest, and where its name stands.
 typedef struct line_end {
-    double at, number;
-    const char *name;
+    double at, number, height;
+    const char *name, *colour;
 } line_end;
 
+/// By height; what differs by rounding stays in its order, by frequency.
 static int by_height(const void *a, const void *b) {
     const line_end *p = a, *q = b;
-    return p->number < q->number ? -1 : p->number > q->number;
+    if (fabs(p->number - q->number) > 1e-6 * (fabs(p->number) + fabs(q->number))) return p->number < q->number ? -1 : 1;
+    return p->height < q->height ? -1 : p->height > q->height;
 }
 
-/// The names of lines at their ends, none over another.
+/// Heights at which names stand, none over another, as near to their lines as that goes.
+static void spread_names(const whirl_panel *panel, line_end *ends, size_t count, double apart) {
+    enum { ROUNDS = 200 };
+    const double low = panel->y.low + 0.5 * apart, high = panel->y.high - 0.5 * apart;
+    for (size_t i = 0; i < count; i++) ends[i].height = fmin(fmax(ends[i].number, low), high);
+    for (int round = 0; round < ROUNDS; round++)
+        for (size_t i = 0; i + 1 < count; i++) {
+            const double lack = apart - (ends[i + 1].height - ends[i].height);
+            if (lack <= 0.0) continue;
+            ends[i].height = fmax(ends[i].height - 0.5 * lack, low);
+            ends[i + 1].height = fmin(ends[i + 1].height + 0.5 * lack, high);
+        }
+    for (size_t i = 1; i < count; i++) ends[i].height = fmax(ends[i].height, ends[i - 1].height + apart);
+    for (size_t i = count; i-- > 0;)
+        ends[i].height = fmin(ends[i].height, i + 1 < count ? ends[i + 1].height - apart : high);
+}
+
+/// Names of lines that end at the right edge, as many as there is room for, each with a stroke from its line.
 static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, size_t count) {
     const double apart = 0.29 / panel->height * (panel->y.high - panel->y.low); // 0.29 cm
-    double room = panel->y.high - 0.5 * apart;
-    whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
-    if (names) names->side = WHIRL_BESIDE;
+    const double stroke = 0.02 * (panel->x.high - panel->x.low);
+    const size_t room = (size_t)((panel->y.high - panel->y.low) / apart);
     qsort(ends, count, sizeof *ends, by_height);
-    for (size_t i = 1; i < count; i++) ends[i].number = fmax(ends[i].number, ends[i - 1].number + apart);
-    for (size_t i = count; i-- > 0; room = ends[i].number - apart) ends[i].number = fmin(ends[i].number, room);
-    for (size_t i = 0; i < count; i++) series_add_text(figure, names, ends[i].at, ends[i].number, ends[i].name);
+    if (count > room) count = room;
+    spread_names(panel, ends, count, apart);
+    for (size_t i = 0; i < count; i++) {
+        whirl_series *line = panel_series(figure, panel, WHIRL_LINE, ends[i].colour, 0.3);
+        whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, ends[i].colour, 1.0);
+        series_add(figure, line, ends[i].at, ends[i].number);
+        series_add(figure, line, ends[i].at + stroke, ends[i].height);
+        if (name) name->side = WHIRL_BESIDE;
+        series_add_text(figure, name, ends[i].at + stroke, ends[i].height, ends[i].name);
+    }
 }
 
-/// One line of `lines`, as far as its frequencies are shown; false where its end is not.
-static bool add_line(whirl_figure *figure, whirl_panel *panel, whirl_series *series, const view *v,
-                     const mode_lines *lines, size_t line, const char *field, line_end *end) {
-    *end = (line_end){.number = NAN, .name = lines->names[line]};
+/// One line of `lines`, as far as its frequencies are shown; its end, NaN where nothing of it is.
+static line_end add_line(whirl_figure *figure, whirl_series *series, const view *v, const mode_lines *lines,
+                         size_t line, const char *field) {
+    line_end end = {.at = -INFINITY, .number = NAN, .height = (double)line, .name = lines->names[line]};
     for (size_t point = 0; point < v->table->count; point++) {
+        const double x = v->table->values[point] / v->size;
         size_t i = 0;
         while (i < lines->modes && lines->line[point * lines->modes + i] != line) i++;
-        const bool seen = i < lines->modes && height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) <= v->top;
-        end->at = v->table->values[point] / v->size;
-        end->number = seen ? height_of(v, field, point, i) : (double)NAN;
-        if (seen) series_add(figure, series, end->at, end->number);
-        if (!seen) series_break(figure, series);
+        if (i < lines->modes && height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) <= v->top) {
+            const double y = height_of(v, field, point, i);
+            series_add(figure, series, x, y);
+            if (x > end.at) end.at = x, end.number = y;
+        } else {
+            series_break(figure, series);
+        }
     }
-    series_break(figure, series);
-    return end->number >= panel->y.low && end->number <= panel->y.high;
+    return end;
 }
 
-/// Lines along the modes that are there at the last point, with their names: thin ones, or in colours, dashed of those
-/// that do not go forward.
-static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured) {
-    const size_t last = v->table->count - 1;
+/// All lines in colours of their own, dashed of modes that do not go forward, with their names; or thin ones, with
+/// names at the right edge alone.
+static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured,
+                      bool named) {
+    const double edge = fmax(v->table->values[0], v->table->values[v->table->count - 1]) / v->size;
     mode_lines lines;
     if (!mode_lines_of(v->table, &lines)) return;
-    line_end *ends = calloc(lines.modes, sizeof *ends);
+    line_end *ends = calloc(lines.count, sizeof *ends);
     size_t count = 0;
-    for (size_t i = 0; ends && i < lines.modes; i++) {
-        const size_t line = lines.line[last * lines.modes + i];
-        if (line == SIZE_MAX) continue;
-        whirl_series *series =
-            panel_series(figure, panel, WHIRL_LINE, coloured ? line_colour(i) : "#B0B0B0", coloured ? 0.8 : 0.3);
-        if (series) series->dashed = coloured && !strchr(lines.names[line], 'F');
-        count += add_line(figure, panel, series, v, &lines, line, field, &ends[count]);
+    for (size_t i = 0; ends && i < lines.count; i++) {
+        const char *const colour = coloured ? line_colour(i) : "#B0B0B0";
+        whirl_series *series = panel_series(figure, panel, WHIRL_LINE, colour, coloured ? 0.8 : 0.3);
+        line_end end = add_line(figure, series, v, &lines, i, field);
+        end.colour = coloured ? colour : "#000000";
+        if (series) series->dashed = coloured && !strchr(end.name, 'F');
+        if (!named || !(end.number >= panel->y.low && end.number <= panel->y.high)) continue;
+        if (end.at == edge) ends[count++] = end;
+        if (!coloured || end.at == edge) continue;
+        whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, colour, 1.0);
+        if (name) name->side = WHIRL_BESIDE;
+        series_add_text(figure, name, end.at, end.number, end.name);
     }
     if (ends) add_names(figure, panel, ends, count);
     free(ends);
@@ -234,7 +274,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 static span range_of(const view *v) {
     span range = span_empty();
     for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);
-    if (table_has(v->table, WHIRL_FIELD_MODES_BEFORE)) range.high += 0.06 * (range.high - range.low);
+    if (is_followed(v->table)) range.high += 0.07 * (range.high - range.low);
     return span_with_margin(range, 0.0, 1e-300);
 }
 
@@ -260,12 +300,12 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     snprintf(frequency->y.label, sizeof frequency->y.label, "damped frequency (%.40s)", v.unit.name);
     snprintf(damping->y.label, sizeof damping->y.label, "damping ratio");
     add_synchronous(figure, frequency, &v);
-    add_lines(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY, false);
+    add_lines(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY, false, true);
     add_modes(figure, frequency, &v, WHIRL_FIELD_MODES_FREQUENCY);
     add_critical(figure, frequency, &v, false);
     whirl_series *zero = panel_level(figure, damping, 0.0, "#9A9A9A", 0.4);
     if (zero) zero->dashed = true;
-    add_lines(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO, false);
+    add_lines(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO, false, false);
     add_modes(figure, damping, &v, WHIRL_FIELD_MODES_DAMPING_RATIO);
     add_critical(figure, damping, &v, true);
     snprintf(
@@ -273,9 +313,12 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         "Campbell diagram: damped natural frequencies over %s; blue, pointing up: the whirl goes with the rotation, "
         "orange, pointing down: against it, grey squares: to and fro; dashed: the speed of the shaft; circles: "
         "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
-        "negative where a mode grows. Names at the right count modes that go forward (F), backward (B) or to and fro "
-        "(M) there, by rising frequency.",
-        v.table->parameter);
+        "negative where a mode grows.%s",
+        v.table->parameter,
+        is_followed(v.table)
+            ? " Names count modes that go forward (F), backward (B) or to and fro (M) at the last value, by rising "
+              "frequency."
+            : "");
 }
 
 const figure_kind campbell_figure = {.list = list, .describe = describe};
@@ -283,12 +326,13 @@ const figure_kind campbell_figure = {.list = list, .describe = describe};
 static void list_decrement(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &decrement_figure, .table = table, .point = NO_POINT};
     (void)of;
-    if (table_has(table, WHIRL_FIELD_MODES_BEFORE) && table->count > 1)
+    if (table->count > 1 && is_followed(table))
         list_figure(to, &place, "decrement", "Logarithmic decrement of modes over %s", table->parameter);
 }
 
 static void describe_decrement(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    const view v = view_of(of, place->table);
+    view v = view_of(of, place->table);
+    v.top = INFINITY; // all modes, whatever their frequency
     whirl_panel *panel = figure_panel(figure, "decrement", 1.0, 5.3);
     if (!panel) return;
     symbol_parameter(of->units, v.table->parameter, panel->x.label, sizeof panel->x.label);
@@ -299,11 +343,11 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
     whirl_series *asked = panel_level(figure, panel, margin_decrement, "#9A9A9A", 0.4);
     if (zero) zero->dashed = true;
     if (asked) asked->dashed = true;
-    add_lines(figure, panel, &v, WHIRL_FIELD_MODES_DECREMENT, true);
+    add_lines(figure, panel, &v, WHIRL_FIELD_MODES_DECREMENT, true, true);
     snprintf(figure->caption, sizeof figure->caption,
              "Logarithmic decrement of the lowest modes over %s, followed by shape and frequency from value to value. "
-             "Names count by rising frequency at the last value, F: forward (solid), B: backward, M: to and fro "
-             "(dashed). Grey: 0, below which a mode grows, and %g.",
+             "Names count by rising frequency at the last value, then those that end before it; F: forward (solid), B: "
+             "backward, M: to and fro (dashed). Grey: 0, below which a mode grows, and %g.",
              v.table->parameter, margin_decrement);
 }
 

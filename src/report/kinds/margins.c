@@ -105,7 +105,7 @@ static void tell_margin(const whirl_table *table, bool probed, const whirl_respo
     row->had = row->asked = NAN;
     if (!margin_running(table, &low, &high)) return;
     if (!probed) {
-        snprintf(text, MARGIN_TEXT, "no probe there: no margin asked for");
+        snprintf(text, MARGIN_TEXT, "at none of probes_at: not judged");
         return;
     }
     const bool above = peak->speed > high, below = peak->speed < low;
@@ -159,6 +159,7 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table, 
         const size_t count = margin_rows(result, table, units, station, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
             const double more = isnan(row->had) ? -(double)INFINITY : row->had - row->asked;
+            all.unjudged += !margin_probed(result, table, station) && row->amplification >= 2.5;
             if (!row->told) continue;
             if (all.told++ == 0 || more < all.more) all.worst = *row, all.more = more, all.station = station;
             all.held += row->holds;

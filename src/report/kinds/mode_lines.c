@@ -20,7 +20,14 @@ static int by_end(const void *a, const void *b) {
     return p->line < q->line ? -1 : p->line > q->line;
 }
 
-/// Gives every mode of every point its line; ends [points x modes] are those of lines.
+/// Whether the row before holds the value before: results that are not whole have gaps.
+static bool follows(const whirl_table *table, size_t point) {
+    return point > 0 && whirl_table_done(table, point - 1) &&
+           whirl_table_slot(table, point) == whirl_table_slot(table, point - 1) + 1;
+}
+
+/// Gives every mode of every point its line; ends [points x modes] are those of lines. None where frequencies are known
+/// but for multiples of the speed: these fold.
 static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     const size_t modes = out->modes;
     for (size_t point = 0; point < table->count; point++) {
@@ -28,12 +35,12 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
         const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
         const double *direction = whirl_table_field(table, point, WHIRL_FIELD_MODES_DIRECTION, 0);
         const double *before = whirl_table_field(table, point, WHIRL_FIELD_MODES_BEFORE, 0);
+        const bool folds = isfinite(whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0));
+        const bool follow = follows(table, point);
         for (size_t i = 0; i < modes; i++) {
             own[i] = SIZE_MAX;
-            if (!whirl_table_done(table, point) || !isfinite(frequency[i])) continue;
-            // A point before that is not done yet has no lines.
-            if (point > 0 && before[i] >= 1.0 && before[i] <= (double)modes)
-                own[i] = own[(size_t)before[i] - 1 - modes];
+            if (!whirl_table_done(table, point) || !isfinite(frequency[i]) || folds) continue;
+            if (follow && before[i] >= 1.0 && before[i] <= (double)modes) own[i] = own[(size_t)before[i] - 1 - modes];
             if (own[i] == SIZE_MAX) own[i] = out->count++;
             ends[own[i]] = (line_end){own[i], point, frequency[i], units_way(direction[i])};
         }
@@ -61,15 +68,13 @@ bool mode_lines_of(const whirl_table *table, mode_lines *out) {
     line_end *ends = calloc(most, sizeof *ends);
     out->line = calloc(most, sizeof *out->line);
     out->names = calloc(most, sizeof *out->names);
-    const bool well = ends && out->line && out->names;
-    if (well) {
+    if (ends && out->line && out->names) {
         follow(table, out, ends);
         name_lines(out, ends);
-    } else {
-        mode_lines_free(out);
     }
     free(ends);
-    return well && out->count > 0;
+    if (out->count == 0) mode_lines_free(out);
+    return out->count > 0;
 }
 
 const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode) {

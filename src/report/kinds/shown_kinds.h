@@ -115,6 +115,7 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
 /// All peaks of a response of which a margin is asked for.
 typedef struct margin_tally {
     size_t told, held;
+    size_t unjudged;  ///< peaks of an amplification of 2.5 or more at stations that are none of probes_at
     margin_row worst; ///< the first that lacks most of its margin or, where none does, has least more than that
     double more;      ///< what that one has more than is asked for, %; minus infinity within the running speeds
     size_t station;   ///< of that one

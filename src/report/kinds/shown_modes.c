@@ -101,7 +101,11 @@ static void print_modes_at_ends(FILE *out, const whirl_shown_units *units, const
     while (first < table->count && !whirl_table_done(table, first)) first++;
     while (last > first && !whirl_table_done(table, last - 1)) last--;
     for (size_t point = first; point < last; point += point + 1 < last ? last - 1 - point : 1) {
-        fprintf(out, " modes at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        fprintf(out, " modes at %.6g%s%s", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+        if (lines.count > 0 && point + 1 < last)
+            fprintf(out, " (names are those at %.6g%s%s)", table->values[last - 1] / unit.size, *unit.name ? " " : "",
+                    unit.name);
+        fputs(":\n", out);
         print_modes(out, table, &lines, point);
     }
     mode_lines_free(&lines);

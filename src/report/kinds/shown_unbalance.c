@@ -171,14 +171,15 @@ static void section(const page *to, size_t index, const whirl_table *table) {
     write_scaled(to, index, table);
 }
 
-const shown_kind shown_unbalance = {.field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
-                                    .anchor = "peaks",
-                                    .name = "Peaks of the response",
-                                    .about = "Critical speeds as peaks that the probes see, with the amplification "
-                                             "factor, speed over the width at half power, and, where the running "
-                                             "speeds are said, the separation margin after API 617 (which edition "
-                                             "counts is for the user to check).",
-                                    .explored = true,
-                                    .found = margin_asked,
-                                    .summarize = summarize,
-                                    .section = section};
+const shown_kind shown_unbalance = {
+    .field = WHIRL_FIELD_UNBALANCE_AMPLITUDE,
+    .anchor = "peaks",
+    .name = "Peaks of the response",
+    .about = "Critical speeds as peaks of all stations, as probes there see them, with the amplification "
+             "factor, speed over the width at half power, and, where the running "
+             "speeds are said, the separation margin after API 617 (which edition "
+             "counts is for the user to check).",
+    .explored = true,
+    .found = margin_asked,
+    .summarize = summarize,
+    .section = section};

@@ -85,7 +85,8 @@ static void count_swept(const page *to, size_t result, const whirl_table *table,
 
 /// Peaks with margins, of all responses.
 typedef struct peak_count {
-    size_t told, held, tables;
+    size_t told, held, tables, unjudged;
+    bool probed;       ///< stations with probes are said
     double more;       ///< what the worst has more than is asked for, % (margin_tally)
     char unknown[512]; ///< the first table of which peaks may have escaped, and why
     char worst[512];   ///< the one that lacks most
@@ -99,6 +100,8 @@ static void count_peaks(const page *to, size_t result, const whirl_table *table,
         snprintf(all->unknown, sizeof all->unknown, "Peaks of %s may be missing: %s.", table->name,
                  margin_lacks(table));
     all->told += own.told;
+    all->unjudged += own.unjudged;
+    all->probed = all->probed || *table->record.probes_at;
     all->held += own.held;
     if (own.held == own.told || (*all->worst && own.more >= all->more)) return;
     all->more = own.more;
@@ -182,14 +185,19 @@ static void write_margins(const page *to, found_part part) {
     else if (peaks.told == 0 && *peaks.unknown)
         fputs("Not known.", to->stream);
     else if (peaks.told == 0)
-        fputs("No peak at the speeds that were looked at has an amplification of 2.5 or more: no margin is asked for.",
-              to->stream);
+        html_printf(to->stream,
+                    "No peak%s at the speeds that were looked at has an amplification of 2.5 or more: no margin is "
+                    "asked for.",
+                    peaks.probed ? " that a probe sees" : "");
     else if (peaks.told == peaks.held)
         html_printf(to->stream, "All %zu peaks of which a margin is asked for have it.", peaks.told);
     else
         html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; the worst is %s.",
                     peaks.told - peaks.held, peaks.told, peaks.worst);
     if (*peaks.unknown) html_printf(to->stream, " %s", peaks.unknown);
+    if (peaks.unjudged > 0)
+        html_printf(to->stream, " %zu peak%s of that amplification at stations without a probe %s not judged.",
+                    peaks.unjudged, summary_plural((double)peaks.unjudged), peaks.unjudged == 1 ? "is" : "are");
     end_sentence(to);
 }
 

@@ -51,7 +51,8 @@ static void write_margin(const page *to, size_t result, const whirl_table *table
     }
     const char *const lacks = margin_lacks(table);
     if (all.told == 0 && !lacks)
-        snprintf(row.found, CELL, "no amplification of 2.5 or more at the speeds that were looked at");
+        snprintf(row.found, CELL, "no amplification of 2.5 or more%s at the speeds that were looked at",
+                 *table->record.probes_at ? " at a probe" : "");
     if (all.held < all.told)
         snprintf(row.verdict, CELL, "fails: %zu of %zu peaks", all.told - all.held, all.told);
     else

@@ -43,17 +43,25 @@ void resting_free(resting_machine *r) {
     *r = (resting_machine){.modes = NULL};
 }
 
+/// Whether eigenvalues are equal: shapes of several of one frequency are any mixture of each other.
+static bool is_equal(const whirl_mode *a, const whirl_mode *b, double scale) {
+    return hypot(scale * a->real - b->real, scale * a->imaginary - b->imaginary) <= 1e-6 * hypot(b->real, b->imaginary);
+}
+
 whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     const size_t count = from->modes->count;
+    const double scale = from->machine.clock / to->machine.clock;
+    if (from->modes->period > 0.0 || to->modes->period > 0.0) return whirl_ok(); // frequencies fold
     size_t *partner = malloc((count + 1) * sizeof *partner);
     double *unlike = malloc((count + 1) * sizeof *unlike);
     to->before = calloc(to->modes->count + 1, sizeof *to->before);
-    whirl_status status =
-        partner && unlike && to->before
-            ? whirl_modes_match(from->modes, to->modes, from->machine.clock / to->machine.clock, partner, unlike)
-            : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+    whirl_status status = partner && unlike && to->before
+                              ? whirl_modes_match(from->modes, to->modes, scale, partner, unlike)
+                              : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
-        if (unlike[i] < 1.0) to->before[partner[i]] = i + 1;
+        if (unlike[i] < 1.0 ||
+            (partner[i] < to->modes->count && is_equal(&from->modes->modes[i], &to->modes->modes[partner[i]], scale)))
+            to->before[partner[i]] = i + 1;
     free(partner);
     free(unlike);
     return status;

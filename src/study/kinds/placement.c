@@ -56,7 +56,9 @@ static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     free(numbers);
     *stiffness = sum / count;
     if (status.code == WHIRL_OK && count == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT, "antinodes_of: no bearing has a stiffness, by which the mode is found");
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "antinodes_of: no bearing has a stiffness where its journal rests, by which the mode is "
+                          "found");
     return status;
 }
 

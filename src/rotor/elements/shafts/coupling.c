@@ -45,6 +45,8 @@ static void add_turning(assembly *to, const size_t *port, size_t next, double st
 static whirl_status check_turning(const key_value *values, const assembly *to) {
     if (values[KINK].number > 0.0 && !(values[TILT].number > 0.0) && !(values[TILT_DAMPING].number > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "has a face_kink and no stiffness against tilts, expected tilt as well");
+    if (values[RUNS_OFF].number > 0.0 && !(values[RADIAL].number > 0.0) && !(values[RADIAL_DAMPING].number > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "has a bore_offset and no stiffness against it, expected radial above 0");
     for (int i = 0; i < 2; i++) {
         const size_t station = values[BETWEEN].station[i];
         const bool aside = station != GROUND && to->stations[station].ratio != 1.0;

@@ -235,7 +235,13 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
     if (status.code == WHIRL_OK) status = check_speed(&values[SPEEDS], to->speed);
     if (values[POLES].number != 2.0 * floor(0.5 * values[POLES].number))
         status = whirl_fail(WHIRL_BAD_INPUT, "has %g poles, expected an even number", values[POLES].number);
+    if (status.code == WHIRL_OK && !frequencies->given && (values[POLES].given || values[FIT_ERROR].given))
+        status = whirl_fail(WHIRL_BAD_INPUT, "has %s and no frequencies, expected a table over these, of which it is",
+                            values[POLES].given ? "poles" : "a fit_error");
     for (int key = KXX; key <= MYY; key++) varies = varies || values[key].count > 0;
+    if (status.code == WHIRL_OK && !varies && (values[SPEEDS].given || frequencies->given))
+        status = whirl_fail(WHIRL_BAD_INPUT, "has %s and no list of a coefficient over them, expected one",
+                            frequencies->given ? "frequencies" : "speeds");
     if (status.code != WHIRL_OK || !frequencies->given || !varies || to->in_time) return status;
     return assembly_frequencies(to, frequencies->count, frequencies->list);
 }
