@@ -703,7 +703,7 @@ typedef struct whirl_resting {
     const whirl_modes *modes;       ///< of it, where they are asked for, else NULL
     size_t critical_count;          ///< of critical
     const whirl_critical *critical; ///< what lies between the point before and this one
-    const size_t *before;           ///< [modes->count] which mode of that point each was, from 1; 0: none; NULL: unknown
+    const size_t *before; ///< [modes->count] which mode of that point each was, from 1; 0: none; NULL: unknown
     /// Makes the same machine at another speed (rad/s; 0: its own), to be released; value: of the variant. Errors as
     /// those of machines.
     whirl_status (*at_speed)(const void *context, double speed, whirl_variant variant, double value,

@@ -82,8 +82,8 @@ bool table_has(const whirl_table *table, const char *field);
 bool table_is_sweep(const drawing *of, const whirl_table *table);
 
 extern const figure_kind bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure, torus_figure,
-    campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure, stability_figure, screening_figure,
-    orbits_figure, point_figure, field_figure;
+    campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure, stability_figure,
+    screening_figure, orbits_figure, point_figure, field_figure;
 
 // ---------------------------------------------------------------- bifurcation
 // What a bifurcation diagram of a station shows, and what its panels share.

@@ -260,8 +260,12 @@ static size_t write_entries(FILE *script, const whirl_figure *figure, size_t pan
 }
 
 static void write_texts(FILE *script, const whirl_panel *panel, const whirl_series *series) {
-    static const char *const places[] = {"center offset 0, 0.45", "center offset 0, -0.6", "right offset -0.6, 0.7",
-                                         "left offset 0.6, -0.7", "left offset 0.2, 0.5 rotate by 60", "left offset 0.5, 0"};
+    static const char *const places[] = {"center offset 0, 0.45",
+                                         "center offset 0, -0.6",
+                                         "right offset -0.6, 0.7",
+                                         "left offset 0.6, -0.7",
+                                         "left offset 0.2, 0.5 rotate by 60",
+                                         "left offset 0.5, 0"};
     for (size_t k = 0; k < series->count; k++) {
         const double x = place(&panel->x, series->x[k]), y = place(&panel->y, series->y[k]);
         if (!isfinite(x) || !isfinite(y)) continue;
