@@ -134,24 +134,37 @@ static whirl_status probe(probing *p, whirl_variant variant, double value, doubl
     return status;
 }
 
-/// Where the decrement is 0, as a multiple of the stages: 0 where it is below with none.
+/// A decrement, or that of a mode that hardly swings where there is none that could grow: all are overdamped, or go
+/// backward.
+static double or_overdamped(double decrement) {
+    return isnan(decrement) ? 10.0 : decrement;
+}
+
+/// With so many times the cross coupling of the stages.
+static whirl_status probe_stages(probing *p, double share, double *decrement) {
+    const whirl_status status = probe(p, WHIRL_WITH_STAGES, share, decrement);
+    *decrement = or_overdamped(*decrement);
+    return status;
+}
+
+/// Where the decrement is 0, as a multiple of the stages: 0 where it is below with none; NaN beyond the largest
+/// multiple.
 static whirl_status find_limit(probing *p, double basic, double *limit) {
     enum { STEPS = 60 };
     static const double most = 1024.0, close = 1e-12;
-    double low = 0.0, high = 1.0, decrement = basic, before = basic;
+    double low = 0.0, high = 1.0, decrement = or_overdamped(basic), before = decrement;
     whirl_status status = whirl_ok();
-    *limit = basic > 0.0 ? NAN : 0.0;
-    if (!(basic > 0.0)) return status;
+    *limit = decrement > 0.0 ? (double)NAN : 0.0;
+    if (!(decrement > 0.0)) return status;
     for (; high <= most && status.code == WHIRL_OK; low = high, before = decrement, high *= 2.0) {
-        status = probe(p, WHIRL_WITH_STAGES, high, &decrement);
+        status = probe_stages(p, high, &decrement);
         if (!(decrement > 0.0)) break;
     }
-    if (high > most || isnan(decrement)) return status;
+    if (high > most) return status;
     bracket at = bracket_between(low, before, high, decrement);
     for (int i = 0; i < STEPS && bracket_width(&at) > close * high && at.fb != 0.0 && status.code == WHIRL_OK; i++) {
         const double next = bracket_next(&at);
-        status = probe(p, WHIRL_WITH_STAGES, next, &decrement);
-        if (isnan(decrement)) break;
+        status = probe_stages(p, next, &decrement);
         bracket_tell(&at, next, decrement);
     }
     *limit = fabs(at.fa) < fabs(at.fb) ? at.a : at.b;

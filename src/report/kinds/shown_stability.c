@@ -69,7 +69,11 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
         fputs("    no mode was found that does not go backward\n", out);
         return;
     }
-    fprintf(out, "    logarithmic decrement: bearings alone %.4g", number(table, point, WHIRL_FIELD_STABILITY_BASIC));
+    const double basic = number(table, point, WHIRL_FIELD_STABILITY_BASIC);
+    fprintf(out,
+            isnan(basic) ? "    logarithmic decrement: bearings alone none, as no mode swings"
+                         : "    logarithmic decrement: bearings alone %.4g",
+            basic);
     if (anticipated > 0.0) fprintf(out, ", with stages %.4g", number(table, point, WHIRL_FIELD_STABILITY_DECREMENT));
     fprintf(out, " (at %.5g Hz), with seals and impellers %.4g\n",
             number(table, point, WHIRL_FIELD_STABILITY_FREQUENCY) / two_pi,
