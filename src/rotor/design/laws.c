@@ -7,6 +7,7 @@
 
 #include "design.h"
 #include "numerics.h"
+#include "shafts.h"
 #include "table.h"
 
 // ---------------------------------------------------------------- black
@@ -81,11 +82,25 @@ bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double c
     return reynolds >= most;
 }
 
+/// The speed of the shaft that an element's first station lies on; the rotor's where it lies on none.
+static double speed_at(const whirl_design *design, const design_element *own) {
+    for (size_t k = 0; k < own->type->group.key_count; k++) {
+        const whirl_key_kind kind = own->type->group.keys[k].kind;
+        const size_t station = own->values[k].station[0];
+        if ((kind != WHIRL_KEY_STATION && kind != WHIRL_KEY_STATIONS) || !own->values[k].given) continue;
+        if (station >= design->station_count || !design->stations[station].values[STATION_POSITION].given) break;
+        const key_value *shaft = &design->stations[station].values[STATION_SHAFT];
+        const size_t at = shaft->given ? shaft->station[0] : 0;
+        return at < design->shaft_count ? design->speed * design->shafts[at].values[SHAFT_RATIO].number : design->speed;
+    }
+    return design->speed;
+}
+
 void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, void *context) {
     for (size_t i = 0; i < design->element_count; i++) {
         const design_element *own = &design->elements[i];
         const doubt_teller to = {tell, context, i};
-        if (own->type->doubt) own->type->doubt(own->values, fabs(design->speed), &to);
+        if (own->type->doubt) own->type->doubt(own->values, fabs(speed_at(design, own)), &to);
     }
 }
 
