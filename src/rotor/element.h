@@ -184,7 +184,8 @@ typedef struct whirl_element_type {
     /// Optional: what its numbers come to, in SI; "": nothing. Of the machine the length scale and the clock.
     void (*note)(const element *own, double length, double clock, char *text, size_t size);
 
-    /// Optional: raises a doubt for every value that its law is not for, or that no such part has.
+    /// Optional: raises a doubt for every value that its law is not for, or that no such part has; speed in rad/s, of
+    /// the shaft that its first station lies on.
     void (*doubt)(const key_value *values, double speed, const doubt_teller *to);
 } element_type;
 
