@@ -40,7 +40,8 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
         for (size_t i = 0; i < modes; i++) {
             own[i] = SIZE_MAX;
             if (!whirl_table_done(table, point) || !isfinite(frequency[i]) || folds) continue;
-            if (follow && before[i] >= 1.0 && before[i] <= (double)modes) own[i] = own[(size_t)before[i] - 1 - modes];
+            if (follow && before[i] >= 1.0 && before[i] <= (double)modes)
+                own[i] = out->line[(point - 1) * modes + (size_t)before[i] - 1];
             if (own[i] == SIZE_MAX) own[i] = out->count++;
             ends[own[i]] = (line_end){own[i], point, frequency[i], units_way(direction[i])};
         }
