@@ -480,11 +480,12 @@ static void put_mode_names(bool *well, json_t *object, const mode_lines *lines, 
         const char *name = mode_lines_name(lines, point, i);
         document_append(well, names, *name ? document_text(name) : json_null());
     }
-    json_t *const part = member(well, object, "modes");
-    if (lines->modes > 1)
-        document_put(well, part, "name", names);
-    else // one number is no list, as in whole_field
-        document_put(well, part, "name", json_incref(json_array_get(names, 0))), json_decref(names);
+    json_t *own = names;
+    if (lines->modes == 1) { // one number is no list, as in whole_field
+        own = json_incref(json_array_get(names, 0));
+        json_decref(names);
+    }
+    document_put(well, member(well, object, "modes"), "name", own);
 }
 
 static bool dump_table(const char *key, const whirl_result *result, const whirl_table *table,

@@ -21,9 +21,10 @@ static const struct {
 typedef struct view {
     const drawing *of;
     const whirl_table *table;
-    speed_unit unit; ///< of frequencies
-    double top;      ///< up to there, as shown
-    double size;     ///< of one unit of the parameter
+    speed_unit unit;  ///< of frequencies
+    double top;       ///< up to there, as shown
+    double size;      ///< of one unit of the parameter
+    mode_lines lines; ///< none where modes were not followed
 } view;
 
 static const double *frequencies_of(const view *v, size_t point) {
@@ -106,24 +107,18 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
     }
 }
 
-static bool is_followed(const whirl_table *table) {
-    mode_lines lines;
-    const bool any = mode_lines_of(table, &lines);
-    mode_lines_free(&lines);
-    return any;
-}
-
 /// The end of a line, where the parameter is largest, and where its name stands.
 typedef struct line_end {
+    size_t line;
     double at, number, height;
+    double step; ///< the number in steps too fine to be seen: what differs by rounding keeps the order of lines
     const char *name, *colour;
 } line_end;
 
-/// By height; what differs by rounding stays in its order, by frequency.
 static int by_height(const void *a, const void *b) {
     const line_end *p = a, *q = b;
-    if (fabs(p->number - q->number) > 1e-6 * (fabs(p->number) + fabs(q->number))) return p->number < q->number ? -1 : 1;
-    return p->height < q->height ? -1 : p->height > q->height;
+    if (p->step != q->step) return p->step < q->step ? -1 : 1;
+    return p->line < q->line ? -1 : p->line > q->line;
 }
 
 /// Heights at which names stand, none over another, as near to their lines as that goes.
@@ -148,6 +143,7 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, 
     const double apart = 0.29 / panel->height * (panel->y.high - panel->y.low); // 0.29 cm
     const double stroke = 0.02 * (panel->x.high - panel->x.low);
     const size_t room = (size_t)((panel->y.high - panel->y.low) / apart);
+    for (size_t i = 0; i < count; i++) ends[i].step = rint(1e6 * ends[i].number / (panel->y.high - panel->y.low));
     qsort(ends, count, sizeof *ends, by_height);
     if (count > room) count = room;
     spread_names(panel, ends, count, apart);
@@ -161,10 +157,10 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, 
     }
 }
 
-/// One line of `lines`, as far as its frequencies are shown; its end, NaN where nothing of it is.
-static line_end add_line(whirl_figure *figure, whirl_series *series, const view *v, const mode_lines *lines,
-                         size_t line, const char *field) {
-    line_end end = {.at = -INFINITY, .number = NAN, .height = (double)line, .name = lines->names[line]};
+/// One line, as far as its frequencies are shown; its end, NaN where nothing of it is.
+static line_end add_line(whirl_figure *figure, whirl_series *series, const view *v, size_t line, const char *field) {
+    const mode_lines *lines = &v->lines;
+    line_end end = {.line = line, .at = -INFINITY, .number = NAN, .name = lines->names[line]};
     for (size_t point = 0; point < v->table->count; point++) {
         const double x = v->table->values[point] / v->size;
         size_t i = 0;
@@ -185,14 +181,12 @@ static line_end add_line(whirl_figure *figure, whirl_series *series, const view 
 static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, const char *field, bool coloured,
                       bool named) {
     const double edge = fmax(v->table->values[0], v->table->values[v->table->count - 1]) / v->size;
-    mode_lines lines;
-    if (!mode_lines_of(v->table, &lines)) return;
-    line_end *ends = calloc(lines.count, sizeof *ends);
+    line_end *ends = calloc(v->lines.count + 1, sizeof *ends);
     size_t count = 0;
-    for (size_t i = 0; ends && i < lines.count; i++) {
+    for (size_t i = 0; ends && i < v->lines.count; i++) {
         const char *const colour = coloured ? line_colour(i) : "#B0B0B0";
         whirl_series *series = panel_series(figure, panel, WHIRL_LINE, colour, coloured ? 0.8 : 0.3);
-        line_end end = add_line(figure, series, v, &lines, i, field);
+        line_end end = add_line(figure, series, v, i, field);
         end.colour = coloured ? colour : "#000000";
         if (series) series->dashed = coloured && !strchr(end.name, 'F');
         if (!named || !(end.number >= panel->y.low && end.number <= panel->y.high)) continue;
@@ -204,7 +198,6 @@ static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, c
     }
     if (ends) add_names(figure, panel, ends, count);
     free(ends);
-    mode_lines_free(&lines);
 }
 
 static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view *v) {
@@ -274,22 +267,24 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 static span range_of(const view *v) {
     span range = span_empty();
     for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);
-    if (is_followed(v->table)) range.high += 0.07 * (range.high - range.low);
+    if (v->lines.count > 0) range.high += 0.07 * (range.high - range.low);
     return span_with_margin(range, 0.0, 1e-300);
 }
 
+/// Its lines are to be freed.
 static view view_of(const drawing *of, const whirl_table *table) {
     view v = {.of = of, .table = table, .unit = speed_unit_of(of, table, WHIRL_FIELD_MODES_SPEED)};
     v.size = whirl_shown_parameter(of->units, table->parameter).size;
     v.top = top_of(&v);
+    mode_lines_of(table, &v.lines);
     return v;
 }
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    const view v = view_of(of, place->table);
     whirl_panel *frequency = figure_panel(figure, "frequency", 1.0, 5.3);
     whirl_panel *damping = figure_panel(figure, "damping", 1.0, 3.4);
     if (!frequency || !damping) return;
+    view v = view_of(of, place->table);
     symbol_parameter(of->units, v.table->parameter, damping->x.label, sizeof damping->x.label);
     frequency->x = damping->x;
     frequency->x.shown = false;
@@ -315,26 +310,29 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         "critical speeds; crosses: thresholds of stability. Below: damping ratios of the same modes, up to 0.25, "
         "negative where a mode grows.%s",
         v.table->parameter,
-        is_followed(v.table)
+        v.lines.count > 0
             ? " Names count modes that go forward (F), backward (B) or to and fro (M) at the last value, by rising "
               "frequency."
             : "");
+    mode_lines_free(&v.lines);
 }
 
 const figure_kind campbell_figure = {.list = list, .describe = describe};
 
 static void list_decrement(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &decrement_figure, .table = table, .point = NO_POINT};
+    mode_lines lines;
     (void)of;
-    if (table->count > 1 && is_followed(table))
-        list_figure(to, &place, "decrement", "Logarithmic decrement of modes over %s", table->parameter);
+    if (table->count < 2 || !mode_lines_of(table, &lines)) return;
+    mode_lines_free(&lines);
+    list_figure(to, &place, "decrement", "Logarithmic decrement of modes over %s", table->parameter);
 }
 
 static void describe_decrement(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    view v = view_of(of, place->table);
-    v.top = INFINITY; // all modes, whatever their frequency
     whirl_panel *panel = figure_panel(figure, "decrement", 1.0, 5.3);
     if (!panel) return;
+    view v = view_of(of, place->table);
+    v.top = INFINITY; // all modes, whatever their frequency
     symbol_parameter(of->units, v.table->parameter, panel->x.label, sizeof panel->x.label);
     snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
     axis_show(&panel->x, range_of(&v));
@@ -349,6 +347,7 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
              "Names count by rising frequency at the last value, then those that end before it; F: forward (solid), B: "
              "backward, M: to and fro (dashed). Grey: 0, below which a mode grows, and %g.",
              v.table->parameter, margin_decrement);
+    mode_lines_free(&v.lines);
 }
 
 const figure_kind decrement_figure = {.list = list_decrement, .describe = describe_decrement};

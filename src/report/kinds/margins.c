@@ -159,7 +159,8 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table, 
         const size_t count = margin_rows(result, table, units, station, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
             const double more = isnan(row->had) ? -(double)INFINITY : row->had - row->asked;
-            all.unjudged += !margin_probed(result, table, station) && row->amplification >= 2.5;
+            all.unjudged +=
+                !margin_probed(result, table, station) && whirl_margin_required(row->amplification, true) > 0.0;
             if (!row->told) continue;
             if (all.told++ == 0 || more < all.more) all.worst = *row, all.more = more, all.station = station;
             all.held += row->holds;

@@ -48,16 +48,25 @@ static bool is_equal(const whirl_mode *a, const whirl_mode *b, double scale) {
     return hypot(scale * a->real - b->real, scale * a->imaginary - b->imaginary) <= 1e-6 * hypot(b->real, b->imaginary);
 }
 
+static whirl_status no_memory(void) {
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+}
+
+/// whirl_modes_match of two machines; *partner is to be freed, after a failure too.
+static whirl_status match(const resting_machine *from, const resting_machine *to, size_t **partner, double *unlike) {
+    *partner = malloc((from->modes->count + 1) * sizeof **partner);
+    if (!*partner) return no_memory();
+    return whirl_modes_match(from->modes, to->modes, from->machine.clock / to->machine.clock, *partner, unlike);
+}
+
 whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     const size_t count = from->modes->count;
     const double scale = from->machine.clock / to->machine.clock;
     if (from->modes->period > 0.0 || to->modes->period > 0.0) return whirl_ok(); // frequencies fold
-    size_t *partner = malloc((count + 1) * sizeof *partner);
+    size_t *partner = NULL;
     double *unlike = malloc((count + 1) * sizeof *unlike);
     to->before = calloc(to->modes->count + 1, sizeof *to->before);
-    whirl_status status = partner && unlike && to->before
-                              ? whirl_modes_match(from->modes, to->modes, scale, partner, unlike)
-                              : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+    whirl_status status = unlike && to->before ? match(from, to, &partner, unlike) : no_memory();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
         if (unlike[i] < 1.0 ||
             (partner[i] < to->modes->count && is_equal(&from->modes->modes[i], &to->modes->modes[partner[i]], scale)))
@@ -112,11 +121,9 @@ static whirl_status measure(search *s, const resting_machine *r, double *result)
     size_t mode = deciding(r->modes);
     *result = growth_of(r);
     if (s->mode != SIZE_MAX) {
-        size_t *partner = malloc((s->from->modes->count + 1) * sizeof *partner);
-        if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
-        const whirl_status status =
-            whirl_modes_match(s->from->modes, r->modes, s->from->machine.clock / r->machine.clock, partner, NULL);
-        mode = partner[s->mode];
+        size_t *partner;
+        const whirl_status status = match(s->from, r, &partner, NULL);
+        if (status.code == WHIRL_OK) mode = partner[s->mode];
         free(partner);
         if (status.code != WHIRL_OK) return status;
         *result = mode < r->modes->count ? distance_of(r, mode) : (double)NAN;
@@ -213,9 +220,8 @@ static whirl_status locate(search *s, const resting_machine *to, whirl_critical 
     whirl_status status = whirl_ok();
     // Frequencies of Floquet's theory are known but for whole multiples of the speed: each would meet it.
     if (from->period == 0.0 && to->modes->period == 0.0) {
-        size_t *partner = malloc((from->count + 1) * sizeof *partner);
-        if (!partner) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
-        status = whirl_modes_match(from, to->modes, s->from->machine.clock / to->machine.clock, partner, NULL);
+        size_t *partner;
+        status = match(s->from, to, &partner, NULL);
         if (status.code == WHIRL_OK) status = locate_speeds(s, to, partner, found, most, count, lost);
         free(partner);
     }
