@@ -109,7 +109,7 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
 
 /// The end of a line, where the parameter is largest, and where its name stands.
 typedef struct line_end {
-    size_t line;
+    size_t line, points; ///< points of it that are shown
     double at, number, height;
     double step; ///< the number in steps too fine to be seen: what differs by rounding keeps the order of lines
     const char *name, *colour;
@@ -168,6 +168,7 @@ static line_end add_line(whirl_figure *figure, whirl_series *series, const view 
         if (i < lines->modes && height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) <= v->top) {
             const double y = height_of(v, field, point, i);
             series_add(figure, series, x, y);
+            end.points++;
             if (x > end.at) end.at = x, end.number = y;
         } else {
             series_break(figure, series);
@@ -192,6 +193,8 @@ static void add_lines(whirl_figure *figure, whirl_panel *panel, const view *v, c
         if (!named || !(end.number >= panel->y.low && end.number <= panel->y.high)) continue;
         if (end.at == edge) ends[count++] = end;
         if (!coloured || end.at == edge) continue;
+        if (end.points == 1) // a line of its own would not be seen
+            series_add(figure, panel_series(figure, panel, WHIRL_DOTS, colour, 2.2), end.at, end.number);
         whirl_series *name = panel_series(figure, panel, WHIRL_TEXTS, colour, 1.0);
         if (name) name->side = WHIRL_BESIDE;
         series_add_text(figure, name, end.at, end.number, end.name);
