@@ -3,7 +3,7 @@
 
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
-one another stay together. Units and commands count twice, for they run under the sanitizers, too, where they take what
+one another stay together. Units and commands count twice, for a third of theirs runs under the sanitizers, too, where they take what
 BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED times SHARED on. What that log does
 not know keeps its line.
 """
@@ -16,7 +16,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
-SHARED = 4
+SHARED = 2
 SANITIZED = 10
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
 ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
@@ -40,12 +40,12 @@ def quarters_of(costs, sanitized):
     groups = {}
     for name, seconds in costs.items():
         group = TOGETHER.match(name)
-        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again.get(name, 0)))
+        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again.get(name, 0) / 3))
     load, release, quarters = [0.0] * 5, [0.0] * 5, {}
     for tests in sorted(groups.values(), key=lambda tests: -sum(weight for _, _, weight in tests)):
         names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
         weight = sum(weight for _, _, weight in tests)
-        long = total >= SHARED or weight - total >= SANITIZED * SHARED
+        long = total >= SHARED or 3 * (weight - total) >= SANITIZED * SHARED
         shared = long and not any(ALWAYS.fullmatch(name) for name in names)
         quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
         load[quarter] += weight

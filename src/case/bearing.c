@@ -33,10 +33,11 @@ static const whirl_key file_keys[] = {
     NUMBER_KEY("kinematic_viscosity", "", "m2/s", OPTIONAL, WHIRL_POSITIVE, "viscosity over density"),
     CITED_NUMBER_KEY("grade", "ISO VG", "1", OPTIONAL, WHIRL_FROM_TO(6.5, 1500.0),
                      "viscosity class of the oil, mm2/s at 40 degC, with temperature", "ISO 3448; Walther 1931"),
-    {"temperatures", "", "K", WHIRL_KEY_NUMBERS, false, "", WHIRL_FROM_TO(233.15, 473.15), NULL,
-     "rising, at which the viscosities of an oil are known, between them by Walther's law; in place of grade",
-     "Walther 1931; ASTM D341"},
-    {"viscosities", "", "Pa s", WHIRL_KEY_NUMBERS, false, "", WHIRL_POSITIVE, NULL, "at these temperatures", ""},
+    CITED_NUMBERS_KEY(
+        "temperatures", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15),
+        "rising, at which the viscosities of an oil are known, between them by Walther's law; in place of grade",
+        "Walther 1931; ASTM D341"),
+    CITED_NUMBERS_KEY("viscosities", "", "Pa s", OPTIONAL, WHIRL_POSITIVE, "at these temperatures", ""),
     NUMBER_KEY("temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15), "of the oil in the film, '50 degC'"),
     CITED_NUMBER_KEY("supply_temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15),
                      "of the oil that comes in; in place of temperature: the film is as warm as the mean of this and "
@@ -71,9 +72,10 @@ static const whirl_key file_keys[] = {
                "of a tilting pad's pivot along the radius; rigid where absent"),
     NUMBER_KEY("pivot_damping", "", "N s/m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same of its damping"),
     NUMBER_KEY("pad_mass", "", "kg", OPTIONAL, WHIRL_NOT_NEGATIVE, "of a pad on such a pivot"),
-    {"whirl_ratio", "nu", "1", WHIRL_KEY_NUMBERS, false, "1", WHIRL_FROM_TO(0.0, 100.0), NULL,
-     "frequency of whirl over speed at which coefficients of tilting pads are reduced; a list of up to 8",
-     "Parsell, Allaire, Barrett 1983"},
+    CITED_NUMBERS_KEY(
+        "whirl_ratio", "nu", "1", DEFAULT("1"), WHIRL_FROM_TO(0.0, 100.0),
+        "frequency of whirl over speed at which coefficients of tilting pads are reduced; a list of up to 8",
+        "Parsell, Allaire, Barrett 1983"),
     NUMBER_KEY("least_film", "", "m", DEFAULT("5e-6"), WHIRL_NOT_NEGATIVE, "thickness below which a warning stands"),
     WHOLE_KEY("fineness", "", DEFAULT("960"), WHIRL_FROM_TO(192, 3840), "volumes of the mesh around a full circle"),
 };

@@ -51,8 +51,9 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
 // ---------------------------------------------------------------- warn
 // What a case may say and likely does not mean.
 
-/// Adds a fact to the result for every warning (whirl_result_warning): values that the law of an element is not for, at
-/// the ends of what the study varies, ranges without extent, and what stands in time for tables (content.h).
+/// Adds a fact to the result for every warning (whirl_result_warning): keys without what they are
+/// of, values that the law of an element is not for, at the ends of what the study varies, ranges without extent, and
+/// what stands in time for tables (content.h).
 whirl_status case_warn(const case_content *content, whirl_result *result);
 
 #endif

@@ -25,7 +25,7 @@ static const whirl_key case_keys[] = {
 // clang-format off
 #define ROTOR_KEYS(speeds)                                                                                             \
     {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
-     "speed of rotation, above 0; for modes at least 0", ""},                                                          \
+     "speed of rotation, above 0; for modes at least 0", "", NULL},                                                          \
     CHOICE_KEY("rotation", DEFAULT("counter-clockwise"), "counter-clockwise|clockwise",                                \
      "which way it turns: from x to y, or from y to x; angles go from x towards y either way"),                        \
     NUMBER_KEY("length_scale", "", "m", REQUIRED, WHIRL_POSITIVE,                                                      \
@@ -88,7 +88,7 @@ static const whirl_key study_keys[] = {
 // Of points along a parameter.
 // clang-format off
 #define AXIS_KEYS(needed)                                                                                              \
-    {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", ""},       \
+    {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", "", NULL}, \
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),                                                \
     NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),                                                   \
     WHOLE_KEY("points", "", OPTIONAL, WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS),                                             \

@@ -81,6 +81,26 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     if (*doubt) warn(w, path, doubt);
 }
 
+// ---------------------------------------------------------------- keys
+
+/// Of keys that have no effect, for what they are of is not given.
+static void warn_of_keys(warner *w, const setting_list *list) {
+    for (size_t i = 0; i < list->count; i++) {
+        const whirl_key *key = list->items[i].key;
+        char path[160], text[WHIRL_MESSAGE_SIZE];
+        if (!key->of || settings_find(list, key->of)) continue;
+        node_path(list->items[i].place, path, sizeof path);
+        snprintf(text, sizeof text, "has no effect without %s", key->of);
+        warn(w, path, text);
+    }
+}
+
+static void warn_of_parts(warner *w) {
+    const machine_parts *machine = &w->content->machine;
+    for (size_t i = 0; i < machine->stations.count; i++) warn_of_keys(w, &machine->stations.items[i]);
+    for (size_t i = 0; i < machine->element_count; i++) warn_of_keys(w, &machine->elements[i]);
+}
+
 // ---------------------------------------------------------------- ranges
 
 /// Of `count` values, one every `stride`, that are one and the same.
@@ -112,6 +132,7 @@ static void warn_of_ranges(warner *w, const whirl_batch *batch) {
 
 whirl_status case_warn(const case_content *content, whirl_result *result) {
     warner w = {.content = content, .result = result, .status = whirl_ok()};
+    warn_of_parts(&w);
     for (size_t i = 0; i < content->plan.batch_count; i++) {
         const whirl_batch *batch = &content->plan.batches[i];
         const char *name;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""What becomes of the command when it is out of memory:  out_of_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES
+"""What becomes of the command when it is out of memory:  out_of_memory.py WHIRL FAILING_MALLOC GOOD.yaml UNITS.xml SAMPLES [COMMAND...]
 
-Every command below is run again and again, and each time another one of its allocations fails, alone or with all that follow:
+Every command below, or those named, is run again and again, and each time another one of its allocations fails, alone or with all that follow:
 SAMPLES allocations of a command, spread over all of them; 0: every one. Whatever fails, the exit status is 0 or 1, what ends with 1
 says so in a sentence, what ends with 0 has done as much as ever, and nothing is left half written.
 """
@@ -92,7 +92,8 @@ def main():
         starts = "study:\n  starts: {count: 3, within: {disc: {x: [-1, 1]}}}"
         (template / "starts.yaml").write_text((template / "case.yaml").read_text().replace("study:", starts))
         assert execute(["run", "starts.yaml", "-q", "-o", "starts.h5"], template).returncode == 0
-        for name, arguments in COMMANDS.items():
+        for name in sys.argv[6:] or COMMANDS:
+            arguments = COMMANDS[name]
             folder = pathlib.Path(place) / name
             shutil.copytree(template, folder)
             number = pathlib.Path(place) / "count"

@@ -49,6 +49,7 @@ typedef struct whirl_key {
     const char *choices;
     const char *meaning; ///< one line
     const char *source;  ///< author, year, equation; "" where there is nothing to cite
+    const char *of;      ///< the key of its group without which it has no effect (an angle without its size); or NULL
 } whirl_key;
 
 /// Ranges for the tables.

@@ -13,7 +13,7 @@
 
 /// A whirl_member: `field` of STRUCT, of type WHIRL_MEMBER_<TYPE>, with the parts of its key behind the others.
 #define MEMBER(STRUCT, TYPE, name, field, part, refined, ...)                                                          \
-    { name, WHIRL_MEMBER_##TYPE, offsetof(STRUCT, field), part, {__VA_ARGS__}, refined }
+    { name, WHIRL_MEMBER_##TYPE, offsetof(STRUCT, field), part, {__VA_ARGS__, NULL}, refined }
 
 // ---------------------------------------------------------------- name_list
 // Names in one text, with blanks or commas between.

@@ -56,12 +56,12 @@ static void print_modes(FILE *out, const whirl_table *table, const mode_lines *l
     if (rigid > 0)
         fprintf(out, "  %10d rad/s: %g rigid-body mode%s, which nothing holds\n", 0, rigid, summary_plural(rigid));
     for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
-        static const char *const ways[] = {" backward", "", " forward"};
+        static const char *const ways[] = {"backward", "", "forward"};
         const char *const whirls = ways[units_way(direction[i]) + 1];
         const char *const name = mode_lines_name(lines, point, i);
-        fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%s%s%s\n", frequency[i],
-                frequency[i] / 6.283185307179586, *whirls || *name ? 10 : 0, shown_ratio(ratio[i]), whirls,
-                *name ? "  " : "", name);
+        fprintf(out, "  %10.6g rad/s (%.6g Hz)  damping ratio %-*.4g%-*s%s\n", frequency[i],
+                frequency[i] / 6.283185307179586, *whirls || *name ? 11 : 0, shown_ratio(ratio[i]), *name ? 10 : 0,
+                whirls, name);
     }
     const double modulo = whirl_table_number(table, point, WHIRL_FIELD_MODES_MODULO, 0);
     if (isfinite(modulo))

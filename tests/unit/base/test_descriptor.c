@@ -14,7 +14,7 @@ static const whirl_key keys[] = {
     NUMBER_KEY("mass", "m", "kg", REQUIRED, WHIRL_POSITIVE, ""),
     WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), ""),
     CHOICE_KEY("law", DEFAULT("paper"), "paper|slip|none", ""),
-    {"share", "", "1", WHIRL_KEY_NUMBER, false, "0", {0, 1, false, true}, NULL, "", ""},
+    {"share", "", "1", WHIRL_KEY_NUMBER, false, "0", {0, 1, false, true}, NULL, "", "", NULL},
     NUMBER_KEY("depth", "", "m", DEFAULT("0"), WHIRL_FROM_TO(-INFINITY, 0), ""),
     NUMBER_KEY("angle", "", "rad", DEFAULT("0"), WHIRL_ANY, ""),
 };

@@ -76,8 +76,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "by which a blade is longer than the radius; one number, or one for each blade", ""),
     [FRICTION] = NUMBER_KEY("friction", "f", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                             "coefficient of friction, against the rotation"),
-    [ANGLE] = NUMBER_KEY("angle", "theta_0", "rad", DEFAULT("0"), WHIRL_ANY,
-                         "where the first blade stands at t = 0, from the x axis towards y"),
+    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "where the first blade stands at t = 0, from the x axis towards y"),
 };
 
 /// The number of a blade.

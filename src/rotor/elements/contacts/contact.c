@@ -140,8 +140,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "radius of the rotor's surface that rubs; friction needs it"),
     [ARC_WIDTH] = NUMBER_KEY("arc", "", "rad", OPTIONAL, WHIRL_POSITIVE,
                              "angle over which there is a stator; all around where absent"),
-    [ARC_MIDDLE] = NUMBER_KEY("arc_middle", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                              "where the middle of the arc lies, from the x axis towards y"),
+    [ARC_MIDDLE] = ANGLE_KEY("arc_middle", "", "arc", "where the middle of the arc lies, from the x axis towards y"),
 };
 
 /// Which keys a choice needs, and which are of no use with it.

@@ -36,9 +36,9 @@ enum {
 };
 
 #define STIFFNESS_KEY(name, symbol, required, fallback, meaning)                                                       \
-    { name, symbol, "N/m", WHIRL_KEY_NUMBER, required, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "" }
+    { name, symbol, "N/m", WHIRL_KEY_NUMBER, required, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "", NULL }
 #define DAMPING_KEY(name, symbol, fallback, meaning)                                                                   \
-    { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "" }
+    { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "", NULL }
 
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "what can lift, then what it sits on; one may be ground"),

@@ -41,8 +41,8 @@ static const whirl_key keys[KEY_COUNT] = {
                                  "parts of the reactions that stand still, come once, twice, ... a turn; 1 alone: they "
                                  "stand still, as they are derived",
                                  "Sekhar, Prabhu 1995"),
-    [PHASE] = NUMBER_KEY("phase", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                         "that orders from the first on have of the turn at t = 0: they go as cos n (tau + phase)"),
+    [PHASE] = ANGLE_KEY("phase", "", "orders",
+                        "that orders from the first on have of the turn at t = 0: they go as cos n (tau + phase)"),
 };
 
 static whirl_status check(const key_value *values) {

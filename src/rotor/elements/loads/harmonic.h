@@ -44,8 +44,7 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
     STATION_KEY("at", REQUIRED, "station that carries it"),                       \
     CITED_NUMBER_KEY("moment", "U", "kg m", REQUIRED, WHIRL_NOT_NEGATIVE, \
      "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"),                                         \
-    NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY, \
-     "where it lies at t = 0, from the x axis towards y")
+    ANGLE_KEY("angle", "beta", NULL, "where it lies at t = 0, from the x axis towards y")
 // clang-format on
 
 #endif

@@ -17,12 +17,12 @@ static const whirl_key keys[KEY_COUNT] = {
     [ORDER] = WHOLE_KEY("order", "n", DEFAULT("1"), WHIRL_FROM_TO(1, 64), "how many high places the shaft has around"),
     [AMPLITUDE] = CITED_NUMBER_KEY("amplitude", "r", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                                    "by how much they are high, zero to peak; or profile", "API 670"),
-    [ANGLE] = NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                         "where one of them lies at t = 0, from the x axis towards y"),
-    [PROFILE] = {"profile", "", "m", WHIRL_KEY_NUMBERS, false, "", WHIRL_ANY, NULL,
-                 "heights at equal angles around the shaft, from the x axis at t = 0 towards y, in place of amplitude; "
-                 "between them by their harmonics, without their mean",
-                 ""},
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where one of them lies at t = 0, from the x axis towards y"),
+    [PROFILE] = CITED_NUMBERS_KEY(
+        "profile", "", "m", OPTIONAL, WHIRL_ANY,
+        "heights at equal angles around the shaft, from the x axis at t = 0 towards y, in place of amplitude; "
+        "between them by their harmonics, without their mean",
+        ""),
 };
 
 /// The surface a cos n psi + b sin n psi, psi = alpha - way tau under a probe at alpha, as Re(v exp(i n tau)).

@@ -36,8 +36,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [TO_FIRST] = NUMBER_KEY("to_first", "L_A", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
                             "from the centre of mass to the first plane; by that shaft where absent"),
     [TO_SECOND] = NUMBER_KEY("to_second", "L_B", "m", OPTIONAL, WHIRL_NOT_NEGATIVE, "to the second plane, beyond it"),
-    [ANGLE] = NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                         "where it lies in the first plane at t = 0, from the x axis towards y"),
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where it lies in the first plane at t = 0, from the x axis towards y"),
     [SECOND_ANGLE] =
         NUMBER_KEY("second_angle", "", "rad", OPTIONAL, WHIRL_ANY, "in the second plane; as in the first where absent"),
     [FACTOR] = NUMBER_KEY("factor", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "part of what is allowed that it has"),

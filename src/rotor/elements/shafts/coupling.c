@@ -20,12 +20,12 @@ static const whirl_key keys[KEY_COUNT] = {
     [RUNS_OFF] = NUMBER_KEY("bore_offset", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                             "bores off centre: how far the axis of the first shaft runs beside that of the second, "
                             "turning with them, where nothing bends the coupling"),
-    [RUNS_OFF_ANGLE] = NUMBER_KEY("bore_angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                                  "where that axis lies at t = 0, from the x axis towards y"),
+    [RUNS_OFF_ANGLE] =
+        ANGLE_KEY("bore_angle", "beta", "bore_offset", "where that axis lies at t = 0, from the x axis towards y"),
     [KINK] = NUMBER_KEY("face_kink", "kappa", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                         "faces out of square: the slope of the first shaft against the second, turning with them"),
-    [KINK_ANGLE] = NUMBER_KEY("face_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                              "where the first shaft leans to at t = 0, from the x axis towards y"),
+    [KINK_ANGLE] =
+        ANGLE_KEY("face_angle", "", "face_kink", "where the first shaft leans to at t = 0, from the x axis towards y"),
 };
 
 /// What turns with the shafts: k e + c e', e' = i omega e, on the first place, and against it on the second. port[0],

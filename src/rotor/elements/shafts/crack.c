@@ -41,8 +41,7 @@ static const whirl_key keys[KEY_COUNT] = {
                               "Gasch 1993"),
     [LOSS_ACROSS] = CITED_NUMBER_KEY("loss_across", "d2", "1", DEFAULT("0"), PART,
                                      "part of the stiffness across it that is lost", "Gasch 1993"),
-    [ANGLE] = NUMBER_KEY("angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                         "where the crack lies at t = 0, from the x axis towards y"),
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where the crack lies at t = 0, from the x axis towards y"),
     [OPENS] = NUMBER_KEY(
         "opens", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
         "where the static load points, so that a crack that lies there is open; down, against y, where absent"),

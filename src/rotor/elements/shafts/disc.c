@@ -14,8 +14,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("7850"), WHIRL_POSITIVE, "density; steel where absent"),
     [ECCENTRICITY] = NUMBER_KEY("eccentricity", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "distance of the disc's centre of mass from the shaft's centre"),
-    [ECCENTRICITY_ANGLE] = NUMBER_KEY("eccentricity_angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                                      "where the centre of mass lies at t = 0, from the x axis towards y"),
+    [ECCENTRICITY_ANGLE] = ANGLE_KEY("eccentricity_angle", "beta", "eccentricity",
+                                     "where the centre of mass lies at t = 0, from the x axis towards y"),
 };
 
 static const double pi = 3.14159265358979323846;

@@ -27,10 +27,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the ends of the driving and of the driven shaft; they tilt"),
     [BEND] = CITED_NUMBER_KEY("bend", "b", "rad", REQUIRED, WHIRL_NOT_NEGATIVE,
                               "angle between both shafts, which stands still; below a right angle", "Hooke 1676"),
-    [DIRECTION] = NUMBER_KEY("direction", "delta", "rad", DEFAULT("0"), WHIRL_ANY,
-                             "where the driven shaft leans to, from the x axis towards y"),
-    [YOKE] = NUMBER_KEY("yoke", "phi", "rad", DEFAULT("0"), WHIRL_ANY,
-                        "where the pin in the driving shaft's yoke lies at t = 0, from the x axis towards y"),
+    [DIRECTION] = ANGLE_KEY("direction", "delta", NULL, "where the driven shaft leans to, from the x axis towards y"),
+    [YOKE] = ANGLE_KEY("yoke", "phi", NULL,
+                       "where the pin in the driving shaft's yoke lies at t = 0, from the x axis towards y"),
     [TORQUE] =
         CITED_NUMBER_KEY("torque", "T", "N m", REQUIRED, WHIRL_ANY,
                          "torque that the driving shaft hands on, along the rotation", "Seherr-Thoss et al. 2006"),

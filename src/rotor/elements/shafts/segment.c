@@ -17,8 +17,8 @@ static const whirl_key keys[SEGMENT_KEYS] = {
     [SEGMENT_FLATS] =
         NUMBER_KEY("flats", "", "m", OPTIONAL, WHIRL_POSITIVE,
                    "distance of two flats cut along it, which makes its stiffness unequal; round where absent"),
-    [SEGMENT_FLATS_ANGLE] = NUMBER_KEY("flats_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                                       "where the normal of the flats points at t = 0, from the x axis towards y"),
+    [SEGMENT_FLATS_ANGLE] = ANGLE_KEY("flats_angle", "", "flats",
+                                      "where the normal of the flats points at t = 0, from the x axis towards y"),
     [SEGMENT_SHAFT] = NAME_KEY("shaft", OPTIONAL, "shafts",
                                "name of `shafts` that it is a part of; required where there are several"),
     [SEGMENT_START] =

@@ -31,16 +31,16 @@ static const whirl_key keys[KEY_COUNT] = {
                          "displacement of a shaft of finite elements that is bent and turns so; at three stations of "
                          "it at least, 0 where it is straight",
                          "Nicholas, Gunter, Allaire 1976"),
-    [BOW_ANGLE] = NUMBER_KEY("bow_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                             "where that displacement points to at t = 0, from the x axis towards y"),
+    [BOW_ANGLE] =
+        ANGLE_KEY("bow_angle", "", "bow", "where that displacement points to at t = 0, from the x axis towards y"),
     [MASS] = NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
                         "mass lumped at the station; required where neither a disc nor a shaft brings one"),
     [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                            "viscous damping between the station and the ground"),
     [ECCENTRICITY] = NUMBER_KEY("eccentricity", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "distance of the centre of mass from the shaft's centre (unbalance m e)"),
-    [ECCENTRICITY_ANGLE] = NUMBER_KEY("eccentricity_angle", "beta", "rad", DEFAULT("0"), WHIRL_ANY,
-                                      "where the centre of mass lies at t = 0, from the x axis towards y"),
+    [ECCENTRICITY_ANGLE] = ANGLE_KEY("eccentricity_angle", "beta", "eccentricity",
+                                     "where the centre of mass lies at t = 0, from the x axis towards y"),
     [DIAMETRAL] = CITED_NUMBER_KEY("diametral", "I_d", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                    "moment of inertia about a diameter; a station that has one tilts",
                                    "Friswell et al. 2010, sec. 3.5"),
@@ -50,8 +50,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [SKEW] = CITED_NUMBER_KEY("skew", "chi", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "angle between the principal axis of inertia and the shaft's",
                               "Friswell et al. 2010, sec. 6.2"),
-    [SKEW_ANGLE] = NUMBER_KEY("skew_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,
-                              "where the principal axis leans to at t = 0, from the x axis towards y"),
+    [SKEW_ANGLE] =
+        ANGLE_KEY("skew_angle", "", "skew", "where the principal axis leans to at t = 0, from the x axis towards y"),
     [MOVES] = CHOICE_KEY("moves", DEFAULT("xy"), "xy|x|y",
                          "the axes along which it moves: of a shaft both, of a pedestal perhaps one"),
 };

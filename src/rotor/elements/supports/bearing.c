@@ -62,11 +62,11 @@ enum {
 };
 
 #define STIFFNESS(name, symbol, fallback, text)                                                                        \
-    { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
+    { name, symbol, "N/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "", NULL }
 #define DAMPING(name, symbol, fallback, text)                                                                          \
-    { name, symbol, "N s/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
+    { name, symbol, "N s/m", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "", NULL }
 #define INERTIA(name, symbol, fallback, text)                                                                          \
-    { name, symbol, "kg", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "" }
+    { name, symbol, "kg", WHIRL_KEY_NUMBERS, false, fallback, WHIRL_ANY, NULL, text, "", NULL }
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),
@@ -100,7 +100,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MOST_PAIRS), NULL,
                "of the rational function that in time stands for tables over frequencies, an even number; fewer where "
                "there are fewer than n + 2 frequencies",
-               "Gustavsen, Semlyen 1999"},
+               "Gustavsen, Semlyen 1999", NULL},
     [FIT_ERROR] = NUMBER_KEY("fit_error", "", "1", DEFAULT("0.02"), WHIRL_POSITIVE,
                              "part by which that function may differ from the table, up to half way between its "
                              "frequencies; else motions in time are refused"),

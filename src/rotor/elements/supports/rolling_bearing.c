@@ -52,8 +52,8 @@ enum {
                    "angle that the dent takes up, at most 120 degrees")
 
 #define RACE_DENT_KEYS(place, symbol)                                                                                  \
-    DENT_KEYS(place, symbol), NUMBER_KEY(place "_dent_angle", "", "rad", DEFAULT("0"), WHIRL_ANY,                      \
-                                         "where its middle stands at t = 0, from the x axis towards y")
+    DENT_KEYS(place, symbol), ANGLE_KEY(place "_dent_angle", "", place "_dent",                                        \
+                                        "where its middle stands at t = 0, from the x axis towards y")
 
 /// Keys of a bearing of `many` of `one`, whose force goes with the power of the approach that the unit has.
 #define ROLLING_KEYS(one, many, unit, cited)                                                                           \
@@ -71,13 +71,12 @@ enum {
                               "speed of the cage over the rotor's, between those of its races, in place of the radii:" \
                               " r_i/(r_i + r_o) where the outer race stands",                                          \
                               "Harris 2001, ch. 8"),                                                                   \
-    [ANGLE] = NUMBER_KEY("angle", "theta_0", "rad", DEFAULT("0"), WHIRL_ANY,                                           \
-                         "where a " one " stands at t = 0, from the x axis towards y"),                                \
+    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "where a " one " stands at t = 0, from the x axis towards y"),       \
     [DAMPING] =                                                                                                        \
         NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "viscous damping between the races"),    \
     [ROWS] = WHOLE_KEY("rows", "", DEFAULT("1"), WHIRL_FROM_TO(1, 8), "equal rows of " many " in one cage"),           \
-    [STAGGERED] = CHOICE_KEY("staggered", DEFAULT("yes"), "yes|no",                                                    \
-                             "whether rows stand evenly between each other, or " one " beside " one),                  \
+    [STAGGERED] = CHOICE_OF_KEY("staggered", DEFAULT("yes"), "yes|no", "rows",                                         \
+                                "whether rows stand evenly between each other, or " one " beside " one),               \
     [INNER_DENT] = RACE_DENT_KEYS("inner", "i"), [OUTER_DENT] = RACE_DENT_KEYS("outer", "o"),                          \
     [OWN_DENT] = DENT_KEYS(one, "b")
 
