@@ -40,6 +40,13 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_CONE] =
         "ROSS's own frequencies are higher, by about 0.5 % where a diameter grows by half along an element and 2 % "
         "where it doubles: its cones are too stiff, those here agree with fine steps of cylinders: %s.",
+    [NOTE_MAGNETIC] =
+        "Magnetic bearings come with their magnets and their controller, whose poles modes have; the modes of ROSS "
+        "have "
+        "coefficients at one frequency, that of the speed. Limits of the current are not in the file: %s.",
+    [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter have the one here that ROSS 2 has where "
+                             "nothing is said, of 10 000 "
+                             "rad/s: %s.",
 };
 
 static void add_text(note_list *to, char *text) {

@@ -56,6 +56,8 @@ typedef enum note_kind {
     NOTE_HUTCHINSON,
     NOTE_ROTARY,
     NOTE_CONE,
+    NOTE_MAGNETIC,
+    NOTE_MAGNETIC_FILTER,
     NOTE_KINDS
 } note_kind;
 

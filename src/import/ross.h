@@ -63,6 +63,16 @@ typedef enum ross_coefficient {
 extern const char *const ross_coefficient_names[COEFFICIENTS];
 extern const char *const ross_coefficient_units[COEFFICIENTS];
 
+/// The magnets of both axes of a magnetic bearing, and their controller.
+typedef struct ross_magnet {
+    double gap, bias, area, turns, pole_angle, angle; ///< SI; angle: of its first axis, from x towards y
+    double proportional, integral, derivative;        ///< current by displacement, with the gains of all parts
+    double filter;                                    ///< s, time constant of the derivative
+    double gain;                                      ///< of sensor and amplifier, that the numerator lacks
+    size_t numerator_count, denominator_count;
+    const double *numerator, *denominator; ///< of a transfer function in place of these; NULL: none
+} ross_magnet;
+
 typedef struct ross_bearing {
     const char *tag;
     long node, link;           ///< link: node of its housing, -1: the ground
@@ -74,6 +84,7 @@ typedef struct ross_bearing {
     const double *values[COEFFICIENTS];
     bool varies[COEFFICIENTS]; ///< [1 or speed_count][1 or frequency_count], else one for all
     bool seal;
+    const ross_magnet *magnet; ///< in place of coefficients; NULL: none
     field_section section;
 } ross_bearing;
 
@@ -126,6 +137,9 @@ void ross_read(import_reader *reader, value *root, ross_rotor *out);
 /// A bearing, seal, or any class that has coefficients, of a file of this version.
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
+/// A magnetic bearing.
+void ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out);
+
 /// A coupling.
 void ross_read_coupling(field_section *section, const char *tag, ross_coupling *out);
 
@@ -146,6 +160,9 @@ void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]
 
 /// The bearing's coefficients differ from 0 somewhere.
 bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
+
+/// Writes the element of a magnetic bearing.
+void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing);
 
 /// Writes the elements of a coupling: nothing where it resists no lateral motion.
 void ross_put_coupling(FILE *out, const ross_rotor *rotor, const ross_coupling *coupling);

@@ -338,7 +338,7 @@ static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *
     snprintf(comment, sizeof comment, "%.60s, node %ld", bearing->tag, bearing->node);
     whirl_make_plain(comment);
     page_comment(out, "    # ", "    # ", comment);
-    (table_size(bearing) > 1 ? put_table : put_constant)(out, rotor, bearing);
+    (bearing->magnet ? ross_put_magnetic : table_size(bearing) > 1 ? put_table : put_constant)(out, rotor, bearing);
 }
 
 // ---------------------------------------------------------------- the whole

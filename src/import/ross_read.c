@@ -160,6 +160,10 @@ static void read_seal(field_section *section, const char *tag, ross_rotor *out) 
     for (size_t i = before; i < out->bearing_count; i++) out->bearings[i].seal = true;
 }
 
+static void read_magnetic(field_section *section, const char *tag, ross_rotor *out) {
+    ross_read_magnetic(section, tag, &out->bearings[out->bearing_count++]);
+}
+
 static void read_coupling(field_section *section, const char *tag, ross_rotor *out) {
     ross_read_coupling(section, tag, &out->couplings[out->coupling_count++]);
 }
@@ -180,10 +184,10 @@ static const ross_class classes[] = {
     {"BearingElement", read_bearing, NULL},
     {"SealElement", read_seal, NULL},
     {"PointMass", read_point, NULL},
+    {"MagneticBearingElement", read_magnetic, NULL},
     {"CouplingElement", read_coupling, NULL},
     {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},
     {"GearElementTVMS", NULL, "gears couple shafts and twist, which is not taken over"},
-    {"MagneticBearingElement", NULL, "magnetic bearings have a controller, which is not taken over"},
 };
 enum { CLASSES = sizeof classes / sizeof *classes };
 

@@ -63,6 +63,51 @@ static void test_two_discs(void **state) {
     free(text);
 }
 
+// ---------------------------------------------------------------- magnets
+
+/// The linear coefficients of a magnet as ROSS has them (Schweitzer, Maslen 2009): N/A and N/m.
+static void magnet_of_ross(double gap, double bias, double area, double turns, double alpha, double *by_current,
+                           double *by_place) {
+    *by_current = 4.0 * bias * cos(alpha) * 4e-7 * acos(-1.0) * turns * turns * area / (4.0 * gap * gap);
+    *by_place = *by_current * bias / gap;
+}
+
+/// What the file says of magnets, gains of parts, PID and transfer function, beside linear magnets by hand.
+static void test_magnetic(void **state) {
+    char by_hand[1024];
+    double by_current, by_place, clock;
+    (void)state;
+    magnet_of_ross(1e-3, 1.0, 1e-4, 200.0, 0.392, &by_current, &by_place);
+    check_digits("Import", "static stiffness of the magnet in the documentation of ROSS, N/m", "-4640.623377181318",
+                 by_current - by_place);
+    magnet_of_ross(1e-3, 2.0, 4e-4, 240.0, 0.39269908, &by_current, &by_place);
+    snprintf(by_hand, sizeof by_hand,
+             "    - magnetic: {at: magnet_0, law: linear, current_stiffness: %.17g, displacement_stiffness: %.17g,\n"
+             "                 proportional: 2.0e+4, integral: 5.0e+4, derivative: 40.0, derivative_filter: 1.25e-4}\n"
+             "    - magnetic: {at: magnet_6, law: linear, current_stiffness: %.17g, displacement_stiffness: %.17g,\n"
+             "                 numerator: [45.0, 2.0e+4], denominator: [1.25e-4, 1.0]}\n",
+             by_current, by_place, by_current, by_place);
+    char *const text = import_full("magnetic.toml");
+    whirl_case *const object = parse_case(text);
+    char *const other = replace(text, "    # Magnet 0", "\nstudy:", by_hand);
+    whirl_case *const expected = parse_case(other);
+    whirl_modes *const modes = modes_at(object, 300.0, &clock), *const same = modes_at(expected, 300.0, &clock);
+    double worst = 0.0;
+    assert_int_equal(modes->count, same->count);
+    assert_true(modes->count >= 6);
+    for (size_t i = 0; i < modes->count; i++)
+        worst = fmax(worst, hypot(modes->modes[i].real - same->modes[i].real,
+                                  modes->modes[i].imaginary - same->modes[i].imaginary) /
+                                hypot(same->modes[i].real, same->modes[i].imaginary));
+    check_within("Import", "closed loops of magnets beside linear ones by hand: largest relative difference", 0.0,
+                 worst, 1e-9);
+    whirl_modes_free(modes);
+    whirl_modes_free(same);
+    whirl_case_free(object);
+    whirl_case_free(expected);
+    free(other);
+}
+
 // ---------------------------------------------------------------- a compressor
 
 /// Natural frequencies in rad/s at rest and forward synchronous speeds, of bearings of 1e6 to 1e11 N/m in equal ratios:
@@ -193,7 +238,8 @@ static void test_options_add_up(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_discs), cmocka_unit_test(test_critical_speed_map),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_two_discs), cmocka_unit_test(test_magnetic),
+                                       cmocka_unit_test(test_critical_speed_map),
                                        cmocka_unit_test(test_options_add_up)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

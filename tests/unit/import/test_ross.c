@@ -231,12 +231,54 @@ static void test_refused_by_name(void **state) {
         "bending in a way that is not modelled here");
     expect_refused("DiskElement_Disk 0", "GearElement_Gear 0",
                    "r.toml:18: [GearElement_Gear 0]: gears couple shafts and twist, which is not taken over");
-    expect_refused(
-        "BearingElement_Support", "MagneticBearingElement_Support",
-        "r.toml:35: [MagneticBearingElement_Support]: magnetic bearings have a controller, which is not taken "
-        "over");
+    expect_refused("BearingElement_Support", "MagneticBearingElement_Support",
+                   "r.toml:35: [MagneticBearingElement_Support] g0: is missing, expected a number in m");
     expect_refused("DiskElement_Disk 0", "DiscElement_Disk 0",
                    "r.toml:18: [DiscElement_Disk 0]: is a DiscElement, expected DiskElement_...");
+}
+
+/// A magnetic bearing in place of the support: `keys` behind what all of them have.
+static void magnet_with(const char *keys, char text[4096]) {
+    edit("BearingElement_Support\"]\n", "MagneticBearingElement_Support\"]\n", text, 4096);
+    char *const head = strstr(text, "MagneticBearingElement_Support\"]\n");
+    assert_non_null(head);
+    char *const at = strchr(head, '\n') + 1;
+    char rest[4096], own[512];
+    snprintf(rest, sizeof rest, "%s", at);
+    snprintf(own, sizeof own, "g0 = 0.001\ni0 = 2.0\nag = 4e-4\nnw = 240\n%s\n", keys);
+    snprintf(at, 4096 - (size_t)(at - text), "%s%s", own, rest);
+}
+
+static void test_magnets(void **state) {
+    static const struct {
+        const char *keys, *line; ///< "!": what it is refused with
+    } cases[] = {
+        {"kp_pid = 2.0\nk_sense = 5e3", "proportional: 10000 A/m}"},
+        {"kp_pid = [2.0, 2.0]\nk_amp = 3.0", "proportional: 6 A/m}"},
+        {"kp_pid = 2.0\nkd_pid = 0.01\nn_f = 5e3", "derivative_filter: 0.0002 s}"},
+        {"kp_pid = 2.0\nkd_pid = 0.01", "derivative_filter: 0.0001 s}"},
+        {"controller_transfer_function_num = [1.0, 2.0]\ncontroller_transfer_function_den = [0.001, 1.0]\nk_amp = 3.0",
+         "numerator: [3, 6]"},
+        {"kp_pid = [2.0, 3.0]", "!kp_pid: is 2 A/m along one axis and 3 along another, expected one number for both"},
+        {"ki_pid = 0.0", "!kp_pid: is 0 or missing, and so are ki_pid and kd_pid, expected a controller"},
+        {"kp_pid = 1.0\ncontroller_transfer_function = \"1/s\"",
+         "!controller_transfer_function: has no numbers that are known here"},
+        {"controller_transfer_function_num = [1, 2, 3]\ncontroller_transfer_function_den = [0.001, 1.0]", "!makes no"},
+        {"controller_transfer_function_den = [1,1,1,1,1,1,1,1]", "!has 8 coefficients, expected a transfer function"},
+        {"kp_pid = 1.0\nalpha = 2.0", "!alpha: is 2 rad"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[4096];
+        whirl_imported imported;
+        magnet_with(cases[i].keys, text);
+        const whirl_status status = whirl_import_parse(text, strlen(text), "r.toml", &imported);
+        const char *const said = status.code == WHIRL_OK ? imported.text : status.message;
+        const bool refused = *cases[i].line == '!';
+        if (refused != (status.code == WHIRL_BAD_INPUT) || !strstr(said, cases[i].line + refused))
+            fail_msg("%s: expected %s, got %s", cases[i].keys, cases[i].line, said);
+        whirl_imported_free(&imported);
+    }
 }
 
 /// Refused with a sentence, or a case that is good.
@@ -547,14 +589,23 @@ static void test_deep_and_large(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_taken_over),   cmocka_unit_test(test_options_of_the_shaft),
-        cmocka_unit_test(test_refused),      cmocka_unit_test(test_refused_by_name),
-        cmocka_unit_test(test_no_rotor),     cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_differences),  cmocka_unit_test(test_speeds),
-        cmocka_unit_test(test_names),        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_long_tables),  cmocka_unit_test(test_deep_and_large),
-        cmocka_unit_test(test_broken_bytes), cmocka_unit_test(test_strange_numbers),
-        cmocka_unit_test(test_no_machine),   cmocka_unit_test(ross3),
+        cmocka_unit_test(test_taken_over),
+        cmocka_unit_test(test_options_of_the_shaft),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused_by_name),
+        cmocka_unit_test(test_magnets),
+        cmocka_unit_test(test_no_rotor),
+        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_differences),
+        cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_long_tables),
+        cmocka_unit_test(test_deep_and_large),
+        cmocka_unit_test(test_broken_bytes),
+        cmocka_unit_test(test_strange_numbers),
+        cmocka_unit_test(test_no_machine),
+        cmocka_unit_test(ross3),
         cmocka_unit_test(in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
