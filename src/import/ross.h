@@ -73,6 +73,11 @@ typedef struct ross_magnet {
     const double *numerator, *denominator; ///< of a transfer function in place of these; NULL: none
 } ross_magnet;
 
+/// The film that coefficients were computed of (CylindricalBearing), and its load; SI.
+typedef struct ross_film {
+    double radius, length, clearance, viscosity, load;
+} ross_film;
+
 typedef struct ross_bearing {
     const char *tag;
     long node, link;           ///< link: node of its housing, -1: the ground
@@ -85,6 +90,7 @@ typedef struct ross_bearing {
     bool varies[COEFFICIENTS]; ///< [1 or speed_count][1 or frequency_count], else one for all
     bool seal;
     const ross_magnet *magnet; ///< in place of coefficients; NULL: none
+    const ross_film *film;     ///< that they are of; NULL: the file does not say
     field_section section;
 } ross_bearing;
 

@@ -178,6 +178,24 @@ static void note_axial(field_section *section, const char *tag) {
     if (found) note_of(&section->reader->notes, NOTE_AXIAL, tag);
 }
 
+/// Of a CylindricalBearing: an isothermal short film under a load, whose dimensions the file has.
+static void read_film(field_section *section, ross_bearing *out) {
+    static const char *const keys[] = {"journal_diameter", "bearing_length", "radial_clearance", "oil_viscosity",
+                                       "weight"};
+    static const char *const units[] = {"m", "m", "m", "Pa s", "N"};
+    double numbers[sizeof keys / sizeof *keys];
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const value *const at = value_member(section->table, keys[i]);
+        const field_kind kind = {keys[i], units[i], WHIRL_POSITIVE};
+        if (!at || at->kind != VALUE_NUMBER) return;
+        numbers[i] = field_number(section, &kind, NAN);
+    }
+    ross_film *const film = field_memory(section->reader, sizeof *film);
+    if (!film) return;
+    *film = (ross_film){0.5 * numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+    out->film = film;
+}
+
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out) {
     import_reader *const reader = section->reader;
     *out = (ross_bearing){.tag = tag, .section = *section};
@@ -193,6 +211,7 @@ void ross_read_bearing(field_section *section, const char *tag, const char *vers
     make_symmetric(section, tag, out);
     thin(section, tag, out);
     note_axial(section, tag);
+    read_film(section, out);
     if (value_member(section->table, "seal_leakage")) note_of(&reader->notes, NOTE_LEAKAGE, tag);
     ross_note_rest(section, tag, true);
 }

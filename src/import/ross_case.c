@@ -333,12 +333,30 @@ static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing 
     page_close(&line, "}", NULL);
 }
 
+/// The film itself, which motions may have in place of its coefficients.
+static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
+    const double numbers[] = {bearing->film->radius, bearing->film->length, bearing->film->clearance,
+                              bearing->film->viscosity};
+    static const char *const names[] = {"radius", "length", "clearance", "viscosity"};
+    static const char *const units[] = {"m", "m", "m", "Pa s"};
+    char text[QUANTITY_SIZE];
+    page_quantity(bearing->film->load, "N", text);
+    fprintf(out, "    # of a short film under %s, which motions may have itself, with gravity: {}\n", text);
+    fprintf(out, "    # - film: {at: %s, law: short", ross_station_at(rotor, bearing->node)->name);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        page_quantity(numbers[i], units[i], text);
+        fprintf(out, ", %s: %s", names[i], text);
+    }
+    fputs("}\n", out);
+}
+
 static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     char comment[COMMENT_SIZE];
     snprintf(comment, sizeof comment, "%.60s, node %ld", bearing->tag, bearing->node);
     whirl_make_plain(comment);
     page_comment(out, "    # ", "    # ", comment);
     (bearing->magnet ? ross_put_magnetic : table_size(bearing) > 1 ? put_table : put_constant)(out, rotor, bearing);
+    if (bearing->film) put_film(out, rotor, bearing);
 }
 
 // ---------------------------------------------------------------- the whole

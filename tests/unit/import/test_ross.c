@@ -281,6 +281,17 @@ static void test_magnets(void **state) {
     }
 }
 
+/// A film whose dimensions the file has stands in a comment beside its coefficients.
+static void test_film(void **state) {
+    (void)state;
+    expect_line("BearingElement_Support\"]\n",
+                "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
+                "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
+                "    # of a short film under 525 N, which motions may have itself, with gravity: {}\n"
+                "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
+                "viscosity: 0.1 Pa s}\n");
+}
+
 /// Refused with a sentence, or a case that is good.
 static void expect_good_or_refused(const char *text, size_t length) {
     whirl_imported imported;
@@ -589,23 +600,15 @@ static void test_deep_and_large(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_taken_over),
-        cmocka_unit_test(test_options_of_the_shaft),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_refused_by_name),
-        cmocka_unit_test(test_magnets),
-        cmocka_unit_test(test_no_rotor),
-        cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_differences),
-        cmocka_unit_test(test_speeds),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_long_tables),
-        cmocka_unit_test(test_deep_and_large),
-        cmocka_unit_test(test_broken_bytes),
-        cmocka_unit_test(test_strange_numbers),
-        cmocka_unit_test(test_no_machine),
-        cmocka_unit_test(ross3),
+        cmocka_unit_test(test_taken_over),   cmocka_unit_test(test_options_of_the_shaft),
+        cmocka_unit_test(test_refused),      cmocka_unit_test(test_refused_by_name),
+        cmocka_unit_test(test_magnets),      cmocka_unit_test(test_film),
+        cmocka_unit_test(test_no_rotor),     cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_differences),  cmocka_unit_test(test_speeds),
+        cmocka_unit_test(test_names),        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_long_tables),  cmocka_unit_test(test_deep_and_large),
+        cmocka_unit_test(test_broken_bytes), cmocka_unit_test(test_strange_numbers),
+        cmocka_unit_test(test_no_machine),   cmocka_unit_test(ross3),
         cmocka_unit_test(in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
