@@ -41,10 +41,12 @@ static const char *const sentences[NOTE_KINDS] = {
         "ROSS's own frequencies are higher, by about 0.5 % where a diameter grows by half along an element and 2 % "
         "where it doubles: its cones are too stiff, those here agree with fine steps of cylinders: %s.",
     [NOTE_MAGNETIC] =
-        "Magnetic bearings come with their magnets and their controller, whose poles modes have; the modes of ROSS "
-        "have "
-        "coefficients at one frequency, that of the speed. Limits of the current are not in the file: %s.",
-    [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter have the one here that ROSS 2 has where "
+        "Magnetic bearings come with their magnets and their controller, whose poles modes have; ROSS's own modes have "
+        "linear coefficients in its place. Limits of the current are not in the file: %s.",
+    [NOTE_MAGNETIC_TABLE] = "Controllers other than PID are not in the file: of these magnetic bearings the "
+                            "coefficients are taken over, over "
+                            "the frequency of whirl: %s.",
+    [NOTE_MAGNETIC_FILTER] = "Derivatives of controllers without a filter have the one here that ROSS 2.1 has where "
                              "nothing is said, of 10 000 "
                              "rad/s: %s.",
 };

@@ -57,6 +57,7 @@ typedef enum note_kind {
     NOTE_ROTARY,
     NOTE_CONE,
     NOTE_MAGNETIC,
+    NOTE_MAGNETIC_TABLE,
     NOTE_MAGNETIC_FILTER,
     NOTE_KINDS
 } note_kind;

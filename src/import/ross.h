@@ -68,9 +68,6 @@ typedef struct ross_magnet {
     double gap, bias, area, turns, pole_angle, angle; ///< SI; angle: of its first axis, from x towards y
     double proportional, integral, derivative;        ///< current by displacement, with the gains of all parts
     double filter;                                    ///< s, time constant of the derivative
-    double gain;                                      ///< of sensor and amplifier, that the numerator lacks
-    size_t numerator_count, denominator_count;
-    const double *numerator, *denominator; ///< of a transfer function in place of these; NULL: none
 } ross_magnet;
 
 /// The film that coefficients were computed of (CylindricalBearing), and its load; SI.
@@ -143,8 +140,13 @@ void ross_read(import_reader *reader, value *root, ross_rotor *out);
 /// A bearing, seal, or any class that has coefficients, of a file of this version.
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
-/// A magnetic bearing.
-void ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out);
+/// Whether a section has magnets: from ROSS 2.1 on it is a BearingElement with their keys, and coefficients over the
+/// frequency.
+bool ross_is_magnet(const field_section *section);
+
+/// A magnetic bearing; false, and nothing read, where the section is none or has another controller than PID, which
+/// ROSS does not save.
+bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out);
 
 /// A coupling.
 void ross_read_coupling(field_section *section, const char *tag, ross_coupling *out);

@@ -24,10 +24,11 @@ static const double *read_axis(field_section *section, const char *key, const ch
     return numbers;
 }
 
-/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation: of whirl.
+/// From ROSS 3 on the speeds are called speed, and frequency is that of an excitation: of whirl; of magnets it always
+/// was.
 static void read_axes(field_section *section, const char *version, ross_bearing *out) {
     const bool named = value_member(section->table, "speed"), old = value_member(section->table, "frequency");
-    const bool new = strtol(version, NULL, 10) >= 3 || (named && !old);
+    const bool new = strtol(version, NULL, 10) >= 3 || (named && !old) || ross_is_magnet(section);
     out->axis = new ? "speed" : "frequency";
     out->speeds = read_axis(section, out->axis, "speeds", &out->speed_count);
     if (new) out->frequencies = read_axis(section, "frequency", "frequencies", &out->frequency_count);
@@ -182,13 +183,11 @@ static void note_axial(field_section *section, const char *tag) {
 static void read_film(field_section *section, ross_bearing *out) {
     static const char *const keys[] = {"journal_diameter", "bearing_length", "radial_clearance", "oil_viscosity",
                                        "weight"};
-    static const char *const units[] = {"m", "m", "m", "Pa s", "N"};
-    double numbers[sizeof keys / sizeof *keys];
-    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+    double numbers[5];
+    for (size_t i = 0; i < 5; i++) {
         const value *const at = value_member(section->table, keys[i]);
-        const field_kind kind = {keys[i], units[i], WHIRL_POSITIVE};
-        if (!at || at->kind != VALUE_NUMBER) return;
-        numbers[i] = field_number(section, &kind, NAN);
+        if (!at || at->kind != VALUE_NUMBER || !(at->number > 0.0) || !isfinite(at->number)) return;
+        numbers[i] = at->number;
     }
     ross_film *const film = field_memory(section->reader, sizeof *film);
     if (!film) return;
@@ -212,6 +211,7 @@ void ross_read_bearing(field_section *section, const char *tag, const char *vers
     thin(section, tag, out);
     note_axial(section, tag);
     read_film(section, out);
+    if (ross_is_magnet(section)) note_of(&reader->notes, NOTE_MAGNETIC_TABLE, tag);
     if (value_member(section->table, "seal_leakage")) note_of(&reader->notes, NOTE_LEAKAGE, tag);
     ross_note_rest(section, tag, true);
 }

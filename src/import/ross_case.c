@@ -342,7 +342,9 @@ static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bea
     char text[QUANTITY_SIZE];
     page_quantity(bearing->film->load, "N", text);
     fprintf(out, "    # of a short film under %s, which motions may have itself, with gravity: {}\n", text);
-    fprintf(out, "    # - film: {at: %s, law: short", ross_station_at(rotor, bearing->node)->name);
+    fprintf(out, "    # - film: {at: %s", ross_station_at(rotor, bearing->node)->name);
+    if (bearing->link >= 0) fprintf(out, ", from: %s", ross_station_at(rotor, bearing->link)->name);
+    fputs(", law: short", out);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
         page_quantity(numbers[i], units[i], text);
         fprintf(out, ", %s: %s", names[i], text);

@@ -23,60 +23,92 @@ static double read_common(field_section *section, const field_kind *kind, double
     return numbers && count > 0 ? numbers[0] : fallback;
 }
 
-static const double *read_orders(field_section *section, const char *key, size_t *count) {
-    enum { ORDERS = 7 }; // up to the sixth
-    const field_kind kind = {key, "SI", WHIRL_ANY};
-    const double *const numbers = field_numbers(section, &kind, count);
-    if (numbers && *count > ORDERS)
-        field_refuse(section, key, value_member(section->table, key),
-                     "has %zu coefficients, expected a transfer function up to the sixth order", *count);
-    return numbers;
-}
-
-/// rad/s: the corner of derivatives from ROSS 2 on where nothing is said; before they had none, which no controller
+/// rad/s: the corner of derivatives from ROSS 2.1 on where nothing is said; before they had none, which no controller
 /// does.
 static const double usual = 1e4;
 
-/// A transfer function, or k_p + k_i/s + k_d s/(1 + s/n_f); gains of sensor and amplifier multiply either.
-static void read_controller(field_section *section, const char *tag, ross_magnet *out) {
-    const double gain = read_common(section, &(field_kind){"k_amp", "1", WHIRL_ANY}, 1.0) *
-                        read_common(section, &(field_kind){"k_sense", "1", WHIRL_ANY}, 1.0);
-    const double filter = read_common(section, &(field_kind){"n_f", "rad/s", WHIRL_POSITIVE}, INFINITY);
-    out->gain = gain;
-    out->proportional = gain * read_common(section, &(field_kind){"kp_pid", "A/m", WHIRL_ANY}, 0.0);
-    out->integral = gain * read_common(section, &(field_kind){"ki_pid", "A/(m s)", WHIRL_ANY}, 0.0);
-    out->derivative = gain * read_common(section, &(field_kind){"kd_pid", "A s/m", WHIRL_ANY}, 0.0);
-    out->filter = 1.0 / (isfinite(filter) ? filter : usual);
-    if (!isfinite(filter) && out->derivative != 0.0) note_of(&section->reader->notes, NOTE_MAGNETIC_FILTER, tag);
-    out->numerator = read_orders(section, "controller_transfer_function_num", &out->numerator_count);
-    out->denominator = read_orders(section, "controller_transfer_function_den", &out->denominator_count);
-    const value *const function = value_member(section->table, "controller_transfer_function");
-    const bool told = out->numerator && out->denominator;
-    if (function && function->kind != VALUE_NOTHING && !told)
-        field_refuse(section, "controller_transfer_function", function,
-                     "has no numbers that are known here, expected controller_transfer_function_num and _den");
-    else if (!told && out->proportional == 0.0 && out->integral == 0.0 && out->derivative == 0.0)
-        field_refuse(section, "kp_pid", value_member(section->table, "kp_pid"),
-                     "is 0 or missing, and so are ki_pid and kd_pid, expected a controller");
+/// A gain times those of amplifier and sensor.
+static double read_gain(field_section *section, const field_kind *kind, double gain) {
+    const double number = gain * read_common(section, kind, 0.0);
+    if (!isfinite(number))
+        field_refuse(section, kind->key, value_member(section->table, kind->key),
+                     "is beyond all numbers with the gains k_amp and k_sense, expected a controller");
+    return number;
 }
 
-void ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out) {
+/// k_p + k_i/s + k_d s/(1 + s/n_f).
+static void read_controller(field_section *section, ross_magnet *out) {
+    const double gain = read_common(section, &(field_kind){"k_amp", "1", WHIRL_ANY}, 1.0) *
+                        read_common(section, &(field_kind){"k_sense", "1", WHIRL_ANY}, 1.0);
+    out->filter = 1.0 / read_common(section, &(field_kind){"n_f", "rad/s", WHIRL_FROM_TO(1e-3, 1e12)}, usual);
+    out->proportional = read_gain(section, &(field_kind){"kp_pid", "A/m", WHIRL_ANY}, gain);
+    out->integral = read_gain(section, &(field_kind){"ki_pid", "A/(m s)", WHIRL_ANY}, gain);
+    out->derivative = read_gain(section, &(field_kind){"kd_pid", "A s/m", WHIRL_ANY}, gain);
+    if (gain == 0.0)
+        field_refuse(section, "k_amp", value_member(section->table, "k_amp"),
+                     "times k_sense is 0, expected gains of a controller that acts");
+}
+
+/// Whether a number, or the first of a list, is there and not 0.
+static bool is_there(const field_section *section, const char *key) {
+    const value *at = value_member(section->table, key);
+    if (at && at->kind == VALUE_LIST) at = at->first;
+    return at && at->kind != VALUE_NOTHING && !(at->kind == VALUE_NUMBER && at->number == 0.0);
+}
+
+bool ross_is_magnet(const field_section *section) {
+    static const char *const keys[] = {"g0", "i0", "ag", "nw"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (!value_member(section->table, keys[i])) return false;
+    return true;
+}
+
+static bool has_gains(const field_section *section) {
+    return is_there(section, "kp_pid") || is_there(section, "ki_pid") || is_there(section, "kd_pid");
+}
+
+/// The number, or the first of a list; `fallback` where there is none.
+static double first_of(const field_section *section, const char *key, double fallback) {
+    const value *at = value_member(section->table, key);
+    if (at && at->kind == VALUE_LIST) at = at->first;
+    return at && at->kind == VALUE_NUMBER ? at->number : fallback;
+}
+
+/// Whether the coefficients are those of the PID, at their first frequency; else ROSS had another controller, which it
+/// prefers and does not save.
+static bool is_controlled_so(const field_section *section, const ross_magnet *magnet) {
+    const double w = first_of(section, "frequency", 0.0), lag = w * magnet->filter;
+    const double by_current = 4e-7 * 3.14159265358979323846 * magnet->turns * magnet->turns * magnet->area *
+                              magnet->bias * cos(magnet->pole_angle) / (magnet->gap * magnet->gap);
+    const double by_place = by_current * magnet->bias / magnet->gap;
+    const double active = by_current * (magnet->proportional + magnet->derivative * w * lag / (1.0 + lag * lag));
+    const double stiffness = first_of(section, "kxx", active - by_place);
+    return fabs(stiffness - (active - by_place)) <= 1e-6 * (fabs(active) + by_place);
+}
+
+bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out) {
+    if (!ross_is_magnet(section) || !has_gains(section)) return false;
     ross_magnet *const magnet = field_memory(section->reader, sizeof *magnet);
     *out = (ross_bearing){.tag = tag, .section = *section, .magnet = magnet};
-    if (!magnet) return;
+    if (!magnet) return true;
     out->node = field_whole(section, "n", -2);
     out->link = field_whole(section, "n_link", -1);
     magnet->gap = read_common(section, &(field_kind){"g0", "m", WHIRL_POSITIVE}, NAN);
     magnet->bias = read_common(section, &(field_kind){"i0", "A", WHIRL_POSITIVE}, NAN);
     magnet->area = read_common(section, &(field_kind){"ag", "m2", WHIRL_POSITIVE}, NAN);
     magnet->turns = read_common(section, &(field_kind){"nw", "1", WHIRL_POSITIVE}, NAN);
-    magnet->pole_angle = read_common(section, &(field_kind){"alpha", "rad", WHIRL_FROM_TO(0, 1.5)}, 0.39269908);
-    // Before ROSS 2 magnets stood along x and y.
+    magnet->pole_angle =
+        fabs(read_common(section, &(field_kind){"alpha", "rad", WHIRL_FROM_TO(-1.5, 1.5)}, 0.39269908));
+    // Before ROSS 2.1 magnets stood along x and y.
     magnet->angle = read_common(section, &(field_kind){"sensors_axis_rotation", "rad", WHIRL_ANY}, 0.0);
-    read_controller(section, tag, magnet);
+    read_controller(section, magnet);
+    if (field_good(section->reader) && !is_controlled_so(section, magnet)) return false;
     for (size_t i = 0; i < sizeof computed / sizeof *computed; i++) (void)value_member(section->table, computed[i]);
     note_of(&section->reader->notes, NOTE_MAGNETIC, tag);
+    if (magnet->derivative != 0.0 && !value_member(section->table, "n_f"))
+        note_of(&section->reader->notes, NOTE_MAGNETIC_FILTER, tag);
     ross_note_rest(section, tag, false);
+    return true;
 }
 
 // ---------------------------------------------------------------- in a case
@@ -86,15 +118,6 @@ static void item(page_line *line, const char *key, double number, const char *un
     if (number == 0.0) return;
     page_quantity(number, unit, text);
     page_item(line, "%s: %s", key, text);
-}
-
-static void list(page_line *line, const char *key, const double *numbers, size_t count, double factor) {
-    char text[8 * QUANTITY_SIZE] = "", one[QUANTITY_SIZE];
-    for (size_t i = 0; i < count; i++) {
-        page_quantity(factor * numbers[i], "", one);
-        snprintf(text + strlen(text), sizeof text - strlen(text), "%s%s", i ? ", " : "", one);
-    }
-    page_item(line, "%s: [%s]", key, text);
 }
 
 void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
@@ -111,14 +134,9 @@ void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *b
     item(&line, "area", magnet->area, "m2");
     page_quantity(magnet->pole_angle, "rad", angle);
     page_item(&line, "pole_angle: %s", angle);
-    if (magnet->numerator && magnet->denominator) {
-        list(&line, "numerator", magnet->numerator, magnet->numerator_count, magnet->gain);
-        list(&line, "denominator", magnet->denominator, magnet->denominator_count, 1.0);
-    } else {
-        item(&line, "proportional", magnet->proportional, "A/m");
-        item(&line, "integral", magnet->integral, "A/(m s)");
-        item(&line, "derivative", magnet->derivative, "A s/m");
-        if (magnet->derivative != 0.0) item(&line, "derivative_filter", magnet->filter, "s");
-    }
+    item(&line, "proportional", magnet->proportional, "A/m");
+    item(&line, "integral", magnet->integral, "A/(m s)");
+    item(&line, "derivative", magnet->derivative, "A s/m");
+    if (magnet->derivative != 0.0) item(&line, "derivative_filter", magnet->filter, "s");
     page_close(&line, "}", NULL);
 }

@@ -147,6 +147,10 @@ static void read_point(field_section *section, const char *tag, ross_rotor *out)
 
 static void read_bearing(field_section *section, const char *tag, ross_rotor *out) {
     ross_bearing *const bearing = &out->bearings[out->bearing_count];
+    if (ross_read_magnetic(section, tag, bearing)) {
+        out->bearing_count++;
+        return;
+    }
     ross_read_bearing(section, tag, out->version, bearing);
     bool acts = false;
     for (int which = KXX; which < COEFFICIENTS; which++) acts = acts || ross_acts(bearing, (ross_coefficient)which);
@@ -158,10 +162,6 @@ static void read_seal(field_section *section, const char *tag, ross_rotor *out) 
     const size_t before = out->bearing_count;
     read_bearing(section, tag, out);
     for (size_t i = before; i < out->bearing_count; i++) out->bearings[i].seal = true;
-}
-
-static void read_magnetic(field_section *section, const char *tag, ross_rotor *out) {
-    ross_read_magnetic(section, tag, &out->bearings[out->bearing_count++]);
 }
 
 static void read_coupling(field_section *section, const char *tag, ross_rotor *out) {
@@ -184,7 +184,7 @@ static const ross_class classes[] = {
     {"BearingElement", read_bearing, NULL},
     {"SealElement", read_seal, NULL},
     {"PointMass", read_point, NULL},
-    {"MagneticBearingElement", read_magnetic, NULL},
+    {"MagneticBearingElement", read_bearing, NULL},
     {"CouplingElement", read_coupling, NULL},
     {"GearElement", NULL, "gears couple shafts and twist, which is not taken over"},
     {"GearElementTVMS", NULL, "gears couple shafts and twist, which is not taken over"},

@@ -72,7 +72,7 @@ static void magnet_of_ross(double gap, double bias, double area, double turns, d
     *by_place = *by_current * bias / gap;
 }
 
-/// What the file says of magnets, gains of parts, PID and transfer function, beside linear magnets by hand.
+/// What the file says of magnets, gains of parts and PID, beside linear magnets by hand.
 static void test_magnetic(void **state) {
     char by_hand[1024];
     double by_current, by_place, clock;
@@ -85,7 +85,7 @@ static void test_magnetic(void **state) {
              "    - magnetic: {at: magnet_0, law: linear, current_stiffness: %.17g, displacement_stiffness: %.17g,\n"
              "                 proportional: 2.0e+4, integral: 5.0e+4, derivative: 40.0, derivative_filter: 1.25e-4}\n"
              "    - magnetic: {at: magnet_6, law: linear, current_stiffness: %.17g, displacement_stiffness: %.17g,\n"
-             "                 numerator: [45.0, 2.0e+4], denominator: [1.25e-4, 1.0]}\n",
+             "                 proportional: 1.5e+4, derivative: 30.0, derivative_filter: 1.0e-4}\n",
              by_current, by_place, by_current, by_place);
     char *const text = import_full("magnetic.toml");
     whirl_case *const object = parse_case(text);

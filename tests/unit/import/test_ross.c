@@ -231,20 +231,19 @@ static void test_refused_by_name(void **state) {
         "bending in a way that is not modelled here");
     expect_refused("DiskElement_Disk 0", "GearElement_Gear 0",
                    "r.toml:18: [GearElement_Gear 0]: gears couple shafts and twist, which is not taken over");
-    expect_refused("BearingElement_Support", "MagneticBearingElement_Support",
-                   "r.toml:35: [MagneticBearingElement_Support] g0: is missing, expected a number in m");
     expect_refused("DiskElement_Disk 0", "DiscElement_Disk 0",
                    "r.toml:18: [DiscElement_Disk 0]: is a DiscElement, expected DiskElement_...");
 }
 
-/// A magnetic bearing in place of the support: `keys` behind what all of them have.
+/// A magnetic bearing in place of the support, whose coefficients go: `keys` behind what all of them have.
 static void magnet_with(const char *keys, char text[4096]) {
     edit("BearingElement_Support\"]\n", "MagneticBearingElement_Support\"]\n", text, 4096);
     char *const head = strstr(text, "MagneticBearingElement_Support\"]\n");
     assert_non_null(head);
-    char *const at = strchr(head, '\n') + 1;
+    char *const at = strchr(head, '\n') + 1, *const behind = strstr(at, "[\"PointMass");
     char rest[4096], own[512];
-    snprintf(rest, sizeof rest, "%s", at);
+    assert_non_null(behind);
+    snprintf(rest, sizeof rest, "n = 3\n%s", behind);
     snprintf(own, sizeof own, "g0 = 0.001\ni0 = 2.0\nag = 4e-4\nnw = 240\n%s\n", keys);
     snprintf(at, 4096 - (size_t)(at - text), "%s%s", own, rest);
 }
@@ -257,14 +256,12 @@ static void test_magnets(void **state) {
         {"kp_pid = [2.0, 2.0]\nk_amp = 3.0", "proportional: 6 A/m}"},
         {"kp_pid = 2.0\nkd_pid = 0.01\nn_f = 5e3", "derivative_filter: 0.0002 s}"},
         {"kp_pid = 2.0\nkd_pid = 0.01", "derivative_filter: 0.0001 s}"},
-        {"controller_transfer_function_num = [1.0, 2.0]\ncontroller_transfer_function_den = [0.001, 1.0]\nk_amp = 3.0",
-         "numerator: [3, 6]"},
+        {"kp_pid = 2.0\nalpha = -0.3", "pole_angle: 0.3 rad"},
+        {"kp_pid = 0.0\nkxx = 8e6\ncxx = 10.0", "Controllers other than PID"},
+        {"kp_pid = 2.0\nkxx = [8e6, 9e6]\ncxx = 10.0\nfrequency = [1, 10]", "frequencies: [1, 10"},
         {"kp_pid = [2.0, 3.0]", "!kp_pid: is 2 A/m along one axis and 3 along another, expected one number for both"},
-        {"ki_pid = 0.0", "!kp_pid: is 0 or missing, and so are ki_pid and kd_pid, expected a controller"},
-        {"kp_pid = 1.0\ncontroller_transfer_function = \"1/s\"",
-         "!controller_transfer_function: has no numbers that are known here"},
-        {"controller_transfer_function_num = [1, 2, 3]\ncontroller_transfer_function_den = [0.001, 1.0]", "!makes no"},
-        {"controller_transfer_function_den = [1,1,1,1,1,1,1,1]", "!has 8 coefficients, expected a transfer function"},
+        {"kp_pid = 1e308\nk_amp = 1e308", "!kp_pid: is beyond all numbers with the gains"},
+        {"kp_pid = 1.0\nk_amp = 0.0", "!k_amp: times k_sense is 0"},
         {"kp_pid = 1.0\nalpha = 2.0", "!alpha: is 2 rad"},
     };
     (void)state;
