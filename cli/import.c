@@ -63,12 +63,11 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "ROTOR.toml",
-        .doc =
-            "Makes a case of a rotor that ROSS has saved (Rotor.save, TOML or JSON): shafts and the couplings between "
-            "them, discs, bearings and seals with their tables, point masses and supports. Says what is left out or "
-            "computed otherwise than in ROSS, on standard error and in the case's comments, and refuses by name what "
-            "would change the motion: gears, torque. whirl import rotor.toml -o rotor.yaml && whirl "
-            "run rotor.yaml.",
+        .doc = "Makes a case of a rotor that ROSS has saved (Rotor.save, TOML or JSON): shafts and the couplings "
+               "between them, discs, bearings and seals with their tables, magnetic bearings, point masses and "
+               "supports. Says what is left out or computed otherwise than in ROSS, on standard error and in the case's"
+               " comments, and refuses by name what would change the motion: gears, torque. whirl import rotor.toml -o "
+               "rotor.yaml && whirl run rotor.yaml.",
     };
     import_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -3,9 +3,9 @@
 
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
-one another stay together. Units and commands count twice, for a third of theirs runs under the sanitizers, too, where they take what
-BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED times SHARED on. What that log does
-not know keeps its line.
+one another stay together. Units and commands count twice, for a third of theirs runs under the sanitizers, too, where they
+take what BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED times SHARED on. What
+that log does not know keeps its line.
 """
 
 import math
@@ -18,6 +18,7 @@ ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
 SHARED = 2
 SANITIZED = 10
+THIRDS = 3
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
 ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
                     r"unit\.analyze\.test_locked|cli\.resume-after-interrupt-carry")
@@ -40,12 +41,13 @@ def quarters_of(costs, sanitized):
     groups = {}
     for name, seconds in costs.items():
         group = TOGETHER.match(name)
-        groups.setdefault(group[0] if group else name, []).append((name, seconds, seconds + again.get(name, 0) / 3))
+        groups.setdefault(group[0] if group else name, []).append((name, seconds, again.get(name, 0)))
     load, release, quarters = [0.0] * 5, [0.0] * 5, {}
-    for tests in sorted(groups.values(), key=lambda tests: -sum(weight for _, _, weight in tests)):
+    for tests in sorted(groups.values(), key=lambda tests: -sum(seconds + more / THIRDS for _, seconds, more in tests)):
         names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
-        weight = sum(weight for _, _, weight in tests)
-        long = total >= SHARED or 3 * (weight - total) >= SANITIZED * SHARED
+        sanitized_total = sum(more for _, _, more in tests)
+        weight = total + sanitized_total / THIRDS
+        long = total >= SHARED or sanitized_total >= SANITIZED * SHARED
         shared = long and not any(ALWAYS.fullmatch(name) for name in names)
         quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
         load[quarter] += weight
@@ -54,8 +56,8 @@ def quarters_of(costs, sanitized):
     thirds, parts = {}, {}
     for name in sorted(again, key=lambda name: -again[name]):
         if quarters[name]:
-            sums = parts.setdefault(quarters[name], [0.0] * 3)
-            third = min(range(3), key=lambda t: sums[t])
+            sums = parts.setdefault(quarters[name], [0.0] * THIRDS)
+            third = min(range(THIRDS), key=lambda t: sums[t])
             sums[third] += again[name]
             thirds[name] = third + 1
     for quarter, sums in sorted(parts.items()):

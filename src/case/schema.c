@@ -25,7 +25,7 @@ static const whirl_key case_keys[] = {
 // clang-format off
 #define ROTOR_KEYS(speeds)                                                                                             \
     {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
-     "speed of rotation, above 0; for modes at least 0", "", NULL},                                                          \
+     "speed of rotation, above 0; for modes at least 0", "", NULL},                                                    \
     CHOICE_KEY("rotation", DEFAULT("counter-clockwise"), "counter-clockwise|clockwise",                                \
      "which way it turns: from x to y, or from y to x; angles go from x towards y either way"),                        \
     NUMBER_KEY("length_scale", "", "m", REQUIRED, WHIRL_POSITIVE,                                                      \

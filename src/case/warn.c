@@ -97,7 +97,9 @@ static void warn_of_keys(warner *w, const setting_list *list) {
 
 static void warn_of_parts(warner *w) {
     const machine_parts *machine = &w->content->machine;
-    for (size_t i = 0; i < machine->stations.count; i++) warn_of_keys(w, &machine->stations.items[i]);
+    const named_list *const lists[] = {&machine->stations, &machine->shafts, &machine->materials};
+    for (size_t k = 0; k < sizeof lists / sizeof *lists; k++)
+        for (size_t i = 0; i < lists[k]->count; i++) warn_of_keys(w, &lists[k]->items[i]);
     for (size_t i = 0; i < machine->element_count; i++) warn_of_keys(w, &machine->elements[i]);
 }
 

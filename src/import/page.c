@@ -38,6 +38,12 @@ void page_item(page_line *line, const char *format, ...) {
     line->column += fprintf(line->out, "%s", text);
 }
 
+void page_number(page_line *line, const char *key, double number, const char *unit) {
+    char text[QUANTITY_SIZE];
+    page_quantity(number, unit, text);
+    page_item(line, "%s: %s", key, text);
+}
+
 void page_close(page_line *line, const char *tail, const char *comment) {
     line->column += fprintf(line->out, "%s", tail);
     const int blanks = line->column < COMMENTS ? COMMENTS - line->column : 2;

@@ -29,6 +29,9 @@ page_line page_open(FILE *out, int indent, const char *head);
 /// Adds an item, behind a comma where one stands before it; printf.
 void page_item(page_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
+/// Adds "key: number unit".
+void page_number(page_line *line, const char *key, double number, const char *unit);
+
 /// Ends the line with `tail`, and with a comment (cut at the end of the line) where it is not NULL.
 void page_close(page_line *line, const char *tail, const char *comment);
 

@@ -169,6 +169,9 @@ void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]
 /// The bearing's coefficients differ from 0 somewhere.
 bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
 
+/// Adds the stations of a bearing: "at: ...", and "from: ..." where it has a housing.
+void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing);
+
 /// Writes the element of a magnetic bearing.
 void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing);
 

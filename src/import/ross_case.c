@@ -320,16 +320,18 @@ static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *be
     }
 }
 
+void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing) {
+    page_item(line, "at: %s", ross_station_at(rotor, bearing->node)->name);
+    if (bearing->link >= 0) page_item(line, "from: %s", ross_station_at(rotor, bearing->link)->name);
+}
+
 static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
-    char text[QUANTITY_SIZE];
     page_line line = page_open(out, 16, "    - bearing: {");
-    page_item(&line, "at: %s", ross_station_at(rotor, bearing->node)->name);
-    if (bearing->link >= 0) page_item(&line, "from: %s", ross_station_at(rotor, bearing->link)->name);
+    ross_put_place(&line, rotor, bearing);
     if (bearing->seal) page_item(&line, "role: seal");
-    for (int i = KXX; i < COEFFICIENTS; i++) {
-        page_quantity(bearing->values[i][0], ross_coefficient_units[i], text);
-        if (is_said(bearing, (ross_coefficient)i)) page_item(&line, "%s: %s", ross_coefficient_names[i], text);
-    }
+    for (int i = KXX; i < COEFFICIENTS; i++)
+        if (is_said(bearing, (ross_coefficient)i))
+            page_number(&line, ross_coefficient_names[i], bearing->values[i][0], ross_coefficient_units[i]);
     page_close(&line, "}", NULL);
 }
 

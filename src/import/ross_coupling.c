@@ -96,36 +96,25 @@ void ross_read_coupling(field_section *section, const char *tag, ross_coupling *
 
 /// What is equal along x and y, and the tilts.
 static void put_round(FILE *out, const ross_coupling *coupling, const char *const ends[2], bool equal) {
-    char text[QUANTITY_SIZE];
     page_line line = page_open(out, 17, "    - coupling: {");
     page_item(&line, "between: [%s, %s]", ends[0], ends[1]);
-    page_quantity(equal ? coupling->stiffness[0] : 0.0, "N/m", text);
-    page_item(&line, "radial: %s", text);
-    page_quantity(coupling->tilt, "N m/rad", text);
-    if (coupling->tilt > 0.0) page_item(&line, "tilt: %s", text);
-    page_quantity(coupling->damping[0], "N s/m", text);
-    if (equal && coupling->damping[0] > 0.0) page_item(&line, "radial_damping: %s", text);
-    page_quantity(coupling->tilt_damping, "N m s/rad", text);
-    if (coupling->tilt_damping > 0.0) page_item(&line, "tilt_damping: %s", text);
+    page_number(&line, "radial", equal ? coupling->stiffness[0] : 0.0, "N/m");
+    if (coupling->tilt > 0.0) page_number(&line, "tilt", coupling->tilt, "N m/rad");
+    if (equal && coupling->damping[0] > 0.0) page_number(&line, "radial_damping", coupling->damping[0], "N s/m");
+    if (coupling->tilt_damping > 0.0) page_number(&line, "tilt_damping", coupling->tilt_damping, "N m s/rad");
     page_close(&line, "}", NULL);
 }
 
 /// What is unequal along x and y.
 static void put_unequal(FILE *out, const ross_coupling *coupling, const char *const ends[2]) {
     static const char *const stiffness[] = {"kxx", "kyy"}, *const damping[] = {"cxx", "cyy"};
-    char text[QUANTITY_SIZE];
     page_line line = page_open(out, 16, "    - bearing: {");
     page_item(&line, "at: %s", ends[1]);
     page_item(&line, "from: %s", ends[0]);
     page_item(&line, "role: other");
-    for (int axis = 0; axis < 2; axis++) {
-        page_quantity(coupling->stiffness[axis], "N/m", text);
-        page_item(&line, "%s: %s", stiffness[axis], text);
-    }
-    for (int axis = 0; axis < 2 && coupling->damping[0] + coupling->damping[1] > 0.0; axis++) {
-        page_quantity(coupling->damping[axis], "N s/m", text);
-        page_item(&line, "%s: %s", damping[axis], text);
-    }
+    for (int axis = 0; axis < 2; axis++) page_number(&line, stiffness[axis], coupling->stiffness[axis], "N/m");
+    for (int axis = 0; axis < 2 && coupling->damping[0] + coupling->damping[1] > 0.0; axis++)
+        page_number(&line, damping[axis], coupling->damping[axis], "N s/m");
     page_close(&line, "}", NULL);
 }
 

@@ -49,11 +49,15 @@ static void read_controller(field_section *section, ross_magnet *out) {
                      "times k_sense is 0, expected gains of a controller that acts");
 }
 
-/// Whether a number, or the first of a list, is there and not 0.
-static bool is_there(const field_section *section, const char *key) {
-    const value *at = value_member(section->table, key);
-    if (at && at->kind == VALUE_LIST) at = at->first;
-    return at && at->kind != VALUE_NOTHING && !(at->kind == VALUE_NUMBER && at->number == 0.0);
+/// What stands there, of a list its first; NULL where nothing does.
+static const value *first_of(const field_section *section, const char *key) {
+    const value *const at = value_member(section->table, key);
+    return at && at->kind == VALUE_LIST ? at->first : at;
+}
+
+static double first_number(const field_section *section, const char *key, double fallback) {
+    const value *const at = first_of(section, key);
+    return at && at->kind == VALUE_NUMBER ? at->number : fallback;
 }
 
 bool ross_is_magnet(const field_section *section) {
@@ -64,25 +68,23 @@ bool ross_is_magnet(const field_section *section) {
 }
 
 static bool has_gains(const field_section *section) {
-    return is_there(section, "kp_pid") || is_there(section, "ki_pid") || is_there(section, "kd_pid");
-}
-
-/// The number, or the first of a list; `fallback` where there is none.
-static double first_of(const field_section *section, const char *key, double fallback) {
-    const value *at = value_member(section->table, key);
-    if (at && at->kind == VALUE_LIST) at = at->first;
-    return at && at->kind == VALUE_NUMBER ? at->number : fallback;
+    static const char *const keys[] = {"kp_pid", "ki_pid", "kd_pid"};
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const value *const at = first_of(section, keys[i]);
+        if (at && at->kind != VALUE_NOTHING && !(at->kind == VALUE_NUMBER && at->number == 0.0)) return true;
+    }
+    return false;
 }
 
 /// Whether the coefficients are those of the PID, at their first frequency; else ROSS had another controller, which it
 /// prefers and does not save.
 static bool is_controlled_so(const field_section *section, const ross_magnet *magnet) {
-    const double w = first_of(section, "frequency", 0.0), lag = w * magnet->filter;
+    const double w = first_number(section, "frequency", 0.0), lag = w * magnet->filter;
     const double by_current = 4e-7 * 3.14159265358979323846 * magnet->turns * magnet->turns * magnet->area *
                               magnet->bias * cos(magnet->pole_angle) / (magnet->gap * magnet->gap);
     const double by_place = by_current * magnet->bias / magnet->gap;
     const double active = by_current * (magnet->proportional + magnet->derivative * w * lag / (1.0 + lag * lag));
-    const double stiffness = first_of(section, "kxx", active - by_place);
+    const double stiffness = first_number(section, "kxx", active - by_place);
     return fabs(stiffness - (active - by_place)) <= 1e-6 * (fabs(active) + by_place);
 }
 
@@ -113,30 +115,23 @@ bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *o
 
 // ---------------------------------------------------------------- in a case
 
-static void item(page_line *line, const char *key, double number, const char *unit) {
-    char text[QUANTITY_SIZE];
-    if (number == 0.0) return;
-    page_quantity(number, unit, text);
-    page_item(line, "%s: %s", key, text);
+static void put_gain(page_line *line, const char *key, double gain, const char *unit) {
+    if (gain != 0.0) page_number(line, key, gain, unit);
 }
 
 void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     const ross_magnet *const magnet = bearing->magnet;
-    char angle[QUANTITY_SIZE];
     page_line line = page_open(out, 17, "    - magnetic: {");
-    page_quantity(magnet->angle, "rad", angle);
-    page_item(&line, "at: %s", ross_station_at(rotor, bearing->node)->name);
-    if (bearing->link >= 0) page_item(&line, "from: %s", ross_station_at(rotor, bearing->link)->name);
-    page_item(&line, "angle: %s", angle);
-    item(&line, "gap", magnet->gap, "m");
-    item(&line, "bias", magnet->bias, "A");
-    item(&line, "turns", magnet->turns, "");
-    item(&line, "area", magnet->area, "m2");
-    page_quantity(magnet->pole_angle, "rad", angle);
-    page_item(&line, "pole_angle: %s", angle);
-    item(&line, "proportional", magnet->proportional, "A/m");
-    item(&line, "integral", magnet->integral, "A/(m s)");
-    item(&line, "derivative", magnet->derivative, "A s/m");
-    if (magnet->derivative != 0.0) item(&line, "derivative_filter", magnet->filter, "s");
+    ross_put_place(&line, rotor, bearing);
+    page_number(&line, "angle", magnet->angle, "rad");
+    page_number(&line, "gap", magnet->gap, "m");
+    page_number(&line, "bias", magnet->bias, "A");
+    page_number(&line, "turns", magnet->turns, "");
+    page_number(&line, "area", magnet->area, "m2");
+    page_number(&line, "pole_angle", magnet->pole_angle, "rad");
+    put_gain(&line, "proportional", magnet->proportional, "A/m");
+    put_gain(&line, "integral", magnet->integral, "A/(m s)");
+    put_gain(&line, "derivative", magnet->derivative, "A s/m");
+    if (magnet->derivative != 0.0) page_number(&line, "derivative_filter", magnet->filter, "s");
     page_close(&line, "}", NULL);
 }

@@ -18,11 +18,11 @@ typedef struct whirl_imported {
     char **notes;      ///< what was left out, chosen, or is computed otherwise: a sentence each, safe on a terminal
 } whirl_imported;
 
-/// Reads a rotor that ROSS has saved (Rotor.save, TOML or JSON, versions up to 3.0: github.com/petrobras/ross): shafts
-/// and the couplings between them, discs, bearings and seals, point masses, supports. WHIRL_BAD_INPUT with a sentence
-/// that names the file, the section and the key, what was found and what is expected; so are refused what would change
-/// the motion and cannot be taken over (gears, torque), files above 16 MiB, rotors larger than a
-/// case may be, and those whose case is refused: a text that is made is a good case.
+/// Reads a rotor that ROSS has saved (Rotor.save, TOML or JSON, versions up to 3.0: github.com/petrobras/ross):
+/// shafts and the couplings between them, discs, bearings and seals, magnetic bearings, point masses, supports.
+/// WHIRL_BAD_INPUT with a sentence that names the file, the section and the key, what was found and what is
+/// expected; so are refused what would change the motion and cannot be taken over (gears, torque), files above 16
+/// MiB, rotors larger than a case may be, and those whose case is refused: a text that is made is a good case.
 whirl_status whirl_import_load(const char *path, whirl_imported *out);
 
 /// The same from memory; `name` stands for the file in messages and in the case's title. Never runs long and never

@@ -34,7 +34,7 @@
     { name, "", "", WHIRL_KEY_STATION, presence, WHIRL_ANY, NULL, meaning, "", NULL }
 #define STATIONS_KEY(name, presence, meaning)                                                                          \
     { name, "", "", WHIRL_KEY_STATIONS, presence, WHIRL_ANY, NULL, meaning, "", NULL }
-#define NAME_KEY(name, presence, of, meaning)                                                                          \
-    { name, "", "", WHIRL_KEY_NAME, presence, WHIRL_ANY, of, meaning, "", NULL }
+#define NAME_KEY(name, presence, choices, meaning)                                                                     \
+    { name, "", "", WHIRL_KEY_NAME, presence, WHIRL_ANY, choices, meaning, "", NULL }
 
 #endif

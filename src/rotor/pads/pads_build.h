@@ -51,7 +51,7 @@ enum {
                                "share of a pad that lies before its pivot, in the way of the rotation"),               \
     [PADS_PRELOAD] = NUMBER_KEY("preload", "m", "1", DEFAULT("0"), WHIRL_FROM_TO(0, 0.95),                             \
                                 "share of the clearance by which centres of pads lie beyond that of the bearing"),     \
-    [PADS_TURNED] = ANGLE_KEY("turned", "", NULL, "angle by which all pads are turned from x towards y"),                                 \
+    [PADS_TURNED] = ANGLE_KEY("turned", "", NULL, "angle by which all pads are turned from x towards y"),              \
     [PADS_CAVITATION] = CITED_CHOICE_KEY("cavitation", DEFAULT("reynolds"), "reynolds|gumbel",                         \
                                          "reynolds: pressure and its gradient vanish where the film breaks; gumbel: "  \
                                          "the full film's pressures below 0 are left out",                             \
