@@ -320,11 +320,6 @@ static void put_table(FILE *out, const ross_rotor *rotor, const ross_bearing *be
     }
 }
 
-void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing) {
-    page_item(line, "at: %s", ross_station_at(rotor, bearing->node)->name);
-    if (bearing->link >= 0) page_item(line, "from: %s", ross_station_at(rotor, bearing->link)->name);
-}
-
 static void put_constant(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing) {
     page_line line = page_open(out, 16, "    - bearing: {");
     ross_put_place(&line, rotor, bearing);

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "page.h"
 #include "ross.h"
 #include "whirl/engine/rotor.h"
 
@@ -134,4 +135,9 @@ const ross_station *ross_station_at(const ross_rotor *rotor, long node) {
     size_t i = 0;
     while (rotor->stations[i].node != node) i++;
     return &rotor->stations[i];
+}
+
+void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing) {
+    page_item(line, "at: %s", ross_station_at(rotor, bearing->node)->name);
+    if (bearing->link >= 0) page_item(line, "from: %s", ross_station_at(rotor, bearing->link)->name);
 }
