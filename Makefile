@@ -38,7 +38,7 @@ PHASE   := scripts/phase.sh
 prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --table
 QUARTERS = -LE "$$(scripts/quarter.sh --others)"
 
-test:           ## everything is built, run and proved, a quarter of the long tests by turns (10 minutes on two cores)
+test:           ## everything is built, run and proved, the long tests by turns (10 minutes on two cores)
 	@echo "make test: 10 minutes on two cores, and 5 more for packages where they are missing"
 	$(call prove,test-steps)
 
@@ -60,20 +60,21 @@ test-steps:
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
 	@$(PHASE) "build: explorer" $(EXPLORER)
 	@rm -f $(BUILD)/tests.log
-	@$(PHASE) "tests, quarter $$(scripts/quarter.sh)" ctest --test-dir $(BUILD) -j $(JOBS) $(QUARTERS)
+	@$(PHASE) "tests, $$(scripts/quarter.sh)" ctest --test-dir $(BUILD) -j $(JOBS) $(QUARTERS)
 
 check-steps:
 	@$(INSTALL) --check build report python test
 	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
 	@rm -f $(BUILD)/tests.log
+	@$(PHASE) "tests: layers and circles" ctest --test-dir $(BUILD) -j $(JOBS) -R '^architecture'
 	@$(PHASE) "tests: units and commands" ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE long
 
 sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
 	@rm -f $(BUILD)/sanitize/tests.log
-	@$(PHASE) "sanitized: tests, a third of quarter $$(scripts/quarter.sh)" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' \
-	    -LE "$$(scripts/quarter.sh --others-sanitized)" --no-tests=error
+	@$(PHASE) "sanitized: tests, $$(scripts/quarter.sh)" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' $(QUARTERS) \
+	    --no-tests=error
 
 # Eigen's part of the library is taken as the release has compiled it.
 MATRIX := $(BUILD)/CMakeFiles/whirl_base.dir/src/base/numerics/matrix.cc.o

@@ -3,9 +3,9 @@
 
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
-one another stay together. Units and commands count twice, for a third of theirs runs under the sanitizers, too, where they
-take what BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED times SHARED on. What
-that log does not know keeps its line.
+one another stay together. Of those that take SLOW seconds or more a third runs, and of all units and commands under the
+sanitizers, where they take what BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED
+times SHARED on. What that log does not know keeps its line.
 """
 
 import math
@@ -17,6 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
 SHARED = 2
+SLOW = 10 # as cmake/testing.cmake has it
 SANITIZED = 10
 THIRDS = 3
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
@@ -34,36 +35,49 @@ def measured(log):
     return costs
 
 
+def shared_out(groups, count, loads):
+    """Which of `count` shares each group of (name, weight) goes to, 1, 2, ..., the heaviest first to the lightest share."""
+    shares = {}
+    for tests in sorted(groups, key=lambda tests: -sum(weight for _, weight in tests)):
+        share = min(range(1, count + 1), key=lambda s: loads[s])
+        loads[share] += sum(weight for _, weight in tests)
+        shares.update({name: share for name, _ in tests})
+    return shares
+
+
 def quarters_of(costs, sanitized):
-    """The quarter of every test, 0: always, and, of units and commands in one, the third of it."""
+    """The quarter of every test, 0: always, and the third of it of units, commands and what is slow."""
     again = {name: sanitized.get(name, SANITIZED * seconds) for name, seconds in costs.items()
              if name.startswith(("unit.", "cli."))}
     groups = {}
-    for name, seconds in costs.items():
+    for name in costs:
         group = TOGETHER.match(name)
-        groups.setdefault(group[0] if group else name, []).append((name, seconds, again.get(name, 0)))
-    load, release, quarters = [0.0] * 5, [0.0] * 5, {}
-    for tests in sorted(groups.values(), key=lambda tests: -sum(seconds + more / THIRDS for _, seconds, more in tests)):
-        names, total = [name for name, _, _ in tests], sum(seconds for _, seconds, _ in tests)
-        sanitized_total = sum(more for _, _, more in tests)
-        weight = total + sanitized_total / THIRDS
-        long = total >= SHARED or sanitized_total >= SANITIZED * SHARED
-        shared = long and not any(ALWAYS.fullmatch(name) for name in names)
-        quarter = min(range(1, 5), key=lambda q: load[q]) if shared else 0
-        load[quarter] += weight
-        release[quarter] += total
-        quarters.update({name: quarter for name in names})
-    thirds, parts = {}, {}
-    for name in sorted(again, key=lambda name: -again[name]):
-        if quarters[name]:
-            sums = parts.setdefault(quarters[name], [0.0] * THIRDS)
-            third = min(range(THIRDS), key=lambda t: sums[t])
-            sums[third] += again[name]
-            thirds[name] = third + 1
-    for quarter, sums in sorted(parts.items()):
-        print(f"seconds of the thirds of quarter {quarter} with the sanitizers:", *(round(x) for x in sums))
-    for what, sums in (("", release), (", with the sanitizers", load)):
-        print(f"seconds of tests that always run, and of the quarters{what}:", *(round(x) for x in sums))
+        groups.setdefault(group[0] if group else name, []).append(name)
+
+    def long(names):
+        return (sum(costs[name] for name in names) >= SHARED or
+                sum(again.get(name, 0) for name in names) >= SANITIZED * SHARED) and not any(map(ALWAYS.fullmatch, names))
+
+    def weights(names):
+        return [(name, (costs[name] / THIRDS if costs[name] >= SLOW else costs[name]) + again.get(name, 0) / THIRDS)
+                for name in names]
+
+    loads = [0.0] * 5
+    taking_turns = [names for names in groups.values() if long(names)]
+    quarters = dict.fromkeys(costs, 0) | shared_out(map(weights, taking_turns), 4, loads)
+    thirds = {}
+    for quarter in range(1, 5):
+        parts = [[name for name in names if name in again or costs[name] >= SLOW]
+                 for names in taking_turns if quarters[names[0]] == quarter]
+        sums = [0.0] * (THIRDS + 1)
+        thirds |= shared_out(map(weights, parts), THIRDS, sums)
+        for third in range(1, THIRDS + 1):
+            run = [name for name, its in quarters.items() if its == quarter and
+                   thirds.get(name, third if costs[name] < SLOW else 0) == third]
+            run += [name for name in thirds if quarters[name] == quarter and thirds[name] != third and costs[name] < SLOW]
+            print(f"quarter {quarter}, third {third}: {sum(costs[name] for name in run):.0f} s,",
+                  f"{sum(again.get(name, 0) for name in run if thirds.get(name) == third):.0f} s with the sanitizers")
+    print(f"always: {sum(seconds for name, seconds in costs.items() if not quarters[name]):.0f} s")
     return quarters, thirds
 
 

@@ -38,13 +38,13 @@ for folder in src/*/; do
         *) fail "$file includes the public header $header, which is not below $layer" ;;
         esac
     done < <(grep -roE '#include "whirl/[a-z_/]+\.h"' "$folder" | sed -E 's,#include "whirl/(engine/)?([^"]*)",\2,')
-    while IFS=: read -r file header; do
-        [ -e "$folder$header" ] || [ -e "$(dirname "$file")/$header" ] || compgen -G "src/base/$header" >/dev/null ||
+    while IFS=: read -r room header; do
+        [ -e "$folder$header" ] || [ -e "$room$header" ] || compgen -G "src/base/$header" >/dev/null ||
             compgen -G "src/base/*/$header" >/dev/null ||
             compgen -G "$folder*/$header" | grep -qvE '/(kernels|elements)/' || # of another room
             [ -e "cmake/$header.in" ] ||
-            grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "$file includes $header of another layer"
-    done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,#include "([^"]*)",\1,')
+            grep -q "$header" CMakeLists.txt cmake/*.cmake || fail "a file of $room includes $header of another layer"
+    done < <(grep -roE '#include "[^/"]+"' "$folder" | sed -E 's,[^/]*:#include "([^"]*)",:\1,' | sort -u)
     while IFS=: read -r file header; do
         [[ $(realpath -m "$(dirname "$file")/$header") == "$root/$folder"* ]] && continue
         [ "$layer $header" = "integrate ../../rotor/instances.h" ] || fail "$file includes $header of another layer"
