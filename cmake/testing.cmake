@@ -20,8 +20,7 @@ add_executable(budget ${PROJECT_SOURCE_DIR}/tests/budget.c)
 # Adds a test under a budget of processor time: 5 s, or 60 s for those that tests/costs.txt says to take 2 or more.
 #   whirl_test(<name> COMMAND <command...> [LABEL <label>] [SKIPS] [ENVIRONMENT <name=value...>])
 # SKIPS: exit status 77 says that something is missing here. Labels besides: long, what has 60 s;
-# quarter-N, what runs by turns, and third-N of it: of all under the sanitizers, elsewhere of what takes 10 s or more. The
-# sanitizers make all of this slower, and set no budget.
+# quarter-N, what runs by turns, and third-N of it. The sanitizers make all of this slower, and set no budget.
 function(whirl_test name)
   cmake_parse_arguments(TEST "SKIPS" "LABEL" "COMMAND;ENVIRONMENT" ${ARGN})
   set(seconds 1)
@@ -41,7 +40,7 @@ function(whirl_test name)
     math(EXPR quarter "1 + ${length} % 4")
     math(EXPR third_${name} "1 + ${length} / 4 % 3")
   endif()
-  if(third_${name} AND (WHIRL_SANITIZE OR seconds GREATER 9))
+  if(third_${name})
     list(APPEND labels third-${third_${name}})
   endif()
   if(quarter)

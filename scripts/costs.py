@@ -3,9 +3,9 @@
 
 From what a run of all tests has measured on an idle computer (`make test QUARTER=all`), BUILD/tests.log. Tests that take
 SHARED seconds or more are dealt out to the quarters, the longest first to the quarter that has the least; those that need
-one another stay together. Of those that take SLOW seconds or more a third runs, and of all units and commands under the
-sanitizers, where they take what BUILD/sanitize/tests.log says, or SANITIZED times as long, and are shared from SANITIZED
-times SHARED on. What that log does not know keeps its line.
+one another stay together. Of those that take SLOW seconds or more a third of the quarter runs, and of units and commands,
+which run under the sanitizers, too, where they take what BUILD/sanitize/tests.log says, or SANITIZED times as long, and are
+shared from SANITIZED times SHARED on. What that log does not know keeps its line.
 """
 
 import math
@@ -17,7 +17,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 COSTS = ROOT / "tests/costs.txt"
 SHARED = 2
-SLOW = 10 # as cmake/testing.cmake has it
+SLOW = 10
 SANITIZED = 10
 THIRDS = 3
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
@@ -35,13 +35,13 @@ def measured(log):
     return costs
 
 
-def shared_out(groups, count, loads):
-    """Which of `count` shares each group of (name, weight) goes to, 1, 2, ..., the heaviest first to the lightest share."""
-    shares = {}
-    for tests in sorted(groups, key=lambda tests: -sum(weight for _, weight in tests)):
-        share = min(range(1, count + 1), key=lambda s: loads[s])
-        loads[share] += sum(weight for _, weight in tests)
-        shares.update({name: share for name, _ in tests})
+def shared_out(groups, count, weight):
+    """Which of `count` shares each group of names goes to, 1, 2, ..., the heaviest first to the lightest share."""
+    shares, loads = {}, [0.0] * count
+    for names in sorted(groups, key=weight, reverse=True):
+        share = loads.index(min(loads))
+        loads[share] += weight(names)
+        shares.update(dict.fromkeys(names, share + 1))
     return shares
 
 
@@ -54,31 +54,34 @@ def quarters_of(costs, sanitized):
         group = TOGETHER.match(name)
         groups.setdefault(group[0] if group else name, []).append(name)
 
-    def long(names):
-        return (sum(costs[name] for name in names) >= SHARED or
-                sum(again.get(name, 0) for name in names) >= SANITIZED * SHARED) and not any(map(ALWAYS.fullmatch, names))
+    def cost(names):
+        return sum(costs[name] for name in names)
 
-    def weights(names):
-        return [(name, (costs[name] / THIRDS if costs[name] >= SLOW else costs[name]) + again.get(name, 0) / THIRDS)
-                for name in names]
+    def sanitized_cost(names):
+        return sum(again.get(name, 0) for name in names)
 
-    loads = [0.0] * 5
-    taking_turns = [names for names in groups.values() if long(names)]
-    quarters = dict.fromkeys(costs, 0) | shared_out(map(weights, taking_turns), 4, loads)
-    thirds = {}
+    def in_thirds(names):
+        return cost(names) >= SLOW or sanitized_cost(names) > 0
+
+    def weight(names):
+        return (cost(names) + sanitized_cost(names)) / (THIRDS if in_thirds(names) else 1)
+
+    turns = [names for names in groups.values() if not any(map(ALWAYS.fullmatch, names)) and
+             (cost(names) >= SHARED or sanitized_cost(names) >= SANITIZED * SHARED)]
+    quarters, thirds = shared_out(turns, 4, weight), {}
     for quarter in range(1, 5):
-        parts = [[name for name in names if name in again or costs[name] >= SLOW]
-                 for names in taking_turns if quarters[names[0]] == quarter]
-        sums = [0.0] * (THIRDS + 1)
-        thirds |= shared_out(map(weights, parts), THIRDS, sums)
+        own = [names for names in turns if quarters[names[0]] == quarter]
+        thirds |= shared_out(filter(in_thirds, own), THIRDS, weight)
         for third in range(1, THIRDS + 1):
-            run = [name for name, its in quarters.items() if its == quarter and
-                   thirds.get(name, third if costs[name] < SLOW else 0) == third]
-            run += [name for name in thirds if quarters[name] == quarter and thirds[name] != third and costs[name] < SLOW]
-            print(f"quarter {quarter}, third {third}: {sum(costs[name] for name in run):.0f} s,",
-                  f"{sum(again.get(name, 0) for name in run if thirds.get(name) == third):.0f} s with the sanitizers")
-    print(f"always: {sum(seconds for name, seconds in costs.items() if not quarters[name]):.0f} s")
-    return quarters, thirds
+            run = [name for names in own for name in names if thirds.get(name, third) == third]
+            print(f"quarter {quarter}, third {third}: {cost(run):.0f} s, {sanitized_cost(run):.0f} s with the sanitizers")
+    print(f"always: {cost(name for name in costs if name not in quarters):.0f} s")
+    return dict.fromkeys(costs, 0) | quarters, thirds
+
+
+def seconds_of(name, costs):
+    """Whole ones; of compilers those without what they have compiled before."""
+    return max(3 if TOGETHER.match(name) else 1, math.floor(costs[name] + 0.5))
 
 
 def main():
@@ -91,7 +94,7 @@ def main():
     sanitized = measured(again) if again.exists() else {}
     quarters, thirds = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
     head = [line for line in lines if line.startswith("#")]
-    told = [f"{name:<52} {max(1, math.floor(costs[name] + 0.5)):>2} {quarters[name]} {thirds.get(name, '')}".rstrip()
+    told = [f"{name:<52} {seconds_of(name, costs):>2} {quarters[name]} {thirds.get(name, '')}".rstrip()
             for name in sorted(quarters) if costs[name] >= 1 or quarters[name]]
     COSTS.write_text("\n".join(head + told) + "\n")
 

@@ -1,10 +1,10 @@
 #!/bin/bash
 # Which quarter of the long tests runs now:  scripts/quarter.sh [--name | --others | --wide]
 #
-# The quarters, 1 to 4, take turns with the number of commits (tests/costs.txt says which test is in which). Of a quarter's tests
-# from 10 s on, and of all under the sanitizers, a third runs, the next one four commits later. The variable QUARTER names a
-# quarter that runs whole, or all. --others says what ctest -LE leaves out, --wide which instruction set the sanitized build has
-# beside the portable ones.
+# The quarters, 1 to 4, take turns with the number of commits (tests/costs.txt says which test is in which). Of what is slow, and
+# of units and commands, a third of a quarter runs, the next one four commits later. The variable QUARTER names a quarter that
+# runs whole, or all. --others says what ctest -LE leaves out, --wide which instruction set the sanitized build has beside the
+# portable ones.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 commits=$(git rev-list --count HEAD 2>/dev/null || echo 0)
