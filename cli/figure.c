@@ -134,7 +134,7 @@ static int run(int argc, char **argv) {
         .doc =
             "Writes one figure of a result, as reports have them: a picture, or its panels, axes and series as JSON. "
             "Without a name the first one; the names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
-            "@#NUMBER[:STATION] make figures of any numbers and of any point.",
+            "@#NUMBER[:STATION] make figures of any numbers and of any point. TABLE/NAME is the figure of that table.",
     };
     figure_arguments arguments = {0};
     whirl_result *result;

@@ -1,6 +1,7 @@
 function drawn = whirl_figure(file, varargin)
 % WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
-%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5) into the current figure window, which is cleared.
+%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, into the current
+%   figure window, which is cleared.
 %   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints what there is, and
 %   NAMES = WHIRL_FIGURE(FILE, 'list') gives the names.
 %   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'
@@ -12,8 +13,11 @@ function drawn = whirl_figure(file, varargin)
 %   Errors: whirl:badInput for a file that is no result, a name or an option that is wrong; whirl:noCommand.
 %
 %   See also WHIRL_READ, WHIRL_PLOT_BIFURCATION.
+if nargin > 0 && isstruct(file)
+    file = getfield(result_of(file), 'attributes', 'file'); %#ok<GFLD>
+end
 if nargin < 1 || ~is_text(text_of(file))
-    error('whirl:badInput', 'whirl_figure takes the name of a result file (whirl_run: option ''output'')');
+    error('whirl:badInput', 'whirl_figure takes the name of a result file, or what whirl_read gives');
 end
 [places, options] = arguments_of(varargin, {''}, struct('panels', '', 'units', '', 'log', ''));
 arguments = ['figure ' quoted(file_of(text_of(file)))];

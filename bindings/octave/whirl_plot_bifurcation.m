@@ -6,37 +6,19 @@ function handle = whirl_plot_bifurcation(result, varargin)
 %   'y', 'vx', 'vy' (velocities, per radian of rotation), or its number.
 %   WHIRL_PLOT_BIFURCATION(..., 'table', NAME) draws that table, and not the first with sections.
 %
-%   Gives a handle for every regime or attractor, in the order of the legend.
+%   Gives a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_READ, WHIRL_PLOT_POINCARE, WHIRL_PLOT_LYAPUNOV, WHIRL_PLOT_SHARES.
 FIELD = field_names();
 names = {'x', 'y', 'vx', 'vy'};
 [places, options] = arguments_of(varargin, {[], 1}, struct('table', []));
-subject = subject_of(result, FIELD.poincare_section, 'poincare', options.table, places{1});
+result = result_of(result);
 column = coordinate_index(places{2}, names);
-section = field_of(subject.table, FIELD.poincare_section);
-count = size(section, 3);
-section = reshape(section(:, subject.index, :, column), [], count) .* repmat(subject.lengths, 1, count);
-parameter = repmat(subject.values, 1, count);
-once = points_once(subject.table, subject.name);
-kinds = kinds_of(subject.table, subject.name, has_attractors(subject.table, subject.name));
-[axes_handle, held] = begin_figure();
-points = mark_size(numel(once) * count);
-handle = [];
-pad_values(axes_handle, subject.values);
-if isempty(kinds)
-    handle = draw_marks(axes_handle, parameter(once, :), section(once, :), 'o', points, [0, 0, 0]);
-else
-    for i = 1:numel(kinds.number)
-        own = once(kinds.of(once) == kinds.number(i));
-        handle = [handle; draw_marks(axes_handle, parameter(own, :), section(own, :), 'o', points, ...
-            kinds.colours(i, :))]; %#ok<AGROW>
-    end
-    kinds_legend(axes_handle, kinds, 'o', parameter(once, :), section(once, :));
-end
-label = length_label(subject.result, [names{column} ' of ' subject.station]);
 if column > 2
-    label = [label ' per radian'];
+    station = result.stations.name{station_index(result, places{1})};
+    name = figure_name(result, [FIELD.poincare_section ':' station ':' names{column}], options.table);
+    handle = draw_panel_of(result, name, 'value');
+else
+    handle = draw_panel_of(result, figure_name(result, 'bifurcation', options.table, places{1}), names{column});
 end
-end_figure(axes_handle, held, subject.label, label);
 end

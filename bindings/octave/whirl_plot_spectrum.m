@@ -1,40 +1,27 @@
 function handle = whirl_plot_spectrum(result, varargin)
-% WHIRL_PLOT_SPECTRUM  Draws the strongest lines of the spectrum of a station at a point of a study.
-%   WHIRL_PLOT_SPECTRUM(RESULT, POINT, STATION) draws the full spectrum over orders, multiples of the speed: forward
-%   whirl above 0, backward whirl below. POINT counts from 1, STATION is a name or a number.
-%   WHIRL_PLOT_SPECTRUM(..., 'full', false) draws the spectrum of x alone.
-%   WHIRL_PLOT_SPECTRUM(RESULT, [], STATION, 'at', VALUE) draws the point whose parameter is nearest to a value in SI,
-%   or to a text with the unit of the figure: '600 rpm'.
-%   WHIRL_PLOT_SPECTRUM(..., 'table', NAME) draws that table, and not the first with spectra.
+% WHIRL_PLOT_SPECTRUM  Draws the spectrum of a point over the order: forward and backward whirl.
+%   WHIRL_PLOT_SPECTRUM(RESULT, POINT, STATION) draws forward whirl at orders above 0 and backward whirl below; POINT
+%   counts from 1, STATION is a name or a number. 'at', VALUE and 'table', NAME are those of WHIRL_PLOT_ORBIT.
+%   WHIRL_PLOT_SPECTRUM(..., 'full', false) draws the spectra of x and y, which are there where a case keeps whole ones.
 %
-%   Gives the handle of the lines, or those of the forward and of the backward ones; NaN parts the lines.
+%   Gives a handle for every series of the panel (docs/figures.md).
 %
-%   See also WHIRL_PLOT_WATERFALL, WHIRL_PLOT_ORBIT.
+%   See also WHIRL_PLOT_WATERFALL.
 FIELD = field_names();
-[places, options] = arguments_of(varargin, {[], []}, struct('full', true, 'at', [], 'table', []));
-subject = subject_of(result, FIELD.spectrum_lines, 'spectrum', options.table, places{2});
-point = point_index(subject, places{1}, options.at);
-lines_of = field_of(subject.table, FIELD.spectrum_lines);
-lines_of = reshape(lines_of(point, subject.index, :, :), size(lines_of, 3), []);
-lines_of = lines_of(~isnan(lines_of(:, 1)), :);
-order = lines_of(:, 1);
-amplitude = lines_of(:, 2:5) * subject.lengths(point) * subject.result.case_.attributes.shown_amplitude;
-floor_of = zeros(size(order));
-[axes_handle, held] = begin_figure();
-last = 1.05 * max([1; order]);
-if is_full(options.full)
-    amplitude = amplitude(:, 3:4);
-    zero = guide_line(axes_handle, [0, 0], [0, 1], '-');
-    handle = [vertical_lines(axes_handle, order, floor_of, amplitude(:, 1), [0, 0, 0], 1.5); ...
-        vertical_lines(axes_handle, -order, floor_of, amplitude(:, 2), [0, 0, 0], 1.5)];
-    from_zero(axes_handle, amplitude);
-    set(zero, 'YData', get(axes_handle, 'YLim'));
-    set(axes_handle, 'XLim', [-last, last]);
-else
-    handle = vertical_lines(axes_handle, order, floor_of, amplitude(:, 1), [0, 0, 0], 1.5);
-    from_zero(axes_handle, amplitude(:, 1));
-    set(axes_handle, 'XLim', [0, last]);
+panel = 'full-spectrum';
+at = find(cellfun(@(one) strcmp(text_of(one), 'full'), varargin), 1);
+if ~isempty(at)
+    full = true;
+    if at < numel(varargin)
+        full = varargin{at + 1};
+    end
+    if ~((islogical(full) || isnumeric(full)) && numel(full) == 1)
+        error('whirl:badInput', 'the option ''full'' is true or false');
+    end
+    if ~full
+        panel = 'spectrum';
+    end
+    varargin(at:min(at + 1, numel(varargin))) = [];
 end
-end_figure(axes_handle, held, order_label(options.full), ...
-    amplitude_label(subject), point_title(subject, point));
+handle = draw_point(result, varargin, FIELD.spectrum_lines, 'spectrum', panel);
 end

@@ -11,6 +11,7 @@ function result = whirl_read(file)
 %     result.sweep.regime.confidence                and how sure they are
 %     result.sweep.attributes.parameter             what varies
 %     result.stations.name, result.parameters.name, .value, .unit
+%     result.attributes.file                        from which figures are drawn
 %
 %   Errors: whirl:badInput for a file that is no result, whirl:noCommand where the command is not found.
 %
@@ -32,4 +33,8 @@ copy = [tempname() '.mat'];
 call(['export ' quoted(file_of(file)) ' --mat ' quoted(copy)], false);
 result = load(copy);
 delete(copy);
+if isempty(regexp(file, '^([/\\]|[A-Za-z]:)', 'once'))
+    file = fullfile(pwd(), file);
+end
+result.attributes.file = file;
 end

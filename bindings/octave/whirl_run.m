@@ -5,7 +5,7 @@ function result = whirl_run(given_case, varargin)
 %   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
 %   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:
 %
-%     'output'    name of the result file to keep; one that is there is replaced (default: none is kept)
+%     'output'    name of the result file to keep; one that is there is replaced (default: it is deleted with RESULT)
 %     'threads'   number of threads (default: all cores)
 %     'progress'  true or false: what the command says is shown (default: true)
 %
@@ -53,13 +53,15 @@ end
 try
     status = call(['run ' quoted(file_of(file)) ' --force -o ' quoted(file_of(output)) arguments], shown);
     result = whirl_read(output);
+    if ~kept
+        result.kept = onCleanup(@() delete(output)); % with the struct, whose figures are drawn from it
+    end
 catch problem
     remove(written, file);
     remove(~kept, output);
     rethrow(problem);
 end
 remove(written, file);
-remove(~kept, output);
 if status == 3
     warning('whirl:unfinished', 'the run ended before its last point');
 end

@@ -25,10 +25,9 @@ assert(y(whirl_plot_poincare(s('strings.h5'), 3, s('disc'))), y(whirl_plot_poinc
 assert(y(whirl_plot_poincare(result, [], [], s('at'), s('2.5 rad/s'))), y(whirl_plot_poincare(plain, 3)));
 assert(y(whirl_plot_orbit(result, 3, s('disc'), s('table'), s('sweep'))), y(whirl_plot_orbit(plain, 3)));
 assert(y(whirl_plot_bifurcation(result, s('disc'), s('y'))), y(whirl_plot_bifurcation(plain, 'disc', 'y')));
-assert(y(whirl_plot_spectrum(result, 3, s('disc'), s('full'), false)), ...
-  y(whirl_plot_spectrum(plain, 3, 'disc', 'full', false)));
-assert(y(whirl_plot_waterfall(result, s('disc'), s('full'), false)), ...
-  y(whirl_plot_waterfall(plain, 'disc', 'full', false)));
+assert(y(whirl_plot_spectrum(result, 3, s('disc'), s('full'), true)), ...
+  y(whirl_plot_spectrum(plain, 3, 'disc', 'full', true)));
+assert(y(whirl_plot_waterfall(result, s('disc'), s('highest_order'), 2)), y(whirl_plot_waterfall(plain, 'disc')));
 
 m = whirl_machine(s('case.yaml'), s('kappa'), s('12'));
 x = [1.2; 0.9; 0.3; -0.2];

@@ -1,14 +1,20 @@
-function drawn = draw_description(data)
+function drawn = draw_description(data, axes_handle, titled)
 % DRAW_DESCRIPTION  A figure of docs/figures.md in the current figure window, by a rule for every shape of series.
 %   DATA is the decoded document. Colours that shine through are mixed with white: gnuplot's lines know no opacity.
-drawn = struct('figure', clf(), 'axes', [], 'legend', [], 'scale', [], 'data', data);
-set(drawn.figure, 'Color', 'w', 'PaperUnits', 'centimeters', 'PaperSize', [data.width_cm, data.height_cm], ...
-    'PaperPosition', [0, 0, data.width_cm, data.height_cm]);
+%   DRAW_DESCRIPTION(DATA, AXES, TITLED) draws its only panel into axes that are there, with the figure's title if
+%   TITLED, and gives the handles of its series.
 scale = [];
 if isfield(data, 'scale')
     scale = data.scale;
 end
 panels = list_of(data.panels);
+if nargin > 1
+    drawn = draw_alone(axes_handle, panels{1}, scale, data, titled);
+    return
+end
+drawn = struct('figure', clf(), 'axes', [], 'legend', [], 'scale', [], 'data', data);
+set(drawn.figure, 'Color', 'w', 'PaperUnits', 'centimeters', 'PaperSize', [data.width_cm, data.height_cm], ...
+    'PaperPosition', [0, 0, data.width_cm, data.height_cm]);
 outside = {};
 for i = 1:numel(panels)
     drawn.axes = [drawn.axes; draw_panel(panels{i}, scale, data)];
@@ -24,8 +30,84 @@ if ~isempty(outside)
         max(1, floor(data.width_cm / 2.6)), data.font_pt);
 end
 if ~isempty(scale)
-    drawn.scale = draw_scale(panels, scale, data);
+    boxes = cell2mat(cellfun(@(panel) panel.box(:)', panels, 'UniformOutput', false));
+    low = min(boxes(:, 3));
+    drawn.scale = draw_scale([1 - 1.85 / data.width_cm, low, 0.35 / data.width_cm, max(boxes(:, 4)) - low], scale, ...
+        data.font_pt);
 end
+end
+
+function handles = draw_alone(axes_handle, panel, scale, data, titled)
+% Letters of 9 pt, marks and lines as much larger; with a legend and a scale of their own.
+held = ishold(axes_handle);
+font = 9;
+clear_scale(axes_handle);
+series = list_of(panel.series);
+for i = 1:numel(series)
+    series{i}.size = series{i}.size * font / data.font_pt;
+end
+panel.series = series;
+panel.letter = '';
+panel.title = '';
+if titled
+    panel.title = data.title;
+end
+set(axes_handle, 'Box', 'on', 'Layer', 'top');
+handles = fill_panel(axes_handle, panel, scale, font);
+list = named(series);
+if ~isempty(list)
+    name_series(axes_handle, list, series);
+end
+if ~isempty(scale)
+    place = get(axes_handle, 'Position');
+    setappdata(axes_handle, 'whirl_place', place);
+    place = place .* [1, 1, 0.85, 0.88] + [0.03 * place(3), 0.07 * place(4), 0, 0];
+    set(axes_handle, 'Position', place);
+    bar = draw_scale([place(1) + 1.03 * place(3), place(2), 0.04 * place(3), place(4)], scale, font);
+    setappdata(axes_handle, 'whirl_scale', bar);
+    axes(axes_handle); %#ok<MAXES>
+end
+if held
+    hold(axes_handle, 'on');
+end
+end
+
+function clear_scale(axes_handle)
+% A scale that stood beside the axes had narrowed them.
+if isappdata(axes_handle, 'whirl_place')
+    set(axes_handle, 'Position', getappdata(axes_handle, 'whirl_place'));
+    delete(getappdata(axes_handle, 'whirl_scale'));
+    rmappdata(axes_handle, 'whirl_place');
+end
+end
+
+function name_series(axes_handle, list, series)
+% A legend in a corner where few points are.
+hold(axes_handle, 'on');
+marks = [];
+for i = 1:numel(list)
+    one = list{i};
+    one.x = NaN;
+    one.y = NaN;
+    if any(strcmp(one.shape, {'boxes', 'area'}))
+        one.shape = 'dots';
+        one.mark = 'square';
+        one.size = 8;
+    elseif ~strcmp(one.shape, 'dots')
+        one.shape = 'line';
+    end
+    marks = [marks; draw_series(axes_handle, one, [], 9)]; %#ok<AGROW>
+end
+points = cellfun(@(one) [one.x(:), one.y(:)], series(cellfun(@(one) isfield(one, 'x') && ~isempty(one.x) && ...
+    ~strcmp(one.shape, 'boxes'), series)), 'UniformOutput', false);
+points = vertcat(zeros(0, 2), points{:});
+names = cellfun(@(one) marked_up(one.name), list, 'UniformOutput', false);
+if any(cellfun(@(one) strcmp(one.shape, 'boxes'), list))
+    place_legend(axes_handle, marks, names);
+else
+    place_legend(axes_handle, marks, names, points(:, 1), points(:, 2));
+end
+hold(axes_handle, 'off');
 end
 
 function items = list_of(decoded)
@@ -51,18 +133,24 @@ left = panel.box(1);
 bottom = panel.box(3);
 axes_handle = axes('Position', [left, bottom, panel.box(2) - left, panel.box(4) - bottom], 'Box', 'on', ...
     'Layer', 'top', 'FontSize', 0.9 * font, 'LineWidth', 0.5, 'TickDir', 'in');
+fill_panel(axes_handle, panel, scale, font);
+if panel.y.shown && (panel.box(4) - panel.box(3)) * data.height_cm < 0.7
+    % Beside so low a panel an upright label finds no room.
+    set(get(axes_handle, 'YLabel'), 'Rotation', 0, 'HorizontalAlignment', 'right', 'VerticalAlignment', 'middle');
+end
+end
+
+function handles = fill_panel(axes_handle, panel, scale, font)
+% Axes, series and title; gives the handles of the series.
+handles = [];
 hold(axes_handle, 'on');
 set_axis(axes_handle, panel.x, 'X', font);
 set_axis(axes_handle, panel.y, 'Y', font);
 series = list_of(panel.series);
 for i = 1:numel(series)
     if isfield(series{i}, 'x') && ~isempty(series{i}.x)
-        draw_series(axes_handle, series{i}, scale, 0.9 * font);
+        handles = [handles; draw_series(axes_handle, series{i}, scale, 0.9 * font)]; %#ok<AGROW>
     end
-end
-if panel.y.shown && (panel.box(4) - panel.box(3)) * data.height_cm < 0.7
-    % Beside so low a panel an upright label finds no room.
-    set(get(axes_handle, 'YLabel'), 'Rotation', 0, 'HorizontalAlignment', 'right', 'VerticalAlignment', 'middle');
 end
 if panel.equal
     set(axes_handle, 'DataAspectRatio', [1, 1, 1]);
@@ -120,55 +208,59 @@ function rgb = colour_of(series)
 rgb = 1 - series.opacity * (1 - colour(series.colour));
 end
 
-function draw_series(axes_handle, series, scale, font)
+function handles = draw_series(axes_handle, series, scale, font)
+% Texts have no handle among those.
+handles = [];
 x = series.x(:);
 y = series.y(:);
 switch series.shape
     case 'dots'
-        draw_dots(axes_handle, series, x, y);
+        handles = draw_dots(axes_handle, series, x, y);
     case 'line'
-        draw_line(axes_handle, series, x, y);
+        handles = draw_line(axes_handle, series, x, y);
     case 'area'
-        draw_area(axes_handle, series, x, y);
+        handles = draw_area(axes_handle, series, x, y);
     case 'bars'
         gap = NaN(size(x));
-        draw_line(axes_handle, series, reshape([x, x, gap]', [], 1), reshape([y, series.y_to(:), gap]', [], 1));
+        handles = draw_line(axes_handle, series, reshape([x, x, gap]', [], 1), ...
+            reshape([y, series.y_to(:), gap]', [], 1));
     case 'boxes'
-        draw_boxes(axes_handle, series, x, y, scale);
+        handles = draw_boxes(axes_handle, series, x, y, scale);
     case 'texts'
         draw_texts(axes_handle, series, x, y, font);
 end
 end
 
-function draw_dots(axes_handle, series, x, y)
+function handle = draw_dots(axes_handle, series, x, y)
 names = {'disc', 'ring', 'square', 'frame', 'up', 'down', 'diamond', 'cross'};
 markers = {'o', 'o', 's', 's', '^', 'v', 'd', 'x'};
 empty = any(strcmp(series.mark, {'ring', 'frame'}));
-draw_marks(axes_handle, x, y, markers{strcmp(series.mark, names)}, series.size, colour_of(series), ~empty);
+handle = draw_marks(axes_handle, x, y, markers{strcmp(series.mark, names)}, series.size, colour_of(series), ~empty);
 end
 
-function draw_line(axes_handle, series, x, y)
+function handle = draw_line(axes_handle, series, x, y)
 style = '-';
 if isfield(series, 'dashed') && series.dashed
     style = '--';
 end
-plot(axes_handle, x, y, style, 'Color', colour_of(series), 'LineWidth', series.size);
+handle = plot(axes_handle, x, y, style, 'Color', colour_of(series), 'LineWidth', series.size);
 end
 
-function draw_area(axes_handle, series, x, y)
+function handles = draw_area(axes_handle, series, x, y)
 % Every run between gaps is a polygon: along y, and back along y_to.
 to = series.y_to(:);
 there = ~isnan(x) & ~isnan(y) & ~isnan(to);
 starts = find(diff([false; there]) == 1);
 ends = find(diff([there; false]) == -1);
+handles = [];
 for i = 1:numel(starts)
     run = starts(i):ends(i);
-    patch('Parent', axes_handle, 'XData', [x(run); flipud(x(run))], 'YData', [y(run); flipud(to(run))], ...
-        'FaceColor', colour_of(series), 'EdgeColor', 'none');
+    handles = [handles; patch('Parent', axes_handle, 'XData', [x(run); flipud(x(run))], ...
+        'YData', [y(run); flipud(to(run))], 'FaceColor', colour_of(series), 'EdgeColor', 'none')]; %#ok<AGROW>
 end
 end
 
-function draw_boxes(axes_handle, series, x, y, scale)
+function handle = draw_boxes(axes_handle, series, x, y, scale)
 rgb = repmat(colour_of(series), numel(x), 1);
 if isfield(series, 'values') && ~isempty(scale)
     rgb = colours_of(series.values(:), scale);
@@ -179,7 +271,7 @@ there = find(~isnan(x) & ~isnan(y) & ~any(isnan(rgb), 2));
 x = [x(there), to(there), to(there), x(there)]';
 y = [y(there), y(there), up(there), up(there)]';
 faces = reshape(1:numel(x), 4, [])';
-patch('Parent', axes_handle, 'Vertices', [x(:), y(:)], 'Faces', faces, 'FaceVertexCData', rgb(there, :), ...
+handle = patch('Parent', axes_handle, 'Vertices', [x(:), y(:)], 'Faces', faces, 'FaceVertexCData', rgb(there, :), ...
     'FaceColor', 'flat', 'EdgeColor', 'none');
 end
 
@@ -255,13 +347,10 @@ switch series.shape
 end
 end
 
-function axes_handle = draw_scale(panels, scale, data)
-% The colours of numbers in a bar beside all panels.
-boxes = cell2mat(cellfun(@(panel) panel.box(:)', panels, 'UniformOutput', false));
-low = min(boxes(:, 3));
-high = max(boxes(:, 4));
-axes_handle = axes('Position', [1 - 1.85 / data.width_cm, low, 0.35 / data.width_cm, high - low], 'Box', 'on', ...
-    'Layer', 'top', 'FontSize', 0.9 * data.font_pt, 'XTick', [], 'XLim', [0, 1], 'YAxisLocation', 'right');
+function axes_handle = draw_scale(place, scale, font)
+% The colours of numbers in a bar.
+axes_handle = axes('Position', place, 'Box', 'on', 'Layer', 'top', 'FontSize', 0.9 * font, 'XTick', [], ...
+    'XLim', [0, 1], 'YAxisLocation', 'right');
 hold(axes_handle, 'on');
 % From 0 to 1: gnuplot draws patches beside a logarithmic axis on the right as if it were linear.
 count = 128;
@@ -275,6 +364,6 @@ if isfield(scale, 'ticks')
     set(axes_handle, 'YTick', place_on(scale.ticks(:)', scale), 'YTickLabel', ...
         cellfun(@marked_up, cellstr(scale.tick_texts), 'UniformOutput', false));
 end
-ylabel(axes_handle, marked_up(scale.label), 'FontSize', data.font_pt);
+ylabel(axes_handle, marked_up(scale.label), 'FontSize', font);
 hold(axes_handle, 'off');
 end

@@ -1,6 +1,8 @@
 function [table, name] = table_with(result, field, analysis, wanted, every)
 % TABLE_WITH  The table WANTED, or without one the first that has a field ('orbit/max_radius'), and its name.
-%   ANALYSIS is what gives the field. Details are taken where they are named, or with EVERY.
+%   ANALYSIS is what gives the field. Details are taken where they are named, or with EVERY. Of a table that is wanted
+%   FIELD may be ''.
+every = nargin > 4 && every;
 if ~isempty(wanted)
     name = text_of(wanted);
     if ~is_text(name) || ~any(strcmp(name, result.attributes.tables))
@@ -8,7 +10,7 @@ if ~isempty(wanted)
             strtrim(sprintf('%s ', result.attributes.tables{:})));
     end
     table = result.(name);
-    if ~has_field(table, field)
+    if ~isempty(field) && ~has_field(table, field)
         error('whirl:badInput', 'the table ''%s'' has no ''%s'': add %s to what the case analyses', name, field, ...
             analysis);
     end

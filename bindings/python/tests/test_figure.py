@@ -12,6 +12,7 @@ import whirl.figure
 
 plt = pytest.importorskip("matplotlib.pyplot")
 to_hex = pytest.importorskip("matplotlib.colors").to_hex
+to_rgb = pytest.importorskip("matplotlib.colors").to_rgb
 
 UNBALANCE = "unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 5}"
 CRITICAL = "critical_speeds: {parameter: k, from: 20 kN/m, to: 8000 kN/m, points: 4, scale: log}"
@@ -263,7 +264,7 @@ def test_any_field_and_any_point(good_file, map_files):
     table = good["sweep"]
     drawn = sorted((x, y) for series in data["panels"][0]["series"] for x, y in zip(series["x"], series["y"]))
     own = table["orbit/mean"][:, 0, 1] * table.length_scale
-    expected = sorted(zip(table.values / good._shown.size(table.parameter), own))
+    expected = sorted(zip(table.values, own))
     assert np.allclose(drawn, expected, rtol=1e-12)
     assert good.figure_data("orbit/max_radius")["panels"] == good.figure_data("orbit/max_radius:disc")["panels"]
     boxes = grid.figure_data("orbit/max_radius", units="mm")
@@ -272,7 +273,7 @@ def test_any_field_and_any_point(good_file, map_files):
     point = good.figure_data("@#2")
     section = next(panel for panel in point["panels"] if panel["name"] == "section")["series"][0]
     assert np.allclose(section["x"], table["poincare/section"][2, 0, :, 0] * table.length_scale[2])
-    value = table.values[2] / good._shown.size(table.parameter)
+    value = table.values[2]
     assert good.figure_data(f"@{value:.17g}:disc") == point
     scaled = good.figure_data("orbit/max_radius", units="mm, rpm")["panels"][0]
     assert "(mm 0-p)" in scaled["y"]["label"] and "(rpm)" in scaled["x"]["label"]
@@ -295,3 +296,60 @@ def test_any_field_and_any_point(good_file, map_files):
             good.figure_data(wrong)
     with pytest.raises(whirl.BadInput, match="rows at every point"):
         grid.figure_data("poincare/section")
+
+
+def colour_at(data, x, y):
+    """The colour of the box of a map's figure that a place lies in; None where there is none."""
+    for series in data["panels"][0]["series"]:
+        if series["shape"] != "boxes":
+            continue
+        low_x, high_x, low_y, high_y = (np.array(series.get(key, [])) for key in ("x", "x_to", "y", "y_to"))
+        if ((low_x < x) & (x < high_x) & (low_y < y) & (y < high_y)).any():
+            return series["colour"], series["opacity"]
+    return None
+
+
+def test_refined_maps_are_filled(map_files):
+    text = (
+        map_files[0]
+        .read_text()
+        .replace("points: 5", "points: 17")
+        .replace("transient: 20", "transient: 400")
+        .replace("values: [0.1 mm, 0.15 mm, 0.2 mm]}", "from: 0.1 mm, to: 0.2 mm, points: 9}")
+    )
+    whole = whirl.run(whirl.Case(text=text), progress=False)
+    refined = whirl.run(whirl.Case(text=text.replace("  integrate", "    refine: 4\n  integrate")), progress=False)
+    assert refined["map"].grid == whole["map"].shape == (9, 17) and len(refined["map"].values) < 153
+    x, y = whole["map"].values[0], whole["map"].second_values[:, 0] * 1e3
+    pictures = [result.figure_data("map-regime", units="mm") for result in (whole, refined)]
+    cells = [[colour_at(data, at, up) for at in x for up in y] for data in pictures]
+    assert None not in cells[0] + cells[1] and len(set(cells[0])) > 1
+    same = np.mean([one == other for one, other in zip(*cells)])
+    assert same > 0.9  # the squares that were not halved have the colour of their corner
+
+
+def test_a_map_shows_what_most_starts_lead_to(starts_map):
+    table, data = starts_map["map"], starts_map.figure_data("map-regime")
+    code, period = table["regime/code"].astype(int), table["regime/period"].astype(int)
+    seen = 0
+    for place in np.unique(table.place):
+        own = (table.place == place) & np.isfinite(table.shares)
+        best = own & (table.shares == table.shares[own].max())
+        if len(set(zip(code[best], period[best]))) == 1 and code[best][0] == 1:
+            name = {1: "P-1", 2: "P-2", 4: "P-4"}.get(period[best][0], "other P-k")
+            at, up = (values[best][0] for values in (table.values, table.second_values))
+            share = (0.4, 0.8, 1.0)[int(table["regime/confidence"][best][0])]  # the rest is white
+            mixed = share * np.array(to_rgb(whirl.plot.REGIMES[name])) + 1 - share
+            assert np.allclose(to_rgb(colour_at(data, at, up)[0]), mixed, atol=1 / 255)
+            seen += 1
+    assert seen >= 3
+
+
+def test_what_is_carried_down_is_told_apart():
+    text = GOOD.read_text().replace("points: 5, start: state", "points: 5, start: carry, direction: both")
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    table, panel = result["sweep"], result.figure_data("bifurcation-disc")["panels"][0]
+    crosses = [series for series in panel["series"] if series.get("mark") == "cross"]
+    drawn = {y for series in crosses for y in series.get("y", [])}
+    down = table["poincare/section"][table.branch < 0, 0, :, 0] * table.length_scale[0]
+    assert drawn and drawn <= set(down.ravel()) and {"last value to first"} <= {series["name"] for series in crosses}

@@ -9,7 +9,6 @@ import h5py
 import numpy as np
 
 from . import errors
-from ._shown import Shown
 
 
 def _word(value):
@@ -105,24 +104,11 @@ class FileSource:
     def facts(self):
         return {name: _word(value) for name, value in self.file["provenance"].attrs.items()}
 
-    def shown(self):
-        """The units in which figures show the numbers."""
-        group, about = self.file["parameters"], self.file["case"].attrs
-        units = zip(_words(group["shown_unit"]), group["shown_size"][()].tolist())
-        return Shown(
-            parameters=dict(zip(_words(group["name"]), units)),
-            length=float(about["shown_length"]),
-            length_unit=_word(about["shown_length_unit"]),
-            length_over=bool(about["shown_length_over"]),
-            amplitude=float(about["shown_amplitude"]),
-            amplitude_unit=_word(about["shown_amplitude_unit"]),
-        )
-
     def show_in(self, units):
-        """What these units come to; the file stays as it is."""
+        """Refuses words that are no units; the file stays as it is."""
         from ._memory import MemorySource
 
-        return MemorySource.outline(self.path).show_in(units)
+        MemorySource.outline(self.path).show_in(units)
 
     def tables(self):
         return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}

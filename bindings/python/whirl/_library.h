@@ -87,9 +87,6 @@ const char *whirl_result_name(const whirl_result *result, whirl_list list, size_
 const char *whirl_result_text(const whirl_result *result, whirl_list list, size_t index, const char *what);
 double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
 whirl_status whirl_result_show_in(whirl_result *result, const char *units);
-double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
-double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over);
-double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size);
 const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
 
 const char *whirl_table_parameter(const whirl_table *table);

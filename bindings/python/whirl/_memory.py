@@ -4,7 +4,6 @@ import numpy as np
 
 from . import errors
 from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi, lib, path_bytes, text, word_bytes
-from ._shown import Shown
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
 _STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "clockwise")
@@ -99,25 +98,9 @@ class MemorySource:
     def facts(self):
         return {name: self._text(FACTS, i, "value") for i, name in enumerate(self._names(FACTS))}
 
-    def shown(self):
-        """The units in which figures show the numbers."""
-        name, over = ffi.new("char[128]"), ffi.new("bool *")
-
-        def told(size):
-            return text(name), size
-
-        parameters = {
-            parameter: told(lib.whirl_result_shown_unit(self.handle, parameter.encode(), name, 128))
-            for parameter in self._names(PARAMETERS)
-        }
-        length_unit, length = told(lib.whirl_result_shown_length(self.handle, name, 128, over))
-        amplitude_unit, amplitude = told(lib.whirl_result_shown_amplitude(self.handle, name, 128))
-        return Shown(parameters, length, length_unit, bool(over[0]), amplitude, amplitude_unit)
-
     def show_in(self, units):
-        """Chooses these units, and tells them as :meth:`shown` does."""
+        """Chooses these units for figures."""
         check(lib.whirl_result_show_in(self.handle, word_bytes(units)))
-        return self.shown()
 
     def tables(self):
         return {name: MemoryTable(self, name) for name in self._names(TABLES)}

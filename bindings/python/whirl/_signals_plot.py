@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._kinds import REGIMES
-from ._marks import new_axes, scaled
+from .figure import new_axes
+from .plot import REGIMES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,7 +18,30 @@ if TYPE_CHECKING:
 __all__ = ["Plots"]
 
 
-@scaled
+def _scaled(figures):
+    """A class whose figures take ``xscale`` and ``yscale`` ("log", ...) for the axes that they return."""
+
+    def with_scales(draw):
+        @functools.wraps(draw)
+        def figure(*given, **style):
+            scales = {axis: style.pop(f"{axis}scale") for axis in "xy" if f"{axis}scale" in style}
+            drawn = draw(*given, **style)
+            for ax in drawn if isinstance(drawn, tuple) else (drawn,):
+                for axis, scale in scales.items():
+                    getattr(ax, f"set_{axis}scale")(scale)
+                if scales.get("y") == "log" and ax.dataLim.minposy > 0:
+                    ax.set_ylim(bottom=0.5 * ax.dataLim.minposy)
+            return drawn
+
+        return figure
+
+    for name, draw in list(vars(figures).items()):
+        if callable(draw) and not name.startswith("_"):
+            setattr(figures, name, with_scales(draw))
+    return figures
+
+
+@_scaled
 class Plots:
     """Figures of a record: ``record.plot.orbit()``.
 

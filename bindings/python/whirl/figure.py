@@ -171,13 +171,23 @@ def _set_axis(ax, axis, which, font):
         side.set_linewidth(0.5)
 
 
-def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any]) -> Axes:
+def _set_style(artists, style):
+    """Keywords of Matplotlib for what is drawn, each for those that take it."""
+    for key, value in style.items():
+        takers = [artist for artist in artists if hasattr(artist, f"set_{key}")]
+        if not takers:
+            raise errors.BadInput(f"nothing of what is drawn takes '{key}'")
+        for artist in takers:
+            artist.set(**{key: value})
+
+
+def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style: dict[str, Any] | None = None) -> Axes:
     """A panel into axes; where it has a title, or a legend in it, these too."""
     font = document["font_pt"]
     for axis in "xy":
         _set_axis(ax, panel[axis], axis, font)
-    for series in panel["series"]:
-        _draw(ax, series, document.get("scale"), font)
+    drawn = [_draw(ax, series, document.get("scale"), font) for series in panel["series"]]
+    _set_style([artist for artists in drawn for artist in artists], style or {})
     for axis in "xy":  # what was drawn widens nothing
         getattr(ax, f"set_{axis}lim")(panel[axis]["low"], panel[axis]["high"])
     low = (panel["box"][3] - panel["box"][2]) * document["height_cm"] < _LOW_PANEL
@@ -195,20 +205,48 @@ def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any]) -> Axe
     return ax
 
 
-def draw(document: dict[str, Any], ax: Axes | None = None) -> Figure:
-    """A figure, or its only panel into axes that are given."""
+def new_axes(ax: Axes | None) -> Axes:
+    """Those that were given, or those of a new figure."""
+    if ax is not None:
+        return ax
+    import matplotlib.pyplot as plt
+
+    return plt.subplots(figsize=(7.0, 4.2), layout="constrained")[1]
+
+
+def _draw_into(ax, document, style):
+    """The only panel into axes that are given, and beside or in these what else stands above or beside panels."""
+    if len(document["panels"]) != 1:
+        names = ", ".join(panel["name"] for panel in document["panels"])
+        raise errors.BadInput(f"the figure has the panels {names}, expected one of them for the axes: panels=...")
+    from matplotlib import rcParams
+
+    panel, font = document["panels"][0], rcParams["font.size"]
+    for series in panel["series"]:  # marks and lines as letters
+        series["size"] *= font / document["font_pt"]
+    draw_panel(ax, panel, {**document, "font_pt": font}, style)
+    place = ax.get_subplotspec()
+    if place and not place.is_last_row() and len(ax.get_shared_x_axes().get_siblings(ax)) > 1:
+        ax.set_xlabel("")  # those below have it
+    if not panel["legend_inside"] and entries([panel]):
+        boxes = any(series["shape"] == "boxes" and series["name"] for series in panel["series"])
+        place = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if boxes else {"loc": "best"}
+        ax.legend(handles=[_entry(series) for series in entries([panel])], fontsize=0.9 * font, frameon=False, **place)
+    if "scale" in document:
+        _fill_scale({**document, "font_pt": font}, ax=ax)
+
+
+def draw(document: dict[str, Any], ax: Axes | None = None, style: dict[str, Any] | None = None) -> Figure:
+    """A figure, or its only panel into axes that are given; ``style`` for all that is drawn."""
     import matplotlib.pyplot as plt
 
     if ax is not None:
-        if len(document["panels"]) != 1:
-            names = ", ".join(panel["name"] for panel in document["panels"])
-            raise errors.BadInput(f"the figure has the panels {names}, expected one of them for the axes: panels=...")
-        draw_panel(ax, document["panels"][0], document)
+        _draw_into(ax, document, style)
         return ax.figure
     figure = plt.figure(figsize=(document["width_cm"] * _CM, document["height_cm"] * _CM))
     for panel in document["panels"]:
         left, right, bottom, top = panel["box"]
-        draw_panel(figure.add_axes((left, bottom, right - left, top - bottom)), panel, document)
+        draw_panel(figure.add_axes((left, bottom, right - left, top - bottom)), panel, document, style)
     outside = [_entry(series) for series in entries([p for p in document["panels"] if not p["legend_inside"]])]
     if outside:
         columns = max(1, min(len(outside), int(document["width_cm"] / 2.1)))
@@ -217,19 +255,20 @@ def draw(document: dict[str, Any], ax: Axes | None = None) -> Figure:
         )
     figure.align_ylabels([ax for ax, panel in zip(figure.axes, document["panels"]) if panel["box"][0] < 0.3])
     if "scale" in document:
-        _add_scale(figure, document)
+        boxes = [panel["box"] for panel in document["panels"]]
+        low, high = min(box[2] for box in boxes), max(box[3] for box in boxes)
+        place = (1.0 - 1.85 / document["width_cm"], low, 0.35 / document["width_cm"], high - low)
+        _fill_scale(document, cax=figure.add_axes(place))
     return figure
 
 
-def _add_scale(figure, document):
+def _fill_scale(document, **place):
+    """The colours of numbers, into axes of their own (``cax``) or beside others (``ax``)."""
     from matplotlib.cm import ScalarMappable
 
     colours, norm = _scale(document["scale"])
-    boxes = [panel["box"] for panel in document["panels"]]
-    low, high = min(box[2] for box in boxes), max(box[3] for box in boxes)
-    place = figure.add_axes((1.0 - 1.85 / document["width_cm"], low, 0.35 / document["width_cm"], high - low))
-    bar = figure.colorbar(ScalarMappable(norm, colours), cax=place)
+    bar = next(iter(place.values())).figure.colorbar(ScalarMappable(norm, colours), **place)
     bar.set_ticks(document["scale"].get("ticks", []), labels=document["scale"].get("tick_texts", []))
     bar.minorticks_off()
     bar.set_label(document["scale"]["label"], fontsize=document["font_pt"])
-    place.tick_params(labelsize=0.9 * document["font_pt"])
+    bar.ax.tick_params(labelsize=0.9 * document["font_pt"])

@@ -100,6 +100,7 @@ class Result:
 
     def __init__(self, source: Any) -> None:
         self._source, self._about = source, _About(source)
+        self._units = None  # of figures: those of the case
 
     @property
     def title(self) -> str:
@@ -188,10 +189,6 @@ class Result:
 
         return Case(text=self.case_text, name=self.case_name)
 
-    @cached_property
-    def _shown(self):
-        return self._source.shown()
-
     def show_in(self, units: str) -> Result:
         """Chooses the units of figures, as ``whirl report --units`` does; those of the case without it.
 
@@ -210,7 +207,8 @@ class Result:
         """
         if not isinstance(units, str):
             raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
-        self._shown = self._source.show_in(units)
+        self._source.show_in(units)
+        self._units = units
         self._about.__dict__.pop("facts", None)  # which say the units of a result in memory
         return self
 
@@ -262,7 +260,7 @@ class Result:
         """Names and titles of the figures that :meth:`figure` draws, those of reports."""
         from .figure import names_of
 
-        return names_of(self._figured(), self.facts.get("units"))
+        return names_of(self._figured(), self._units)
 
     def figure_data(
         self,
@@ -286,7 +284,7 @@ class Result:
         """
         from .figure import describe
 
-        return describe(self._figured(), name, units or self.facts.get("units"), panels, log)
+        return describe(self._figured(), name, self._units if units is None else units, panels, log)
 
     def figure(
         self,

@@ -409,4 +409,5 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     if (figure->count > 0) figure->panels[figure->count - 1]->x.shown = true;
 }
 
-const figure_kind bifurcation_figure = {.list = list, .describe = describe};
+const figure_kind bifurcation_figure = {
+    .list = list, .describe = describe, .stem = "bifurcation-", .study = "{sweep: ..., analyze: [poincare]}"};

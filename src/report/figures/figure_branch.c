@@ -223,7 +223,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     add_multipliers(figure, v);
 }
 
-const figure_kind branch_figure = {.list = list, .describe = describe};
+const figure_kind branch_figure = {.list = list, .describe = describe, .stem = "branch-", .study = "{branch: ...}"};
 
 // ---------------------------------------------------------------- curves
 
@@ -280,4 +280,5 @@ static void describe_curves(const drawing *of, const figure_place *place, whirl_
              has_kind(table, WHIRL_HOPF) ? " Dashed: the whirl that begins there is unstable (subcritical)." : "");
 }
 
-const figure_kind curves_figure = {.list = list_curves, .describe = describe_curves};
+const figure_kind curves_figure = {
+    .list = list_curves, .describe = describe_curves, .stem = "curves", .study = "{branch: ..., curves: ...}"};

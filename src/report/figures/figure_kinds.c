@@ -94,9 +94,23 @@ whirl_status whirl_figure_names(const whirl_result *result, const char *units, w
     return status;
 }
 
+/// The kind whose names begin as this one, where the result has no figure of it; else NULL.
+static const figure_kind *kind_lacking(const figure_list *list, const char *name) {
+    const figure_kind *lacking = NULL;
+    for (size_t k = 0; k < KINDS; k++)
+        if (kinds[k]->stem && strncmp(name, kinds[k]->stem, strlen(kinds[k]->stem)) == 0) lacking = kinds[k];
+    for (size_t i = 0; i < list->count; i++)
+        if (list->items[i].kind == lacking) return NULL;
+    return lacking;
+}
+
 /// What to say where there is no figure of a name.
 static whirl_status no_figure(const figure_list *list, const char *name) {
     if (list->count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the result has no figures: its points are not done");
+    const figure_kind *lacking = kind_lacking(list, name);
+    if (lacking)
+        return whirl_fail(WHIRL_BAD_INPUT, "there is no figure '%.80s': 'study: %s' in a case has one", name,
+                          lacking->study);
     const char **names = calloc(list->count, sizeof *names);
     for (size_t i = 0; names && i < list->count; i++) names[i] = list->items[i].name.name;
     const char *near = names ? whirl_nearest_name(name, names, list->count) : NULL;
@@ -108,17 +122,51 @@ static whirl_status no_figure(const figure_list *list, const char *name) {
     return status;
 }
 
-/// The place on the list of a figure that is there, or made as it is asked for.
-static whirl_status find_figure(shown_result *shown, const char *name, size_t *at) {
+/// The place on the list of a figure that is there, or made as it is asked for; past its end where there is none. Of
+/// one table alone where `within` is not NULL.
+static whirl_status find_named(shown_result *shown, const whirl_table *within, const char *name, size_t *at) {
     figure_list *list = &shown->list;
+    whirl_result alone = *shown->of.result;
+    drawing of = shown->of;
     whirl_status status = whirl_ok();
-    *at = 0;
-    while (name && *at < list->count && strcmp(list->items[*at].name.name, name) != 0) ++*at;
-    for (size_t k = 0; k < KINDS && name && *at == list->count && status.code == WHIRL_OK; k++)
-        if (kinds[k]->find) status = kinds[k]->find(list, &shown->of, name);
-    if (status.code != WHIRL_OK) return status;
-    if (list->failed) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name);
-    return *at < list->count ? whirl_ok() : no_figure(list, name ? name : "");
+    for (*at = 0; *at < list->count; ++*at) {
+        const figure_place *place = &list->items[*at];
+        if (within ? place->table == within && strcmp(place->within, name) == 0 : strcmp(place->name.name, name) == 0)
+            return status;
+    }
+    if (within) {
+        alone.tables += within - alone.tables;
+        alone.table_count = 1;
+        of.result = &alone;
+    }
+    for (size_t k = 0; k < KINDS && *at == list->count && status.code == WHIRL_OK; k++)
+        if (kinds[k]->find) status = kinds[k]->find(list, &of, name);
+    return list->failed ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name) : status;
+}
+
+static bool is_of_some_table(const figure_list *list, const char *name) {
+    for (size_t i = 0; i < list->count; i++)
+        if (strcmp(list->items[i].within, name) == 0) return true;
+    return false;
+}
+
+/// "detail/@#3:disc" is the figure "@#3:disc" of the table "detail". A field's name has a slash, too.
+static whirl_status find_figure(shown_result *shown, const char *name, size_t *at) {
+    char word[WHIRL_NAME_SIZE];
+    const char *rest = strchr(name, '/');
+    const whirl_table *table = NULL;
+    if (rest && (size_t)(rest - name) < sizeof word) {
+        snprintf(word, sizeof word, "%.*s", (int)(rest - name), name);
+        table = whirl_result_table(shown->of.result, word);
+    }
+    whirl_status status = whirl_ok();
+    *at = shown->list.count;
+    if (table) status = find_named(shown, table, rest + 1, at);
+    if (table && *at == shown->list.count && is_of_some_table(&shown->list, rest + 1))
+        return whirl_fail(WHIRL_BAD_INPUT, "the table %.60s has no figure '%.80s'", word, rest + 1);
+    if (status.code == WHIRL_OK && *at == shown->list.count) status = find_named(shown, NULL, name, at);
+    if (status.code == WHIRL_OK && *at == shown->list.count) status = no_figure(&shown->list, name);
+    return status;
 }
 
 whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
@@ -127,7 +175,8 @@ whirl_status whirl_figure_new(const whirl_result *result, const char *name, cons
     size_t at = 0;
     *figure = NULL;
     whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
-    if (status.code == WHIRL_OK) status = find_figure(&shown, name, &at);
+    if (status.code == WHIRL_OK && name) status = find_figure(&shown, name, &at);
+    if (status.code == WHIRL_OK && shown.list.count == 0) status = no_figure(&shown.list, "");
     if (status.code == WHIRL_OK) status = figure_make(&shown.of, &shown.list.items[at], options, figure);
     shown_free(&shown);
     return status;

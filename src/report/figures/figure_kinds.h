@@ -31,6 +31,7 @@ typedef struct figure_place {
     const whirl_field *field; ///< whose numbers any figure of fields shows,
     size_t column;            ///< and which of them; `which` is the station or contact
     whirl_figure_name name;
+    char within[176]; ///< its name among those of its table
 } figure_place;
 
 typedef struct figure_list {
@@ -47,6 +48,8 @@ struct figure_kind {
     /// Optional: adds the figure of a name that is not on the list, made as it is asked for. WHIRL_BAD_INPUT where the
     /// name is meant for this kind, and there is no such figure.
     whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
+    const char *stem;  ///< what all names begin with, where they do,
+    const char *study; ///< and what a case asks for to have them
 };
 
 /// A number of a point in the unit that is shown, of a figure of fields, in a row of the field; and what it is called.

@@ -46,8 +46,9 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
         list->room = room;
     }
     whirl_figure_name own = {.point = place->point, .station = place->station};
-    char safe[sizeof own.name - 24], whole[sizeof safe];
+    char within[sizeof place->within], safe[sizeof within], whole[sizeof safe];
     const char *const beside = name_beside(place->table);
+    safe_name(name, within, sizeof within);
     snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
     safe_name(whole, safe, sizeof safe);
     snprintf(own.name, sizeof own.name, "%s", safe);
@@ -59,6 +60,8 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     va_end(arguments);
     const size_t used = strlen(own.title);
     if (*beside) snprintf(own.title + used, sizeof own.title - used, " (%.60s)", beside);
-    list->items[list->count] = *place;
-    list->items[list->count++].name = own;
+    figure_place *const added = &list->items[list->count++];
+    *added = *place;
+    added->name = own;
+    memcpy(added->within, within, sizeof within);
 }

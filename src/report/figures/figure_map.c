@@ -409,4 +409,5 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
     free(of_points);
 }
 
-const figure_kind map_figure = {.list = list, .describe = map_describe};
+const figure_kind map_figure = {
+    .list = list, .describe = map_describe, .stem = "map-", .study = "{map: {x: ..., y: ...}}"};

@@ -555,6 +555,7 @@ static whirl_status add_numbered(figure_list *to, const drawing *of, const char 
     char *end;
     const unsigned long long point = strtoull(text, &end, 10);
     const whirl_table *table = &of->result->tables[0];
+    if (table->source) table = table->source; // any of several starts, and not one an attractor
     if (end == text || *end || point >= table->count)
         return whirl_fail(WHIRL_BAD_INPUT, "the point is '%.60s', expected a number from 0 to %zu", text,
                           table->count > 0 ? table->count - 1 : 0);

@@ -175,4 +175,5 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
 }
 
-const figure_kind unbalance_figure = {.list = list, .describe = describe};
+const figure_kind unbalance_figure = {
+    .list = list, .describe = describe, .stem = "unbalance-", .study = "{unbalance: ...}"};

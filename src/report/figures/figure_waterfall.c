@@ -172,4 +172,5 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     free(of.sizes);
 }
 
-const figure_kind waterfall_figure = {.list = list, .describe = describe};
+const figure_kind waterfall_figure = {
+    .list = list, .describe = describe, .stem = "waterfall-", .study = "{sweep: ..., analyze: [spectrum]}"};

@@ -1,0 +1,10 @@
+function handle = draw_point(result, given, field, analysis, panel)
+% DRAW_POINT  Draws a panel of the figure of a point: GIVEN are a point, a station, 'at' and 'table' as of
+%   WHIRL_PLOT_ORBIT. The first table that has a FIELD is taken, which an ANALYSIS gives.
+[places, options] = arguments_of(given, {[], []}, struct('at', [], 'table', []));
+result = result_of(result);
+[table, name] = table_with(result, field, analysis, options.table, ~strcmp(panel, 'section'));
+point = point_index(result, table, name, places{1}, options.at);
+station = result.stations.name{station_index(result, places{2})};
+handle = draw_panel_of(result, sprintf('%s/@#%d:%s', name, point - 1, station), panel, true);
+end
