@@ -329,3 +329,11 @@ def test_the_quick_start_of_the_readme_runs(tmp_path, monkeypatch):
     exec(block.replace("cases/jeffcott-rub.yaml", str(GOOD)), {})
     picture = plt.imread(tmp_path / "rub.png")
     assert picture.shape[0] > 400 and (picture[..., :3].min(axis=2) < 0.9).sum() > 2000  # frame, texts, dots
+
+
+def test_orbits_stand_beside_each_other_with_one_scale(good):
+    figure, pair = plt.subplots(1, 2, sharex=True, sharey=True)
+    for point, ax in enumerate(pair):
+        good.plot.poincare(point, ax=ax)
+    figure.canvas.draw()  # refuses axes that are shared and equal at the cost of their limits
+    assert {ax.get_aspect() for ax in pair} == {1.0}

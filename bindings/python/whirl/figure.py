@@ -171,6 +171,11 @@ def _set_axis(ax, axis, which, font):
         side.set_linewidth(0.5)
 
 
+def _shared(ax):
+    """Whether others have the same x axis, and the same y axis."""
+    return [len(axes.get_siblings(ax)) > 1 for axes in (ax.get_shared_x_axes(), ax.get_shared_y_axes())]
+
+
 def _set_style(artists, style):
     """Keywords of Matplotlib for what is drawn, each for those that take it."""
     for key, value in style.items():
@@ -194,7 +199,7 @@ def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style:
     if low and panel["y"]["shown"]:
         ax.set_ylabel(panel["y"]["label"], fontsize=font, rotation=0, ha="right", va="center")
     if panel["equal"]:
-        ax.set_aspect("equal", adjustable="datalim")
+        ax.set_aspect("equal", adjustable="box" if all(_shared(ax)) else "datalim")
     if panel["title"]:
         ax.set_title(panel["title"], fontsize=0.9 * font)
     if panel["letter"]:
@@ -225,9 +230,11 @@ def _draw_into(ax, document, style):
     for series in panel["series"]:  # marks and lines as letters
         series["size"] *= font / document["font_pt"]
     draw_panel(ax, panel, {**document, "font_pt": font}, style)
-    place = ax.get_subplotspec()
-    if place and not place.is_last_row() and len(ax.get_shared_x_axes().get_siblings(ax)) > 1:
+    place, (x, y) = ax.get_subplotspec(), _shared(ax)
+    if x and place and not place.is_last_row():
         ax.set_xlabel("")  # those below have it
+    if y and place and not place.is_first_col():
+        ax.set_ylabel("")
     if not panel["legend_inside"] and entries([panel]):
         boxes = any(series["shape"] == "boxes" and series["name"] for series in panel["series"])
         place = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if boxes else {"loc": "best"}

@@ -179,6 +179,11 @@ static void add_circle(whirl_figure *figure, whirl_series *line, const window *i
     }
 }
 
+/// Of a place once a revolution: periodic motions have few.
+static double mark_size(const subject *of) {
+    return whirl_table_verdict(of->table, of->point).regime == WHIRL_PERIODIC ? 2.2 : 1.1;
+}
+
 static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     const window in = orbit_window(of);
     const unsigned circles = shown_circles(of);
@@ -190,7 +195,7 @@ static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *o
     if (gap) gap->dashed = true;
     if (gap) add_circle(figure, gap, &in, of->length * of->walls.gap);
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38);
-    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(1), 1.1);
+    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(1), mark_size(of));
     for (size_t k = 0; k < of->waveform.rows; k++) {
         const double *at = &of->waveform.at[2 * k];
         series_add(figure, line, of->length * at[0], of->length * at[1]);
@@ -213,7 +218,7 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
     show_window(panel, of, &in);
     const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size &&
                        whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC;
-    whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), cloud ? 0.36 : 1.1);
+    whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), cloud ? 0.36 : mark_size(of));
     for (size_t k = 0; k < of->section.rows; k++)
         series_add(figure, dots, of->length * of->section.at[4 * k], of->length * of->section.at[4 * k + 1]);
 }
