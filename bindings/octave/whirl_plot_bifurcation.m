@@ -16,9 +16,10 @@ result = result_of(result);
 column = coordinate_index(places{2}, names);
 if column > 2
     station = result.stations.name{station_index(result, places{1})};
-    name = figure_name(result, [FIELD.poincare_section ':' station ':' names{column}], options.table);
+    name = figure_name(result, [FIELD.poincare_section ':' station ':' names{column}], '', options.table);
     handle = draw_panel_of(result, name, 'value');
 else
-    handle = draw_panel_of(result, figure_name(result, 'bifurcation', options.table, places{1}), names{column});
+    name = figure_name(result, 'bifurcation', FIELD.poincare_section, options.table, places{1});
+    handle = draw_panel_of(result, name, names{column});
 end
 end

@@ -1,5 +1,6 @@
 function handle = whirl_plot_bode(result, varargin)
-% WHIRL_PLOT_BODE  Draws the response to unbalance along x and y over the parameter: its amplitude, and its lag below.
+% WHIRL_PLOT_BODE  Draws the response to unbalance over the parameter: its amplitude, and its lag below.
+%   Lines are those of both probes of a station, x and y unless the case turns them, and of the orbit's major axis.
 %   WHIRL_PLOT_BODE(RESULT, STATION) draws that of a station (name or number), of the first one without it, into two
 %   axes of the current figure.
 %   WHIRL_PLOT_BODE(..., 'table', NAME) draws that table, and not the first with a response to unbalance.
@@ -7,9 +8,10 @@ function handle = whirl_plot_bode(result, varargin)
 %   Gives a list of the handles of both: of the series of the amplitude, and of those of the lag (docs/figures.md).
 %
 %   See also WHIRL_PLOT_CAMPBELL.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {[]}, struct('table', []));
 result = result_of(result);
-name = figure_name(result, 'unbalance', options.table, places{1});
+name = figure_name(result, 'unbalance', FIELD.unbalance_amplitude, options.table, places{1});
 panels = {'amplitude', 'lag'};
 places = {[0.16, 0.58, 0.8, 0.37], [0.16, 0.15, 0.8, 0.34]};
 handle = cell(1, 2);

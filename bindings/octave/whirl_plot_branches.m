@@ -8,9 +8,10 @@ function handle = whirl_plot_branches(result, varargin)
 %   Gives a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_BIFURCATION.
+FIELD = field_names();
 names = {'x', 'y'};
 [places, options] = arguments_of(varargin, {[], 1}, struct('table', []));
 result = result_of(result);
 panel = names{coordinate_index(places{2}, names)};
-handle = draw_panel_of(result, figure_name(result, 'branch', options.table, places{1}), panel);
+handle = draw_panel_of(result, figure_name(result, 'branch', FIELD.trace_high, options.table, places{1}), panel);
 end

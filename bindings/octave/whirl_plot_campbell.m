@@ -8,7 +8,8 @@ function handle = whirl_plot_campbell(result, varargin)
 %   Gives a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_BODE.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
 result = result_of(result);
-handle = draw_panel_of(result, figure_name(result, 'campbell', options.table), 'frequency');
+handle = draw_panel_of(result, figure_name(result, 'campbell', FIELD.modes_frequency, options.table), 'frequency');
 end

@@ -1,7 +1,7 @@
 function handle = whirl_plot_lyapunov(result, varargin)
 % WHIRL_PLOT_LYAPUNOV  Draws the largest Lyapunov exponent over the parameter with its standard error.
-%   WHIRL_PLOT_LYAPUNOV(RESULT) draws it in the colours of the regimes, or of the attractors where points have several
-%   starts; RESULT is a struct of WHIRL_READ or the name of a file.
+%   WHIRL_PLOT_LYAPUNOV(RESULT) draws it in the colours of the regimes, without the error where there are no sections;
+%   RESULT is a struct of WHIRL_READ or the name of a file.
 %   WHIRL_PLOT_LYAPUNOV(RESULT, 'table', NAME) draws that table, and not the first with exponents.
 %
 %   Gives a handle for every series of the panel (docs/figures.md).
@@ -10,6 +10,10 @@ function handle = whirl_plot_lyapunov(result, varargin)
 FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
 result = result_of(result);
-table_with(result, FIELD.lyapunov_largest, 'lyapunov', options.table);
-handle = draw_panel_of(result, figure_name(result, 'bifurcation', options.table, []), 'exponent');
+[table, name] = table_with(result, FIELD.lyapunov_largest, 'lyapunov', options.table);
+if has_field(table, FIELD.poincare_section)
+    handle = draw_panel_of(result, figure_name(result, 'bifurcation', '', name, []), 'exponent');
+else
+    handle = draw_panel_of(result, [name '/' FIELD.lyapunov_largest], 'value');
+end
 end

@@ -14,13 +14,16 @@ function handle = whirl_plot_map(result, varargin)
 %   Gives a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_READ, WHIRL_PLOT_SHARES.
+FIELD = field_names();
 [places, options] = arguments_of(varargin, {1, [], []}, struct('column', 1, 'table', []));
 result = result_of(result);
 [table, name] = map_of(result, options.table);
 panel = panel_of(table, places{1});
 figures = {'map-regime', 'basins'};
 figure_of = figures{1 + strcmp(name, 'basin')};
-if ~isempty(places{2})
+if isempty(places{2}) && ~strcmp(name, 'basin')
+    table_with(result, FIELD.regime_code, 'regime', name);
+elseif ~isempty(places{2})
     figure_of = field_figure(result, table, places{2}, places{3}, options.column);
 end
 handle = draw_panel_of(result, [name '/' figure_of], panel);

@@ -10,10 +10,10 @@ function handle = whirl_plot_shares(result, varargin)
 FIELD = field_names();
 [places, options] = arguments_of(varargin, {}, struct('table', [])); %#ok<ASGLU>
 result = result_of(result);
-[table, name] = table_with(result, FIELD.poincare_section, 'poincare', options.table); %#ok<ASGLU>
+[table, name] = table_with(result, FIELD.poincare_section, 'poincare', options.table);
 if ~isfield(table, 'attractor')
     error('whirl:badInput', ['points of the table ''%s'' have one start: ' ...
         '''study: {starts: {count: ..., within: ...}}'' in a case gives them several'], name);
 end
-handle = draw_panel_of(result, figure_name(result, 'bifurcation', options.table, []), 'share');
+handle = draw_panel_of(result, figure_name(result, 'bifurcation', '', name, []), 'share');
 end

@@ -2,12 +2,14 @@ function handle = whirl_plot_spectrum(result, varargin)
 % WHIRL_PLOT_SPECTRUM  Draws the spectrum of a point over the order: forward and backward whirl.
 %   WHIRL_PLOT_SPECTRUM(RESULT, POINT, STATION) draws forward whirl at orders above 0 and backward whirl below; POINT
 %   counts from 1, STATION is a name or a number. 'at', VALUE and 'table', NAME are those of WHIRL_PLOT_ORBIT.
-%   WHIRL_PLOT_SPECTRUM(..., 'full', false) draws the spectra of x and y, which are there where a case keeps whole ones.
+%   WHIRL_PLOT_SPECTRUM(..., 'full', false) draws the spectra of x and y, which are there where a case
+%   keeps whole ones, as in details.
 %
 %   Gives a handle for every series of the panel (docs/figures.md).
 %
 %   See also WHIRL_PLOT_WATERFALL.
 FIELD = field_names();
+field = FIELD.spectrum_lines;
 panel = 'full-spectrum';
 at = find(cellfun(@(one) strcmp(text_of(one), 'full'), varargin), 1);
 if ~isempty(at)
@@ -19,9 +21,10 @@ if ~isempty(at)
         error('whirl:badInput', 'the option ''full'' is true or false');
     end
     if ~full
+        field = FIELD.spectrum_amplitude;
         panel = 'spectrum';
     end
     varargin(at:min(at + 1, numel(varargin))) = [];
 end
-handle = draw_point(result, varargin, FIELD.spectrum_lines, 'spectrum', panel);
+handle = draw_point(result, varargin, field, 'spectrum', panel);
 end

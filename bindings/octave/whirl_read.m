@@ -37,4 +37,5 @@ if isempty(regexp(file, '^([/\\]|[A-Za-z]:)', 'once'))
     file = fullfile(pwd(), file);
 end
 result.attributes.file = file;
+result.attributes.file_mark = file_mark(file);
 end

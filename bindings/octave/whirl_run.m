@@ -5,7 +5,8 @@ function result = whirl_run(given_case, varargin)
 %   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
 %   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:
 %
-%     'output'    name of the result file to keep; one that is there is replaced (default: it is deleted with RESULT)
+%     'output'    name of the result file to keep; one that is there is replaced. Without it there is one for figures,
+%                 until eight more runs are done or the session ends
 %     'threads'   number of threads (default: all cores)
 %     'progress'  true or false: what the command says is shown (default: true)
 %
@@ -54,7 +55,7 @@ try
     status = call(['run ' quoted(file_of(file)) ' --force -o ' quoted(file_of(output)) arguments], shown);
     result = whirl_read(output);
     if ~kept
-        result.kept = onCleanup(@() delete(output)); % with the struct, whose figures are drawn from it
+        keep_file(output); % from which figures are drawn
     end
 catch problem
     remove(written, file);

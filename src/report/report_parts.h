@@ -222,7 +222,8 @@ void units_length_label(const whirl_shown_units *units, whirl_counting counting,
                         size_t size);
 void units_parameter_label(const whirl_shown_units *units, const char *name, char *label, size_t size);
 
-/// "r_k = 0.46" or "omega = 6000 rpm"; for a table without a parameter its name.
+/// "r_k = 0.46", "omega = 6000 rpm, kappa = 10" or "omega = 6000 rpm from the last value", which a motion was carried
+/// from; for a table without a parameter its name.
 void units_point_label(const whirl_shown_units *units, const whirl_table *table, size_t point, char *label,
                        size_t size);
 

@@ -58,6 +58,15 @@ void units_point_label(const whirl_shown_units *units, const whirl_table *table,
         return;
     }
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
-    snprintf(label, size, "%s = %.6g%s%s", table->parameter, table->values[point] / unit.size, *unit.name ? " " : "",
-             unit.name);
+    const size_t used = (size_t)snprintf(label, size, "%s = %.6g%s%s", table->parameter,
+                                         table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
+    if (used >= size) return;
+    if (table->row > 0 && whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND)) {
+        const whirl_unit second = whirl_shown_parameter(units, table->second);
+        snprintf(label + used, size - used, ", %s = %.6g%s%s", table->second,
+                 whirl_table_number(table, point, WHIRL_FIELD_MAP_SECOND, 0) / second.size, *second.name ? " " : "",
+                 second.name);
+    } else if (table->row == 0 && table->branch && table->branch[point] < 0) {
+        snprintf(label + used, size - used, " from the last value");
+    }
 }

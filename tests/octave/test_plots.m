@@ -55,15 +55,18 @@ figure('visible', 'off');
 good = fileread([getenv('TESTS') '/cli/good.yaml']);
 waves = regexprep(good, '  analyze: .*', ...
   "  keep: {waveform: 4}\n  analyze: [poincare, regime, lyapunov, spectrum, orbit, waveform]\n");
-result = whirl_run(strrep(waves, 'points: 5', 'points: 9'), 'progress', false);
-sweep = result.sweep;
 
-% A run that is not kept has its file for as long as its struct is there.
-assert(exist(result.attributes.file, 'file'), 2);
-other = whirl_run(good, 'progress', false);
-name = other.attributes.file;
-clear other;
-assert(exist(name, 'file'), 0);
+% A run that is not kept has its file for figures, until eight more are done.
+one = whirl_run(strrep(good, 'points: 5', 'points: 2'), 'progress', false);
+assert(exist(one.attributes.file, 'file'), 2);
+save('-binary', 'one.mat', 'one');
+for i = 1:8
+  last = whirl_run(strrep(good, 'points: 5', 'points: 2'), 'progress', false);
+end
+assert(exist(one.attributes.file, 'file') == 0 && exist(last.attributes.file, 'file') == 2);
+wrong(@() whirl_plot_bifurcation(one), 'is gone or another one by now');
+result = whirl_run(strrep(waves, 'points: 5', 'points: 9'), 'progress', false, 'output', 'waves.h5');
+sweep = result.sweep;
 
 % Diagrams have the numbers of the result, in the units of the case.
 section = squeeze(sweep.poincare.section(:, 1, :, 2));
@@ -105,6 +108,12 @@ assert(get(gca(), 'xlim'), [-1.5, 1.5]);
 draw('waterfall.png');
 text = [strtrim(good) sprintf('\n  detail: {at: [1.0, 3.25], transient: 30, record: 12}\n')];
 detail = whirl_run(text, 'progress', false);
+assert(~isempty(whirl_plot_spectrum(detail, 1, 'disc', 'full', false)));   % of the details, which have whole spectra
+both = strrep(good, 'start: state', 'start: carry, direction: both');
+assert(~isempty(whirl_plot_waterfall(whirl_run(both, 'progress', false))));
+bare = whirl_run(regexprep(good, 'poincare, regime, ', ''), 'progress', false);
+drawn = points_of(whirl_plot_lyapunov(bare));
+assert(among(bare.sweep.lyapunov.largest, drawn(:, 2)));
 for table = {'sweep', 'detail'}
   section = squeeze(detail.(table{1}).poincare.section(2, 1, :, 1:2));
   drawn = points_of(whirl_plot_poincare(detail, 2, 'disc', 'table', table{1}));
@@ -120,6 +129,9 @@ assert(numel(get(gca(), 'children')), count);
 hold('on');
 whirl_plot_poincare(result, 5);
 assert(numel(get(gca(), 'children')) > count && ishold());
+limits = get(gca(), 'xlim');
+both = squeeze(sweep.poincare.section([3, 5], 1, :, 1))(:);
+assert(limits(1) < min(both) && max(both) < limits(2));
 hold('off');
 
 % Several starts: every attractor, and which share of the starts leads to it.
@@ -155,6 +167,9 @@ text = fileread([getenv('TESTS') '/cli/modes.yaml']);
 text = [text(1:strfind(text, 'study:') - 1) ...
   sprintf('study:\n  unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 9}\n  units: um, p-p\n')];
 response = whirl_run(text, 'progress', false);
+conditions = strrep(strrep(text, 'omega: 1000 rpm', sprintf('omega: 1000 rpm\n  k: 80 kN/m')), '80 kN/m}', '= k}');
+conditions = sprintf('%s  conditions: {soft: {}, stiff: {k: 300 kN/m}}\n', conditions);
+assert(~isempty(whirl_plot_bode(whirl_run(conditions, 'progress', false))));
 both = whirl_plot_bode(response, 'disc');
 drawn = points_of(both{1});
 turns = unique(drawn(:, 1)) * rpm;
@@ -215,10 +230,10 @@ wrong(@() whirl_plot_poincare(result, 3, 'disc', 'table', 'map'), 'expected one 
 wrong(@() whirl_plot_bifurcation(result, 'disc', 'z'), 'one of: x y vx vy');
 wrong(@() whirl_plot_bifurcation(result, 'disc', 'x', 'table', 'map'), 'expected one of: sweep');
 wrong(@() whirl_plot_spectrum(result, 3, 'disc', 'full', 'no'), 'true or false');
-wrong(@() whirl_plot_spectrum(result, 3, 'disc', 'full', false), 'has no panel ''spectrum''');
+wrong(@() whirl_plot_spectrum(result, 3, 'disc', 'full', false), 'spectrum/amplitude');
 wrong(@() whirl_plot_waterfall(result, 'disc', 'highest_order', -1), 'above 0');
 wrong(@() whirl_plot_shares(result), 'starts: {count');
-wrong(@() whirl_plot_bode(result), 'study: {unbalance: ...}');
+wrong(@() whirl_plot_bode(result), 'study: {unbalance: {parameter');
 wrong(@() whirl_plot_campbell(3), 'expected a result');
 wrong(@() whirl_plot_branches(branch, 'disc', 'vx'), 'one of: x y');
 wrong(@() whirl_plot_map(map, 2), 'expected one of: 1');

@@ -41,6 +41,10 @@ function handles = draw_alone(axes_handle, panel, scale, data, titled)
 % Letters of 9 pt, marks and lines as much larger; with a legend and a scale of their own.
 held = ishold(axes_handle);
 font = 9;
+before = {};
+if held && ~isempty(get(axes_handle, 'Children'))
+    before = {get(axes_handle, 'XLim'), get(axes_handle, 'YLim')};
+end
 clear_scale(axes_handle);
 series = list_of(panel.series);
 for i = 1:numel(series)
@@ -67,8 +71,20 @@ if ~isempty(scale)
     setappdata(axes_handle, 'whirl_scale', bar);
     axes(axes_handle); %#ok<MAXES>
 end
+for i = 1:numel(before)
+    keep_in_view(axes_handle, char('W' + i), before{i});
+end
 if held
     hold(axes_handle, 'on');
+end
+end
+
+function keep_in_view(axes_handle, which, before)
+% What was there before is seen as well.
+limits = get(axes_handle, [which 'Lim']);
+both = [min(limits(1), before(1)), max(limits(2), before(2))];
+if ~isequal(both, limits)
+    set(axes_handle, [which 'Lim'], both, [which 'TickMode'], 'auto', [which 'TickLabelMode'], 'auto');
 end
 end
 
@@ -76,7 +92,10 @@ function clear_scale(axes_handle)
 % A scale that stood beside the axes had narrowed them.
 if isappdata(axes_handle, 'whirl_place')
     set(axes_handle, 'Position', getappdata(axes_handle, 'whirl_place'));
-    delete(getappdata(axes_handle, 'whirl_scale'));
+    scale = getappdata(axes_handle, 'whirl_scale');
+    if ishghandle(scale)
+        delete(scale);
+    end
     rmappdata(axes_handle, 'whirl_place');
 end
 end

@@ -2,7 +2,7 @@ function place_legend(axes_handle, marks, names, x, y)
 % PLACE_LEGEND  A legend in the corner of the axes where no points are (these lie at X, Y), outside where there is none.
 %   Octave's gnuplot knows no best place, so it is found here. Without X and Y the legend is outside.
 longest = max(cellfun(@numel, names));
-look = {'Interpreter', 'none', 'Box', 'off', 'FontSize', 9};
+look = {'Interpreter', 'tex', 'Box', 'off', 'FontSize', 9};
 corner = '';
 if nargin > 4
     position = get(axes_handle, 'Position');

@@ -10,4 +10,8 @@ end
 if ~isfield(result.attributes, 'file')
     error('whirl:badInput', 'figures are drawn from a result file (.h5), which this result does not name');
 end
+if ~isequal(file_mark(result.attributes.file), result.attributes.file_mark)
+    error('whirl:badInput', ['figures are drawn from the result file, and %s is gone or another one by now: ' ...
+        'whirl_run with ''output'' keeps it'], result.attributes.file);
+end
 end

@@ -115,10 +115,63 @@ def test_axes_and_styles_are_taken(good):
     _, own = plt.subplots()
     ax = good.plot.bifurcation(ax=own, color="red", marker="x")
     assert ax is own and {line.get_color() for line in ax.get_lines()} == {"red"}
-    assert ax.get_lines()[0].get_marker() == "x" and ax.get_legend()
+    assert ax.get_lines()[0].get_marker() == "x" and not ax.get_legend()  # whose colours would be others
+    assert good.plot.bifurcation().get_legend() and good.plot.lyapunov().get_legend()
+    assert good.plot.bifurcation(label="first").get_legend_handles_labels()[1] == ["first"]
     _, pair = plt.subplots(2)
     with pytest.raises(whirl.BadInput, match="takes 'sise'"):
         good.plot.bifurcation(ax=pair[0], sise=3)
+
+
+def test_nothing_that_was_there_is_cut_off(good):
+    sections = good["sweep"]["poincare/section"][:, 0, :, :2]
+    ax = good.plot.poincare(1)
+    good.plot.poincare(3, ax=ax)
+    for limits, axis in ((ax.get_xlim(), 0), (ax.get_ylim(), 1)):
+        shown = sections[[1, 3], :, axis]
+        assert limits[0] < shown.min() and shown.max() < limits[1]
+    with pytest.raises(whirl.BadInput, match="expected numbers above 0 for log"):
+        good.plot.lyapunov(yscale="log")
+
+
+def test_tables_of_conditions_have_their_figures():
+    text = (ROOT / "tests/cli/modes.yaml").read_text().split("study:")[0]
+    text = text.replace("omega: 1000 rpm", "omega: 1000 rpm\n  k: 80 kN/m").replace("80 kN/m}", "= k}")
+    study = "unbalance: {parameter: omega, from: 500 rpm, to: 1500 rpm, points: 5}"
+    conditions = "conditions: {soft: {}, stiff: {k: 300 kN/m}}"
+    result = whirl.run(whirl.Case(text=f"{text}study:\n  {study}\n  {conditions}\n"), progress=False)
+    names = [name for name in result if "unbalance" in name]
+    assert len(names) == 2
+    drawn = [drawn_in(result.plot.bode(table=name)[0]) for name in names]
+    assert drawn[0] != drawn[1] and drawn_in(result.plot.bode(station="disc")[0]) == drawn[0]
+    listed = [name for name in result.figures() if name.startswith("unbalance-disc")]
+    assert result.figure_data(f"{names[1]}/{listed[1]}") == result.figure_data(listed[1])
+    for wrong, words in (
+        ("nosuch/unbalance-disc", "no table and no fields 'nosuch'"),
+        (f"{names[0]}/nix", f"the table {names[0]} has no figure 'nix'"),
+        (f"{names[0]}/campbell", "study: {modes: {parameter"),
+    ):
+        with pytest.raises(whirl.BadInput, match=words):
+            result.figure_data(wrong)
+    with pytest.raises(whirl.BadInput, match="no table 'nosuch', expected one of"):
+        result.plot.bode(table="nosuch")
+
+
+def test_exponents_without_sections():
+    text = GOOD.read_text().replace("poincare, ", "").replace("regime, ", "")
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    assert "poincare/section" not in result["sweep"]
+    drawn = {y for _, y in drawn_in(result.plot.lyapunov())}
+    assert set(result["sweep"]["lyapunov/largest"]) <= drawn
+
+
+def test_a_file_is_found_from_anywhere(good_file, monkeypatch):
+    monkeypatch.chdir(good_file.parent)
+    result = whirl.open(good_file.name)
+    monkeypatch.chdir("/")
+    assert drawn_in(result.show_in("mm").plot.bifurcation())
+    data = result.figure_data("bifurcation-disc", panels="x", units="rpm")["panels"][0]
+    assert "(mm)" in data["y"]["label"] and "(rpm)" in data["x"]["label"]
 
 
 def test_axes_may_be_logarithmic(good):
@@ -167,7 +220,7 @@ def test_a_spectrum_has_backward_lines_below_zero(good):
     lines = lines[np.isfinite(lines[:, 0])]
     ends = {tuple(path[1]) for bars in good.plot.spectrum(1).collections for path in bars.get_segments()}
     assert ends == {(line[0], line[3]) for line in lines} | {(-line[0], line[4]) for line in lines}
-    with pytest.raises(whirl.BadInput, match="no panel 'spectrum'"):
+    with pytest.raises(whirl.BadInput, match="keeps whole spectra"):
         good.plot.spectrum(1, full=False)  # no whole spectrum was kept
 
 
@@ -271,8 +324,8 @@ def test_what_was_not_analysed_is_said(good):
         (good.plot.map, "has no map"),
         (good.plot.branches, "study: {branch: ...}"),
         (good.plot.curves, "study: {branch: ..., curves: ...}"),
-        (good.plot.campbell, "study: {modes: ...}"),
-        (good.plot.bode, "study: {unbalance: ...}"),
+        (good.plot.campbell, "study: {modes: {parameter"),
+        (good.plot.bode, "study: {unbalance: {parameter"),
         (good.plot.shares, "several starts"),
         (lambda: good.plot.orbit(1), "add waveform"),
         (lambda: good.plot.bifurcation(coordinate="z"), "coordinate is 'z'"),

@@ -60,7 +60,7 @@ class FileSource:
     """A file of `whirl run` through h5py. It stays open; `close` closes it."""
 
     def __init__(self, path):
-        self.path, self.file = path, None
+        self.path, self.file = os.path.abspath(path), None
         try:
             self.file = h5py.File(path, "r")
         except ValueError as failure:  # a NUL in the name

@@ -177,24 +177,42 @@ def _shared(ax):
 
 
 def _set_style(artists, style):
-    """Keywords of Matplotlib for what is drawn, each for those that take it."""
+    """Keywords of Matplotlib for what is drawn, each for those that take it; a label for the first, as of one thing."""
     for key, value in style.items():
         takers = [artist for artist in artists if hasattr(artist, f"set_{key}")]
         if not takers:
             raise errors.BadInput(f"nothing of what is drawn takes '{key}'")
-        for artist in takers:
+        for artist in takers[:1] if key == "label" else takers:
             artist.set(**{key: value})
+
+
+def _limits_before(ax):
+    """The limits of axes in which something is drawn, or in others that have the same ones; None of free ones."""
+    groups = {"x": ax.get_shared_x_axes(), "y": ax.get_shared_y_axes()}
+    return {
+        which: getattr(ax, f"get_{which}lim")() if any(each.has_data() for each in group.get_siblings(ax)) else None
+        for which, group in groups.items()
+    }
+
+
+def _widen(ax, which, axis, before):
+    """Limits of an axis that show what is new, and with ticks of Matplotlib's what was there before."""
+    low, high = axis["low"], axis["high"]
+    if before is not None and (min(before) < low or max(before) > high):
+        low, high = min(low, *before), max(high, *before)
+        getattr(ax, f"set_{which}scale")("log" if axis["log"] else "linear")  # which sets the ticks, too
+    getattr(ax, f"set_{which}lim")(low, high)
 
 
 def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style: dict[str, Any] | None = None) -> Axes:
     """A panel into axes; where it has a title, or a legend in it, these too."""
-    font = document["font_pt"]
+    font, before = document["font_pt"], _limits_before(ax)
     for axis in "xy":
         _set_axis(ax, panel[axis], axis, font)
     drawn = [_draw(ax, series, document.get("scale"), font) for series in panel["series"]]
     _set_style([artist for artists in drawn for artist in artists], style or {})
     for axis in "xy":  # what was drawn widens nothing
-        getattr(ax, f"set_{axis}lim")(panel[axis]["low"], panel[axis]["high"])
+        _widen(ax, axis, panel[axis], before[axis])
     low = (panel["box"][3] - panel["box"][2]) * document["height_cm"] < _LOW_PANEL
     if low and panel["y"]["shown"]:
         ax.set_ylabel(panel["y"]["label"], fontsize=font, rotation=0, ha="right", va="center")
@@ -219,6 +237,13 @@ def new_axes(ax: Axes | None) -> Axes:
     return plt.subplots(figsize=(7.0, 4.2), layout="constrained")[1]
 
 
+def close(ax: Axes) -> None:
+    """Closes the figure of axes."""
+    import matplotlib.pyplot as plt
+
+    plt.close(ax.figure)
+
+
 def _draw_into(ax, document, style):
     """The only panel into axes that are given, and beside or in these what else stands above or beside panels."""
     if len(document["panels"]) != 1:
@@ -235,7 +260,8 @@ def _draw_into(ax, document, style):
         ax.set_xlabel("")  # those below have it
     if y and place and not place.is_first_col():
         ax.set_ylabel("")
-    if not panel["legend_inside"] and entries([panel]):
+    own = bool({"color", "label"} & set(style or {}))  # the names are of other colours
+    if not panel["legend_inside"] and entries([panel]) and not own:
         boxes = any(series["shape"] == "boxes" and series["name"] for series in panel["series"])
         place = {"loc": "center left", "bbox_to_anchor": (1.01, 0.5)} if boxes else {"loc": "best"}
         ax.legend(handles=[_entry(series) for series in entries([panel])], fontsize=0.9 * font, frameon=False, **place)

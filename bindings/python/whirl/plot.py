@@ -38,6 +38,13 @@ ATTRACTORS = ("#0072B2", "#E69F00", "#56B4E9", "#009E73", "#CC79A7", "#D55E00", 
 _NO_ATTRACTOR = "#9A9F95"
 _UNDETERMINED, _PERIODIC, _QUASI_PERIODIC, _CHAOTIC, _DIVERGED = range(5)
 
+_FIELDS = {
+    "bifurcation": FIELD.POINCARE_SECTION,
+    "waterfall": FIELD.SPECTRUM_LINES,
+    "branch": FIELD.TRACE_HIGH,
+    "campbell": FIELD.MODES_FREQUENCY,
+    "unbalance": FIELD.UNBALANCE_AMPLITUDE,
+}
 _MOST_PLANES = 12  # of a map over three parameters that its figure shows (figure_map.c)
 
 
@@ -67,13 +74,16 @@ class Plots:
     # ---------------------------------------------------------------- names of figures, tables and points
 
     def _name(self, kind, table=None, station=None):
-        """The name of a figure, of the first station that has one where none is named."""
-        name = kind
-        if kind not in ("curves", "campbell"):
-            names = [name for name in self._result.figures() if name.startswith(f"{kind}-")]
-            first = f"{kind}-{self._station(0 if station is None else station)}"
-            name = first if station is not None or first in names or not names else names[0]
+        """The name of a figure: of the first table that has what it shows, and the first station, unless named."""
+        table = self._named(table) or next((name for name, its in self._result.items() if _FIELDS[kind] in its), None)
+        name = kind if kind == "campbell" else f"{kind}-{self._station(0 if station is None else station)}"
         return name if table is None else f"{table}/{name}"
+
+    def _named(self, table):
+        """The name of a table that there is, or None."""
+        if table is not None and table not in self._result:
+            raise BadInput(f"the result has no table '{table}', expected one of: {', '.join(self._result)}")
+        return table
 
     def _station(self, which):
         return _chosen(which, [station.name for station in self._result.stations], "station")
@@ -81,7 +91,9 @@ class Plots:
     def _table(self, table, needs, every=False):
         """The table of that name, or the first that has a field."""
         advice = f"add {needs.split('/')[0]} to what the case analyses"
-        if table is not None:
+        if needs == FIELD.SPECTRUM_AMPLITUDE:
+            advice = "'study: {detail: {at: ...}}' in a case keeps whole spectra"
+        if self._named(table) is not None:
             if needs not in self._result[table]:
                 raise BadInput(f"the table '{table}' has no '{needs}': {advice}")
             return self._result[table]
@@ -92,18 +104,29 @@ class Plots:
 
     def _draw(self, name, panel, ax, style, titled=False):
         """A panel of a figure, with the figure's title where that says what is drawn."""
-        from .figure import draw, new_axes
+        from .figure import close, draw, new_axes
 
         scales = {axis: style.pop(f"{axis}scale") for axis in "xy" if f"{axis}scale" in style}
         log = "".join(axis for axis, scale in scales.items() if scale == "log")
         document = self._result.figure_data(name, panel, log or None)
-        document["panels"][0].update(letter="", title=document["title"] if titled else "")
-        ax = new_axes(ax)
-        draw(document, ax, style)
+        panel = document["panels"][0]
+        panel.update(letter="", title=document["title"] if titled else "")
+        for axis in log:
+            if not panel[axis]["log"]:
+                raise BadInput(
+                    f"the {axis} axis goes down to {panel[axis]['low']:.3g}, expected numbers above 0 for log"
+                )
+        drawn = new_axes(ax)
+        try:
+            draw(document, drawn, style)
+        except BadInput:
+            if ax is None:
+                close(drawn)
+            raise
         for axis, scale in scales.items():
             if scale != "log":
-                getattr(ax, f"set_{axis}scale")(scale)
-        return ax
+                getattr(drawn, f"set_{axis}scale")(scale)
+        return drawn
 
     # ---------------------------------------------------------------- along a parameter
 
@@ -136,7 +159,7 @@ class Plots:
     def shares(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
         """Of several starts a point, the share that leads to each attractor, with its standard error; open circles
         where it is 0: an attractor that was found from a neighbour alone."""
-        tables = self._result.tables.values() if table is None else [self._result[table]]
+        tables = self._result.tables.values() if self._named(table) is None else [self._result[table]]
         if not any(candidate.has_attractors for candidate in tables):
             raise BadInput(
                 "no points have several starts: 'study: {starts: {count: ..., within: ...}}' in a case gives them"
@@ -144,9 +167,12 @@ class Plots:
         return self._draw(self._name("bifurcation", table), "share", ax, style)
 
     def lyapunov(self, table: str | None = None, ax: Axes | None = None, **style) -> Axes:
-        """The largest Lyapunov exponent over the parameter with its standard error, in the colours of the regimes."""
-        self._table(table, FIELD.LYAPUNOV_LARGEST)
-        return self._draw(self._name("bifurcation", table), "exponent", ax, style)
+        """The largest Lyapunov exponent over the parameter with its standard error, in the colours of the regimes;
+        without the error where there are no sections."""
+        found = self._table(table, FIELD.LYAPUNOV_LARGEST)
+        if FIELD.POINCARE_SECTION not in found:
+            return self._draw(f"{found.name}/{FIELD.LYAPUNOV_LARGEST}", "value", ax, style)
+        return self._draw(self._name("bifurcation", found.name), "exponent", ax, style)
 
     # ---------------------------------------------------------------- branches
 
@@ -166,7 +192,7 @@ class Plots:
         """Curves of special points over two parameters, by their kinds."""
         if "curves" in self._result.tables and self._result["curves"].values.size == 0:
             raise BadInput("the table 'curves' has no point: no special point was found to begin a curve")
-        return self._draw(self._name("curves"), "curves", ax, style)
+        return self._draw("curves", "curves", ax, style)
 
     # ---------------------------------------------------------------- machines at rest
 
@@ -178,7 +204,7 @@ class Plots:
     def bode(
         self, table: str | None = None, station: str | int | None = None, ax: tuple[Axes, Axes] | None = None, **style
     ) -> tuple[Axes, Axes]:
-        """The response to unbalance along x and y over the parameter: its amplitude and its lag.
+        """The response to unbalance over the parameter as both probes of a station see it: its amplitude and its lag.
 
         ``ax`` is a pair of axes for the two; such a pair is returned.
         """
@@ -227,9 +253,9 @@ class Plots:
         **style,
     ) -> Axes:
         """A point's spectrum over the order: forward and backward whirl; with ``full=False`` those of x and y, which
-        are there where a whole spectrum was kept."""
-        panel = "full-spectrum" if full else "spectrum"
-        return self._of_point(self._table(table, FIELD.SPECTRUM_LINES, True), point, station, panel, ax, style)
+        are there where a whole spectrum was kept, as in details."""
+        needs, panel = (FIELD.SPECTRUM_LINES, "full-spectrum") if full else (FIELD.SPECTRUM_AMPLITUDE, "spectrum")
+        return self._of_point(self._table(table, needs, True), point, station, panel, ax, style)
 
     def _of_point(self, table, point, station, panel, ax, style):
         name = f"{table.name}/@#{_index(table, point)}:{self._station(0 if station is None else station)}"
@@ -300,7 +326,7 @@ class Plots:
         return self._draw(f"{table.name}/{name}", panel, ax, style)
 
     def _plane(self, table):
-        for candidate in self._result.tables.values() if table is None else [self._result[table]]:
+        for candidate in self._result.tables.values() if self._named(table) is None else [self._result[table]]:
             if candidate.name in ("map", "basin"):
                 return candidate
         raise BadInput("the result has no map: 'study: {map: {x: ..., y: ...}}' in a case computes one")

@@ -207,7 +207,9 @@ class Result:
         """
         if not isinstance(units, str):
             raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
-        self._source.show_in(units)
+        for source in (self._source, getattr(self, "_whole", None)):
+            if source:
+                source.show_in(units)
         self._units = units
         self._about.__dict__.pop("facts", None)  # which say the units of a result in memory
         return self
@@ -260,7 +262,7 @@ class Result:
         """Names and titles of the figures that :meth:`figure` draws, those of reports."""
         from .figure import names_of
 
-        return names_of(self._figured(), self._units)
+        return names_of(self._figured(), None)
 
     def figure_data(
         self,
@@ -284,7 +286,7 @@ class Result:
         """
         from .figure import describe
 
-        return describe(self._figured(), name, self._units if units is None else units, panels, log)
+        return describe(self._figured(), name, units, panels, log)
 
     def figure(
         self,
@@ -308,9 +310,13 @@ class Result:
         from ._memory import MemorySource
 
         source = self._source
-        if not hasattr(source, "handle"):
-            source = self._whole = getattr(self, "_whole", None) or MemorySource.read(source.path)
-        return source.handle
+        if hasattr(source, "handle"):
+            return source.handle
+        if not getattr(self, "_whole", None):
+            self._whole = MemorySource.read(source.path)
+            if self._units is not None:
+                self._whole.show_in(self._units)
+        return self._whole.handle
 
     def save(self, path: str | os.PathLike) -> None:
         """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""

@@ -243,8 +243,9 @@ static void add_exponents(whirl_figure *figure, const bifurcation *of) {
                     (of->table->branch[i] < 0 ? -1 : 1) != branch)
                     continue;
                 if (!dots)
-                    dots = panel_series(figure, panel, WHIRL_DOTS, regime_class_colour((regime_class)kind),
-                                        (branch < 0 ? 3.0 : 2.0) * dot_size(of));
+                    dots =
+                        panel_named(figure, panel, WHIRL_DOTS, regime_class_name((regime_class)kind),
+                                    regime_class_colour((regime_class)kind), (branch < 0 ? 3.0 : 2.0) * dot_size(of));
                 if (dots && branch < 0) dots->mark = WHIRL_CROSS;
                 series_add(figure, dots, shown_value(of, i), point_exponent(of->table, i).value);
             }
@@ -334,8 +335,10 @@ static void add_shares(whirl_figure *figure, const bifurcation *of) {
     snprintf(panel->y.label, sizeof panel->y.label, "share of starts (%%)");
     for (size_t kind = 0; kind < of->attractors; kind++) {
         const char *colour = bifurcation_kind_colour(of, kind);
+        char name[WHIRL_NAME_SIZE];
+        bifurcation_kind_name(of, kind, name);
         whirl_series *errors = panel_series(figure, panel, WHIRL_BARS, colour, 0.4);
-        whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, colour, 1.3);
+        whirl_series *dots = panel_named(figure, panel, WHIRL_DOTS, name, colour, 1.3);
         whirl_series *rings = panel_series(figure, panel, WHIRL_DOTS, colour, 2.7);
         if (rings) rings->mark = WHIRL_RING;
         for (size_t i = 0; i < of->table->count; i++) {

@@ -320,7 +320,8 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     mode_lines_free(&v.lines);
 }
 
-const figure_kind campbell_figure = {.list = list, .describe = describe, .stem = "campbell", .study = "{modes: ...}"};
+const figure_kind campbell_figure = {
+    .list = list, .describe = describe, .stem = "campbell", .study = "{modes: {parameter: ..., from: ..., to: ...}}"};
 
 static void list_decrement(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &decrement_figure, .table = table, .point = NO_POINT};

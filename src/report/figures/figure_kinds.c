@@ -104,13 +104,17 @@ static const figure_kind *kind_lacking(const figure_list *list, const char *name
     return lacking;
 }
 
-/// What to say where there is no figure of a name.
-static whirl_status no_figure(const figure_list *list, const char *name) {
-    if (list->count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the result has no figures: its points are not done");
+/// What to say where there is no figure of a name, in a table or at all.
+static whirl_status no_figure(const shown_result *shown, const whirl_table *within, const char *name) {
+    const figure_list *list = &shown->list;
     const figure_kind *lacking = kind_lacking(list, name);
+    if (list->count == 0 && shown->view->partial)
+        return whirl_fail(WHIRL_BAD_INPUT, "the result has no figures: its points are not done");
     if (lacking)
         return whirl_fail(WHIRL_BAD_INPUT, "there is no figure '%.80s': 'study: %s' in a case has one", name,
                           lacking->study);
+    if (list->count == 0) return whirl_fail(WHIRL_BAD_INPUT, "the result has no figures");
+    if (within) return whirl_fail(WHIRL_BAD_INPUT, "the table %.60s has no figure '%.80s'", within->name, name);
     const char **names = calloc(list->count, sizeof *names);
     for (size_t i = 0; names && i < list->count; i++) names[i] = list->items[i].name.name;
     const char *near = names ? whirl_nearest_name(name, names, list->count) : NULL;
@@ -131,8 +135,8 @@ static whirl_status find_named(shown_result *shown, const whirl_table *within, c
     whirl_status status = whirl_ok();
     for (*at = 0; *at < list->count; ++*at) {
         const figure_place *place = &list->items[*at];
-        if (within ? place->table == within && strcmp(place->within, name) == 0 : strcmp(place->name.name, name) == 0)
-            return status;
+        const bool named = strcmp(place->name.name, name) == 0;
+        if (!within ? named : place->table == within && (named || strcmp(place->within, name) == 0)) return status;
     }
     if (within) {
         alone.tables += within - alone.tables;
@@ -144,9 +148,11 @@ static whirl_status find_named(shown_result *shown, const whirl_table *within, c
     return list->failed ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name) : status;
 }
 
-static bool is_of_some_table(const figure_list *list, const char *name) {
-    for (size_t i = 0; i < list->count; i++)
-        if (strcmp(list->items[i].within, name) == 0) return true;
+/// Whether a field's name may begin with the word before `rest`, "modes/frequency".
+static bool is_group(const whirl_result *result, const char *name, const char *rest) {
+    for (size_t t = 0; t < result->table_count; t++)
+        for (size_t f = 0; f < result->tables[t].layout.field_count; f++)
+            if (strncmp(result->tables[t].layout.fields[f].name, name, (size_t)(rest - name) + 1) == 0) return true;
     return false;
 }
 
@@ -158,14 +164,16 @@ static whirl_status find_figure(shown_result *shown, const char *name, size_t *a
     if (rest && (size_t)(rest - name) < sizeof word) {
         snprintf(word, sizeof word, "%.*s", (int)(rest - name), name);
         table = whirl_result_table(shown->of.result, word);
+        if (!table && !is_group(shown->of.result, name, rest) && shown->list.count > 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "the result has no table and no fields '%.60s'", word);
     }
     whirl_status status = whirl_ok();
     *at = shown->list.count;
     if (table) status = find_named(shown, table, rest + 1, at);
-    if (table && *at == shown->list.count && is_of_some_table(&shown->list, rest + 1))
-        return whirl_fail(WHIRL_BAD_INPUT, "the table %.60s has no figure '%.80s'", word, rest + 1);
+    if (table && *at == shown->list.count && status.code == WHIRL_OK && !is_group(shown->of.result, name, rest))
+        return no_figure(shown, table, rest + 1);
     if (status.code == WHIRL_OK && *at == shown->list.count) status = find_named(shown, NULL, name, at);
-    if (status.code == WHIRL_OK && *at == shown->list.count) status = no_figure(&shown->list, name);
+    if (status.code == WHIRL_OK && *at == shown->list.count) status = no_figure(shown, NULL, name);
     return status;
 }
 
@@ -176,7 +184,7 @@ whirl_status whirl_figure_new(const whirl_result *result, const char *name, cons
     *figure = NULL;
     whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
     if (status.code == WHIRL_OK && name) status = find_figure(&shown, name, &at);
-    if (status.code == WHIRL_OK && shown.list.count == 0) status = no_figure(&shown.list, "");
+    if (status.code == WHIRL_OK && shown.list.count == 0) status = no_figure(&shown, NULL, "");
     if (status.code == WHIRL_OK) status = figure_make(&shown.of, &shown.list.items[at], options, figure);
     shown_free(&shown);
     return status;

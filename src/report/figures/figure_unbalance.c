@@ -175,5 +175,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
 }
 
-const figure_kind unbalance_figure = {
-    .list = list, .describe = describe, .stem = "unbalance-", .study = "{unbalance: ...}"};
+const figure_kind unbalance_figure = {.list = list,
+                                      .describe = describe,
+                                      .stem = "unbalance-",
+                                      .study = "{unbalance: {parameter: ..., from: ..., to: ...}}"};
