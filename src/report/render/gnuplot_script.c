@@ -150,10 +150,11 @@ static void write_upright_label(FILE *script, const whirl_figure *figure, const 
     gnuplot_markup(panel->y.label, label, sizeof label);
     const bool flat = panel->height < FIGURE_LOW_PANEL;
     const double beside = figure_number_width(figure) + (flat ? 0.95 : 0.58);
-    const double left = panel->left - beside / figure->width;
+    char *rest = strchr(label, '\n');
+    // The second line stands between the first and the numbers: both move by half a line.
+    const double left = panel->left - (beside + (rest ? 0.021 * figure->font : 0.0)) / figure->width;
     fputs("set label 2 ", script);
     // A double-quoted text has the line break.
-    char *rest = strchr(label, '\n');
     if (rest) *rest = '\0';
     gnuplot_string(script, label);
     if (rest) {
