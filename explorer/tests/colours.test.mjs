@@ -67,15 +67,17 @@ test('reports have the colours and names of the light theme', () => {
   );
 });
 
-test('confidence takes the same share of a colour in reports, page, Python and Octave', () => {
+test('confidence takes the same share of a colour in reports and page', () => {
   const numbers = (path, pattern) => pattern.exec(read(path)).slice(1).map(Number);
   const three = '([\\d.]+)[^\\d]+([\\d.]+)[^\\d]+([\\d.]+)';
   const report = numbers('../../src/report/figures/figure_map.c', new RegExp(`\\[WHIRL_LOW\\] = ${three}`));
   assert.deepEqual(numbers('../src/view/parameter_map.ts', new RegExp(`STRENGTH = \\[${three}`)), report);
-  assert.deepEqual(numbers('../../bindings/python/whirl/_kinds.py', new RegExp(`_OPACITY = \\(${three}`)), report);
-  const pale = numbers('../../bindings/octave/private/kinds_of.m', new RegExp(`paleness = \\[${three}`));
+});
+
+test('Python knows the colours of regimes by their names', () => {
+  const [, body] = /^REGIMES = \{\n(.*?)^\}/ms.exec(read('../../bindings/python/whirl/plot.py'));
   assert.deepEqual(
-    pale.map((share) => Number((1 - share).toFixed(6))),
-    report,
+    [...body.matchAll(/"(.*?)": "(#[0-9A-F]{6})"/g)].map(([, name, colour]) => [name, colour.toLowerCase()]),
+    names.map((name, i) => [name, themes.LIGHT.classes[i]]),
   );
 });
