@@ -275,6 +275,8 @@ def test_any_field_and_any_point(good_file, map_files):
     assert np.allclose(section["x"], table["poincare/section"][2, 0, :, 0] * table.length_scale[2])
     value = table.values[2]
     assert good.figure_data(f"@{value:.17g}:disc") == point
+    for name in (f"@{value:.17g} rad/s:disc", f"sweep/@{value:.17g} rad/s", "sweep/@#2:disc"):
+        assert good.figure_data(name) == point
     scaled = good.figure_data("orbit/max_radius", units="mm, rpm")["panels"][0]
     assert "(mm 0-p)" in scaled["y"]["label"] and "(rpm)" in scaled["x"]["label"]
     drawn = sorted((x, y) for series in scaled["series"] for x, y in zip(series["x"], series["y"]))

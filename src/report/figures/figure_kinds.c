@@ -156,25 +156,24 @@ static bool is_group(const whirl_result *result, const char *name, const char *r
     return false;
 }
 
-/// "detail/@#3:disc" is the figure "@#3:disc" of the table "detail". A field's name has a slash, too.
+/// "detail/@#3:disc" is the figure "@#3:disc" of the table "detail". Names of fields, and units of values ("@2.5
+/// rad/s"), have a slash, too.
 static whirl_status find_figure(shown_result *shown, const char *name, size_t *at) {
-    char word[WHIRL_NAME_SIZE];
-    const char *rest = strchr(name, '/');
-    const whirl_table *table = NULL;
-    if (rest && (size_t)(rest - name) < sizeof word) {
-        snprintf(word, sizeof word, "%.*s", (int)(rest - name), name);
-        table = whirl_result_table(shown->of.result, word);
-        if (!table && !is_group(shown->of.result, name, rest) && shown->list.count > 0)
+    const char *slash = *name == '@' ? NULL : strchr(name, '/');
+    whirl_status status = whirl_ok();
+    if (slash) {
+        char word[WHIRL_NAME_SIZE];
+        snprintf(word, sizeof word, "%.*s", (int)(slash - name), name);
+        const whirl_table *table = whirl_result_table(shown->of.result, word);
+        const bool group = is_group(shown->of.result, name, slash);
+        if (table) status = find_named(shown, table, slash + 1, at);
+        if (table && (status.code != WHIRL_OK || *at < shown->list.count)) return status;
+        if (table && !group) return no_figure(shown, table, slash + 1);
+        if (!group && shown->list.count > 0)
             return whirl_fail(WHIRL_BAD_INPUT, "the result has no table and no fields '%.60s'", word);
     }
-    whirl_status status = whirl_ok();
-    *at = shown->list.count;
-    if (table) status = find_named(shown, table, rest + 1, at);
-    if (table && *at == shown->list.count && status.code == WHIRL_OK && !is_group(shown->of.result, name, rest))
-        return no_figure(shown, table, rest + 1);
-    if (status.code == WHIRL_OK && *at == shown->list.count) status = find_named(shown, NULL, name, at);
-    if (status.code == WHIRL_OK && *at == shown->list.count) status = no_figure(shown, NULL, name);
-    return status;
+    status = find_named(shown, NULL, name, at);
+    return status.code == WHIRL_OK && *at == shown->list.count ? no_figure(shown, NULL, name) : status;
 }
 
 whirl_status whirl_figure_new(const whirl_result *result, const char *name, const whirl_figure_options *options,
