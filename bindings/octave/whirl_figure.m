@@ -14,7 +14,8 @@ function drawn = whirl_figure(file, varargin)
 %
 %   See also WHIRL_READ, WHIRL_PLOT_BIFURCATION.
 if nargin > 0 && isstruct(file)
-    file = getfield(result_of(file), 'attributes', 'file'); %#ok<GFLD>
+    result = result_of(file);
+    file = result.attributes.file;
 end
 if nargin < 1 || ~is_text(text_of(file))
     error('whirl:badInput', 'whirl_figure takes the name of a result file, or what whirl_read gives');

@@ -19,12 +19,13 @@ FIELD = field_names();
 result = result_of(result);
 [table, name] = map_of(result, options.table);
 panel = panel_of(table, places{1});
-figures = {'map-regime', 'basins'};
-figure_of = figures{1 + strcmp(name, 'basin')};
-if isempty(places{2}) && ~strcmp(name, 'basin')
-    table_with(result, FIELD.regime_code, 'regime', name);
-elseif ~isempty(places{2})
+if ~isempty(places{2})
     figure_of = field_figure(result, table, places{2}, places{3}, options.column);
+elseif strcmp(name, 'basin')
+    figure_of = 'basins';
+else
+    table_with(result, FIELD.regime_code, 'regime', name);
+    figure_of = 'map-regime';
 end
 handle = draw_panel_of(result, [name '/' figure_of], panel);
 end
@@ -32,14 +33,14 @@ end
 function [table, name] = map_of(result, wanted)
 % The table of that name, or the first, that has two parameters.
 FIELD = field_names();
-for i = 1:numel(result.attributes.tables)
-    name = result.attributes.tables{i};
-    table = result.(name);
-    if has_field(table, FIELD.map_second) && (isempty(wanted) || strcmp(name, text_of(wanted)))
-        return
-    end
+name = text_of(wanted);
+if isempty(wanted)
+    name = first_with(result, FIELD.map_second, true);
 end
-error('whirl:badInput', 'the result has no such map: ''study: {map: {x: ..., y: ...}}'' in a case computes one');
+if ~any(strcmp(name, result.attributes.tables)) || ~has_field(result.(name), FIELD.map_second)
+    error('whirl:badInput', 'the result has no such map: ''study: {map: {x: ..., y: ...}}'' in a case computes one');
+end
+table = result.(name);
 end
 
 function panel = panel_of(table, plane)

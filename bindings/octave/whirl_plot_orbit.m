@@ -11,5 +11,6 @@ function handle = whirl_plot_orbit(result, varargin)
 %
 %   See also WHIRL_PLOT_POINCARE.
 FIELD = field_names();
-handle = draw_point(result, varargin, FIELD.waveform_samples, 'waveform', 'orbit');
+[places, options] = arguments_of(varargin, {[], []}, struct('at', [], 'table', []));
+handle = draw_point(result, places, options, FIELD.waveform_samples, 'waveform', 'orbit');
 end

@@ -8,5 +8,6 @@ function handle = whirl_plot_poincare(result, varargin)
 %
 %   See also WHIRL_PLOT_BIFURCATION, WHIRL_PLOT_ORBIT.
 FIELD = field_names();
-handle = draw_point(result, varargin, FIELD.poincare_section, 'poincare', 'section');
+[places, options] = arguments_of(varargin, {[], []}, struct('at', [], 'table', []));
+handle = draw_point(result, places, options, FIELD.poincare_section, 'poincare', 'section');
 end

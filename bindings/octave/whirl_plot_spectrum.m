@@ -9,22 +9,15 @@ function handle = whirl_plot_spectrum(result, varargin)
 %
 %   See also WHIRL_PLOT_WATERFALL.
 FIELD = field_names();
-field = FIELD.spectrum_lines;
-panel = 'full-spectrum';
-at = find(cellfun(@(one) strcmp(text_of(one), 'full'), varargin), 1);
-if ~isempty(at)
-    full = true;
-    if at < numel(varargin)
-        full = varargin{at + 1};
-    end
-    if ~((islogical(full) || isnumeric(full)) && numel(full) == 1)
-        error('whirl:badInput', 'the option ''full'' is true or false');
-    end
-    if ~full
-        field = FIELD.spectrum_amplitude;
-        panel = 'spectrum';
-    end
-    varargin(at:min(at + 1, numel(varargin))) = [];
+[places, options] = arguments_of(varargin, {[], []}, struct('full', true, 'at', [], 'table', []));
+if ~((islogical(options.full) || isnumeric(options.full)) && numel(options.full) == 1)
+    error('whirl:badInput', 'the option ''full'' is true or false');
 end
-handle = draw_point(result, varargin, field, 'spectrum', panel);
+field = FIELD.spectrum_amplitude;
+panel = 'spectrum';
+if options.full
+    field = FIELD.spectrum_lines;
+    panel = 'full-spectrum';
+end
+handle = draw_point(result, places, options, field, 'spectrum', panel);
 end

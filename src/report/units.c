@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 double units_order(const whirl_shown_units *units, double speed) {
     const double two_pi = 6.283185307179586476925;
@@ -48,6 +49,12 @@ void units_parameter_label(const whirl_shown_units *units, const char *name, cha
     snprintf(label, size, *unit.name ? "%s (%s)" : "%s", name, unit.name);
 }
 
+/// "omega = 6000 rpm"
+static void put_value(const whirl_shown_units *units, const char *parameter, double value, char *text, size_t size) {
+    const whirl_unit unit = whirl_shown_parameter(units, parameter);
+    snprintf(text, size, "%s = %.6g%s%s", parameter, value / unit.size, *unit.name ? " " : "", unit.name);
+}
+
 void units_point_label(const whirl_shown_units *units, const whirl_table *table, size_t point, char *label,
                        size_t size) {
     if (!*table->parameter) {
@@ -57,15 +64,13 @@ void units_point_label(const whirl_shown_units *units, const whirl_table *table,
             snprintf(label, size, "%s", table->name);
         return;
     }
-    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
-    const size_t used = (size_t)snprintf(label, size, "%s = %.6g%s%s", table->parameter,
-                                         table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-    if (used >= size) return;
+    char second[UNIT_LABEL_SIZE];
+    put_value(units, table->parameter, table->values[point], label, size);
+    const size_t used = strlen(label);
     if (table->row > 0 && whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND)) {
-        const whirl_unit second = whirl_shown_parameter(units, table->second);
-        snprintf(label + used, size - used, ", %s = %.6g%s%s", table->second,
-                 whirl_table_number(table, point, WHIRL_FIELD_MAP_SECOND, 0) / second.size, *second.name ? " " : "",
-                 second.name);
+        put_value(units, table->second, whirl_table_number(table, point, WHIRL_FIELD_MAP_SECOND, 0), second,
+                  sizeof second);
+        snprintf(label + used, size - used, ", %s", second);
     } else if (table->row == 0 && table->branch && table->branch[point] < 0) {
         snprintf(label + used, size - used, " from the last value");
     }

@@ -5,16 +5,11 @@ name = kind;
 if nargin > 4
     name = [kind '-' result.stations.name{station_index(result, station)}];
 end
+own = first_with(result, field, true);
 if ~isempty(table)
-    table_with(result, '', '', table);
-    name = [text_of(table) '/' name];
-    return
+    [ignored, own] = table_with(result, '', '', table); %#ok<ASGLU>
 end
-for i = 1:numel(result.attributes.tables)
-    own = result.attributes.tables{i};
-    if has_field(result.(own), field)
-        name = [own '/' name];
-        return
-    end
+if ~isempty(own)
+    name = [own '/' name];
 end
 end

@@ -2,7 +2,6 @@ function [table, name] = table_with(result, field, analysis, wanted, every)
 % TABLE_WITH  The table WANTED, or without one the first that has a field ('orbit/max_radius'), and its name.
 %   ANALYSIS is what gives the field. Details are taken where they are named, or with EVERY. Of a table that is wanted
 %   FIELD may be ''.
-every = nargin > 4 && every;
 if ~isempty(wanted)
     name = text_of(wanted);
     if ~is_text(name) || ~any(strcmp(name, result.attributes.tables))
@@ -16,12 +15,9 @@ if ~isempty(wanted)
     end
     return
 end
-for i = 1:numel(result.attributes.tables)
-    name = result.attributes.tables{i};
-    table = result.(name);
-    if has_field(table, field) && (every || ~strcmp(name, 'detail'))
-        return
-    end
+name = first_with(result, field, nargin > 4 && every);
+if isempty(name)
+    error('whirl:badInput', 'no table of the result has ''%s'': add %s to what the case analyses', field, analysis);
 end
-error('whirl:badInput', 'no table of the result has ''%s'': add %s to what the case analyses', field, analysis);
+table = result.(name);
 end

@@ -41,10 +41,10 @@ def _taken(pointer):
         lib.whirl_text_free(pointer[0])
 
 
-def names_of(handle, units) -> dict[str, str]:
+def names_of(handle) -> dict[str, str]:
     """Names and titles of the figures of a result."""
     out = ffi.new("char **")
-    check(lib.whirl_result_figures(handle, _word(units), out))
+    check(lib.whirl_result_figures(handle, ffi.NULL, out))
     return dict(line.split("\t", 1) for line in _taken(out).splitlines())
 
 

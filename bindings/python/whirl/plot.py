@@ -75,7 +75,9 @@ class Plots:
 
     def _name(self, kind, table=None, station=None):
         """The name of a figure: of the first table that has what it shows, and the first station, unless named."""
-        table = self._named(table) or next((name for name, its in self._result.items() if _FIELDS[kind] in its), None)
+        if self._named(table) is None:
+            first = self._first(_FIELDS[kind], True)
+            table = None if first is None else first.name
         name = kind if kind == "campbell" else f"{kind}-{self._station(0 if station is None else station)}"
         return name if table is None else f"{table}/{name}"
 
@@ -84,6 +86,13 @@ class Plots:
         if table is not None and table not in self._result:
             raise BadInput(f"the result has no table '{table}', expected one of: {', '.join(self._result)}")
         return table
+
+    def _first(self, field, every):
+        """The first table that has a field, or None; details with ``every``."""
+        for table in self._result.values():
+            if field in table and (every or table.name != "detail"):
+                return table
+        return None
 
     def _station(self, which):
         return _chosen(which, [station.name for station in self._result.stations], "station")
@@ -97,25 +106,35 @@ class Plots:
             if needs not in self._result[table]:
                 raise BadInput(f"the table '{table}' has no '{needs}': {advice}")
             return self._result[table]
-        for candidate in self._result.tables.values():
-            if needs in candidate and (every or candidate.name != "detail"):
-                return candidate
-        raise BadInput(f"no table of the result has '{needs}': {advice}")
+        found = self._first(needs, every)
+        if found is None:
+            raise BadInput(f"no table of the result has '{needs}': {advice}")
+        return found
+
+    def _document(self, name, panel, style, titled=False):
+        """A figure with one panel, the first where that is None, on axes with the scales of the style."""
+        log = "".join(axis for axis in "xy" if style.get(f"{axis}scale") == "log")
+        document = self._result.figure_data(name, panel, log or None)
+        del document["panels"][1:]
+        only = document["panels"][0]
+        only.update(letter="", title=document["title"] if titled else "")
+        for axis in log:
+            if not only[axis]["log"]:
+                raise BadInput(
+                    f"the {axis} axis goes down to {only[axis]['low']:.3g}, expected numbers above 0 for log"
+                )
+        return document
 
     def _draw(self, name, panel, ax, style, titled=False):
         """A panel of a figure, with the figure's title where that says what is drawn."""
+        return self._put(self._document(name, panel, style, titled), ax, style)
+
+    @staticmethod
+    def _put(document, ax, style):
+        """Such a figure into axes, or a figure of its own."""
         from .figure import close, draw, new_axes
 
         scales = {axis: style.pop(f"{axis}scale") for axis in "xy" if f"{axis}scale" in style}
-        log = "".join(axis for axis, scale in scales.items() if scale == "log")
-        document = self._result.figure_data(name, panel, log or None)
-        panel = document["panels"][0]
-        panel.update(letter="", title=document["title"] if titled else "")
-        for axis in log:
-            if not panel[axis]["log"]:
-                raise BadInput(
-                    f"the {axis} axis goes down to {panel[axis]['low']:.3g}, expected numbers above 0 for log"
-                )
         drawn = new_axes(ax)
         try:
             draw(document, drawn, style)
@@ -209,12 +228,12 @@ class Plots:
         ``ax`` is a pair of axes for the two; such a pair is returned.
         """
         name = self._name("unbalance", table, station)
+        documents = [self._document(name, panel, style) for panel in ("amplitude", "lag")]
         if ax is None:
             import matplotlib.pyplot as plt
 
-            self._result.figure_data(name)  # refuses what there is none of before there are axes
             ax = plt.subplots(2, sharex=True, figsize=(7.0, 5.6), layout="constrained")[1]
-        return tuple(self._draw(name, panel, own, dict(style)) for panel, own in zip(("amplitude", "lag"), ax))
+        return tuple(self._put(document, own, dict(style)) for document, own in zip(documents, ax))
 
     # ---------------------------------------------------------------- one point
 
@@ -271,9 +290,7 @@ class Plots:
     ) -> Axes:
         """The lines of all spectra over order and parameter, backward whirl below zero: by colour, down to a thousandth
         of the largest. Of a sweep in both directions those of the way up."""
-        name = self._name("waterfall", table, station)
-        panels = [panel["name"] for panel in self._result.figure_data(name)["panels"]]
-        drawn = self._draw(name, panels[0], ax, style)
+        drawn = self._draw(self._name("waterfall", table, station), None, ax, style)
         if highest_order is not None:
             drawn.set_xlim(-highest_order, highest_order)
         return drawn

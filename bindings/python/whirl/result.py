@@ -101,6 +101,7 @@ class Result:
     def __init__(self, source: Any) -> None:
         self._source, self._about = source, _About(source)
         self._units = None  # of figures: those of the case
+        self._whole = None  # of a result in a file, where figures have been drawn
 
     @property
     def title(self) -> str:
@@ -207,7 +208,7 @@ class Result:
         """
         if not isinstance(units, str):
             raise errors.BadInput(f"the units are {units!r}, expected words such as 'um, rpm, p-p'")
-        for source in (self._source, getattr(self, "_whole", None)):
+        for source in (self._source, self._whole):
             if source:
                 source.show_in(units)
         self._units = units
@@ -262,7 +263,7 @@ class Result:
         """Names and titles of the figures that :meth:`figure` draws, those of reports."""
         from .figure import names_of
 
-        return names_of(self._figured(), None)
+        return names_of(self._figured())
 
     def figure_data(
         self,
@@ -312,7 +313,7 @@ class Result:
         source = self._source
         if hasattr(source, "handle"):
             return source.handle
-        if not getattr(self, "_whole", None):
+        if not self._whole:
             self._whole = MemorySource.read(source.path)
             if self._units is not None:
                 self._whole.show_in(self._units)

@@ -45,23 +45,23 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
         list->items = items;
         list->room = room;
     }
-    whirl_figure_name own = {.point = place->point, .station = place->station};
-    char within[sizeof place->within], safe[sizeof within], whole[sizeof safe];
+    figure_place *const added = &list->items[list->count];
+    whirl_figure_name *const own = &added->name;
+    *added = *place;
+    *own = (whirl_figure_name){.point = place->point, .station = place->station};
+    char safe[sizeof added->within], whole[sizeof safe];
     const char *const beside = name_beside(place->table);
-    safe_name(name, within, sizeof within);
+    safe_name(name, added->within, sizeof added->within);
     snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
     safe_name(whole, safe, sizeof safe);
-    snprintf(own.name, sizeof own.name, "%s", safe);
-    for (unsigned again = 2; is_taken(list, own.name); again++)
-        snprintf(own.name, sizeof own.name, "%s-%u", safe, again);
+    snprintf(own->name, sizeof own->name, "%s", safe);
+    for (unsigned again = 2; is_taken(list, own->name); again++)
+        snprintf(own->name, sizeof own->name, "%s-%u", safe, again);
     va_list arguments;
     va_start(arguments, title);
-    vsnprintf(own.title, sizeof own.title, title, arguments);
+    vsnprintf(own->title, sizeof own->title, title, arguments);
     va_end(arguments);
-    const size_t used = strlen(own.title);
-    if (*beside) snprintf(own.title + used, sizeof own.title - used, " (%.60s)", beside);
-    figure_place *const added = &list->items[list->count++];
-    *added = *place;
-    added->name = own;
-    memcpy(added->within, within, sizeof within);
+    const size_t used = strlen(own->title);
+    if (*beside) snprintf(own->title + used, sizeof own->title - used, " (%.60s)", beside);
+    list->count++;
 }

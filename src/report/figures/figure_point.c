@@ -179,9 +179,13 @@ static void add_circle(whirl_figure *figure, whirl_series *line, const window *i
     }
 }
 
+static bool is_periodic(const subject *of) {
+    return whirl_table_verdict(of->table, of->point).regime == WHIRL_PERIODIC;
+}
+
 /// Of a place once a revolution: periodic motions have few.
 static double mark_size(const subject *of) {
-    return whirl_table_verdict(of->table, of->point).regime == WHIRL_PERIODIC ? 2.2 : 1.1;
+    return is_periodic(of) ? 2.2 : 1.1;
 }
 
 static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *of) {
@@ -216,8 +220,7 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
     const double least = fmax(0.2 * of->size, 1e-3 * hypot(x.high, y.high)); // where no waveform says how far it moves
     const window in = window_around(x, y, fmax(1.24 * extent, least));
     show_window(panel, of, &in);
-    const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size &&
-                       whirl_table_verdict(of->table, of->point).regime != WHIRL_PERIODIC;
+    const bool cloud = of->section.rows > 1000 && extent > 1e-3 * of->size && !is_periodic(of);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, line_colour(0), cloud ? 0.36 : mark_size(of));
     for (size_t k = 0; k < of->section.rows; k++)
         series_add(figure, dots, of->length * of->section.at[4 * k], of->length * of->section.at[4 * k + 1]);
