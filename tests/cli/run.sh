@@ -10,71 +10,93 @@
 #   stdout:  an extended regular expression that a line of standard output must match; the same for stderr:
 #   stdout-not:, stderr-not:  one that no line may match
 #   stdout-lines:, stderr-lines:  how many lines there are
+#
+# What the shell does itself costs nothing beside a process more, and there are hundreds of these tests.
 set -u
-whirl=$(realpath "$1")
-CASES=$(realpath "$2")
-test=$(realpath "$3")
-TESTS=$(dirname "$(realpath "$0")")
+whirl=$1 CASES=$2 test=$3 TESTS=${0%/*}
+for name in whirl CASES test TESTS; do
+    case ${!name} in /*) ;; *) printf -v $name %s "$PWD/${!name}" ;; esac
+done
 # Debian's own Python is the one that Debian's h5py belongs to.
-PYTHON=$([ -x /usr/bin/python3 ] && echo /usr/bin/python3 || echo python3)
+PYTHON=python3
+[ ! -x /usr/bin/python3 ] || PYTHON=/usr/bin/python3
 export CASES TESTS PYTHON
+PATH=${whirl%/*}:$PATH
 
-folder=$(mktemp -d)
+folder=${TMPDIR:-/tmp}/whirl-test.$$.$RANDOM
 trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/bin" "$folder/work"
-ln -s "$whirl" "$folder/bin/whirl"
-# Beside it, where it was built: what mpirun starts.
-if [ -e "$whirl-mpi" ]; then ln -s "$whirl-mpi" "$folder/bin/whirl-mpi"; fi
-PATH=$folder/bin:$PATH
-cd "$folder/work" || exit 1
+mkdir "$folder" "$folder/work" && cd "$folder/work" || exit 1
 
-if [ -n "${WHIRL_SANITIZED:-}" ]; then
-    sed -E "$(sed -n 's/^sanitized: //p' "$test")" "$test" >"$folder/test"
-    test=$folder/test
-fi
-values() { sed -n "s/^$1: \{0,1\}//p" "$test"; }
+mapfile -t lines <"$test"
+edits=() expected=0 checks=()
+for ((n = 0; n < ${#lines[@]}; n++)); do
+    line=${lines[n]}
+    key=${line%%:*} value=${line#*:}
+    value=${value# }
+    case $line in
+    '' | '#'*) ;;
+    sanitized:*)
+        if [ -n "${WHIRL_SANITIZED:-}" ]; then
+            mapfile -t lines < <(printf '%s\n' "${lines[@]}" | sed -E "1,$((n + 1))b;$value")
+        fi
+        ;;
+    edit:*) edits+=("$value") ;;
+    run:*) printf '%s\n' "$value" >>"$folder/script" ;;
+    status:*) expected=$value ;;
+    stdout:* | stderr:* | stdout-not:* | stderr-not:* | stdout-lines:* | stderr-lines:*) checks+=("$key" "$value") ;;
+    *)
+        echo "$test: not understood: $line"
+        exit 1
+        ;;
+    esac
+done
 
-unknown=$(grep -vE '^(#|$|(sanitized|edit|run|status|(stdout|stderr)(-not|-lines)?):)' "$test")
-if [ -n "$unknown" ]; then
-    echo "$test: not understood: $unknown"
-    exit 1
-fi
-
-cp "$TESTS/good.yaml" good.yaml
-cp good.yaml case.yaml
-while IFS= read -r edit; do
-    sed -E "$edit" case.yaml >edited.yaml || exit 1
-    if cmp -s case.yaml edited.yaml; then
+IFS= read -r -d '' case <"$TESTS/good.yaml"
+case=${case%$'\n'}
+printf '%s\n' "$case" >good.yaml
+for edit in ${edits[@]+"${edits[@]}"}; do
+    edited=$(sed -E "$edit" <<<"$case") || exit 1
+    if [ "$edited" = "$case" ]; then
         echo "$test: '$edit' changes nothing"
         exit 1
     fi
-    mv edited.yaml case.yaml
-done < <(values edit)
+    case=$edited
+done
+printf '%s\n' "$case" >case.yaml
 
-values run >"$folder/script"
 bash -o pipefail "$folder/script" >"$folder/stdout" 2>"$folder/stderr" </dev/null
 status=$?
+mapfile -t stdout <"$folder/stdout"
+mapfile -t stderr <"$folder/stderr"
 
 failures=0
 fail() {
     echo "FAILED: $*"
     failures=$((failures + 1))
 }
-expected=$(values status)
-[ "$status" = "${expected:-0}" ] || fail "exit status $status, expected ${expected:-0}"
-for stream in stdout stderr; do
-    while IFS= read -r pattern; do
-        grep -qE -- "$pattern" "$folder/$stream" || fail "$stream has no line like: $pattern"
-    done < <(values $stream)
-    while IFS= read -r pattern; do
-        if grep -qE -- "$pattern" "$folder/$stream"; then fail "$stream has a line like: $pattern"; fi
-    done < <(values $stream-not)
-    for count in $(values $stream-lines); do
-        [ "$(wc -l <"$folder/$stream")" = "$count" ] || fail "$stream has not $count lines"
+like() { # PATTERN LINE...
+    local pattern=$1 line
+    shift
+    [[ '' =~ $pattern ]]
+    if [ $? = 2 ]; then fail "this is no extended regular expression: $pattern"; fi
+    for line; do
+        if [[ $line =~ $pattern ]]; then return 0; fi
     done
+    return 1
+}
+[ "$status" = "$expected" ] || fail "exit status $status, expected $expected"
+for ((n = 0; n < ${#checks[@]}; n += 2)); do
+    stream=${checks[n]%%-*} pattern=${checks[n + 1]}
+    printed=("${stdout[@]}")
+    [ "$stream" = stdout ] || printed=("${stderr[@]}")
+    case ${checks[n]} in
+    *-not) ! like "$pattern" ${printed[@]+"${printed[@]}"} || fail "$stream has a line like: $pattern" ;;
+    *-lines) [ ${#printed[@]} = "$pattern" ] || fail "$stream has not $pattern lines" ;;
+    *) like "$pattern" ${printed[@]+"${printed[@]}"} || fail "$stream has no line like: $pattern" ;;
+    esac
 done
 # Whatever the outcome, a sanitizer or a crash has no place in it.
-if grep -qE 'Sanitizer|runtime error:|Segmentation fault|Aborted' "$folder/stderr"; then fail "the program crashed"; fi
+if like 'Sanitizer|runtime error:|Segmentation fault|Aborted' ${stderr[@]+"${stderr[@]}"}; then fail "the program crashed"; fi
 if [ $failures -gt 0 ]; then
     for stream in stdout stderr; do
         echo "--- $stream"
