@@ -40,6 +40,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
     const size_t apart = (size_t)loop_order(own);
     VECTOR_FOR (part, (size_t)LOOP_BLOCKS) {
         const int order = block_order(own, (int)part);
+#ifndef NUMBERS_DUAL
         // Most are of these orders, known to the compiler.
         if (order == 0)
             KERNEL(of_order)(view, part, 0, lines, apart, u, s, slope);
@@ -48,6 +49,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
         else if (order == 2)
             KERNEL(of_order)(view, part, 2, lines, apart, u, s, slope);
         else
+#endif
             KERNEL(of_order)(view, part, order, lines, apart, u, s, slope);
         s += order;
         slope += order;
