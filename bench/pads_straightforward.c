@@ -13,7 +13,7 @@
 // Of the table: nodes, the first of them and their distances.
 enum { T_NODES = 28, W_NODES = 27, ALPHA_NODES = 48, OWN = 4 + 2 * PADS_COUNT, N = PADS_JOURNALS * OWN };
 static const double first_t = 0.14, step_t = 1.46 / (T_NODES - 1), first_w = -0.92, step_w = 1.84 / (W_NODES - 1);
-static float table[T_NODES + 2][W_NODES + 2][ALPHA_NODES + 3][2];
+static double table[T_NODES + 2][W_NODES + 2][ALPHA_NODES + 3][2];
 
 typedef struct machine {
     double z[N]; ///< of every journal x, y, x', y', then s and s' of every pad
@@ -61,7 +61,7 @@ static void film(double x, double y, double a, double b, double f[2]) {
         for (int q = 0; q < 4; q++)
             for (int r = 0; r < 4; r++)
                 for (int n = 0; n < 2; n++)
-                    sum[n] += by_t[p] * by_w[q] * by_alpha[r] * (double)table[i + p][j + q][k + r][n];
+                    sum[n] += by_t[p] * by_w[q] * by_alpha[r] * table[i + p][j + q][k + r][n];
     for (int n = 0; n < 2; n++) f[n] = V / (rest * h * h) * sum[n];
 }
 

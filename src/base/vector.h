@@ -165,11 +165,6 @@ static inline vec v_power_of_2(vec k) {
     return _mm512_castsi512_pd(_mm512_slli_epi64(bits, 52));
 }
 
-/// As many numbers of single precision, from any address.
-static inline vec v_load_floats(const float *from) {
-    return _mm512_cvtps_pd(_mm256_loadu_ps(from));
-}
-
 /// Eight numbers of every lane as eight vectors.
 static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
     enum { LOW = 0x88, HIGH = 0xdd };
@@ -493,15 +488,14 @@ static inline vec v_power_of_2(vec k) {
 
 #endif
 
-#if VECTOR_ISA != VECTOR_AVX512
-static inline vec v_load_floats(const float *from) {
-    double wide[VECTOR_LANES];
+/// As many numbers, from any address.
+static inline vec v_load(const double *from) {
     vec out;
-    for (int lane = 0; lane < VECTOR_LANES; lane++) wide[lane] = (double)from[lane];
-    memcpy(&out, wide, sizeof out);
+    memcpy(&out, from, sizeof out);
     return out;
 }
 
+#if VECTOR_ISA != VECTOR_AVX512
 static inline void v_transpose(const double from[VECTOR_LANES][8], vec to[8]) {
     for (int i = 0; i < 8; i++) {
         double column[VECTOR_LANES];

@@ -50,12 +50,12 @@ enum {
 #define PAD_HALF_TURN 3.14159265358979323846
 #define PAD_STEP_ALPHA (2.0 * PAD_HALF_TURN / PAD_ALPHA_NODES)
 
-/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: by 6e-8 of a force they are rounded,
-/// which is as smooth as they are. Of a pad that tilts freely, about where its film has no moment about the pivot:
-/// r/p at the nodes of t and w (elements/films/pads_balance.h).
+/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: twice the memory of single precision,
+/// half the time. Of a pad that tilts freely, about where its film has no moment about the pivot: r/p at the nodes of t
+/// and w (elements/films/pads_balance.h).
 typedef struct pad_table {
-    float coefficients[PAD_COEFFICIENTS];
-    float lean[PAD_T_NODES][PAD_W_NODES];
+    double coefficients[PAD_COEFFICIENTS];
+    double lean[PAD_T_NODES][PAD_W_NODES];
 } pad_table;
 
 /// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed. Errors as

@@ -97,9 +97,9 @@ static void make_splines(double *all, double *work) {
 
 // ---------------------------------------------------------------- the whole
 
-/// Coefficients in place of values, with more digits than the table has.
+/// Coefficients in place of values.
 static whirl_status fill(double *all, const pad_film *film) {
-    double *lines = all + PAD_COEFFICIENTS;
+    double line[4 * PAD_ALPHA_NODES];
     pad_workspace *work;
     whirl_status status = pad_workspace_new(film->around, film->along, &work);
     for (int t = 0; t < PAD_T_NODES && status.code == WHIRL_OK; t++)
@@ -107,7 +107,7 @@ static whirl_status fill(double *all, const pad_film *film) {
             status = fill_nodes(all, film, work, t, w);
             if (status.code == WHIRL_OK) mirror_nodes(all, t, w);
         }
-    if (status.code == WHIRL_OK) make_splines(all, lines);
+    if (status.code == WHIRL_OK) make_splines(all, line);
     pad_workspace_free(work);
     return status;
 }
@@ -126,18 +126,14 @@ static pad_film film_of(const pad_table_key *key) {
 }
 
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
-    enum { LINES = 4 * PAD_ALPHA_NODES };
     const pad_film film = film_of(key);
-    double *all = calloc(PAD_COEFFICIENTS + LINES, sizeof *all);
-    pad_table *table = malloc(sizeof *table);
-    whirl_status status =
-        all && table ? fill(all, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    for (size_t i = 0; i < PAD_COEFFICIENTS && status.code == WHIRL_OK; i++) table->coefficients[i] = (float)all[i];
+    pad_table *table = calloc(1, sizeof *table);
+    const whirl_status status =
+        table ? fill(table->coefficients, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
     if (status.code != WHIRL_OK) {
         free(table);
         table = NULL;
     }
-    free(all);
     *out = table;
     return status;
 }
@@ -164,7 +160,7 @@ static void line_of(const pad_table *table, int t, int w, double line[PAD_ROW]) 
         line[k] = 0.0;
         for (int i = 0; i < 9; i++)
             line[k] += at_node[i / 3] * at_node[i % 3] *
-                       (double)table->coefficients[(t + i / 3) * PAD_SHEET + (w + i % 3) * PAD_ROW + k];
+                       table->coefficients[(t + i / 3) * PAD_SHEET + (w + i % 3) * PAD_ROW + k];
     }
 }
 
@@ -190,6 +186,6 @@ void pad_table_lean(pad_table *table, double lead) {
     for (int t = 0; t < PAD_T_NODES; t++)
         for (int w = 0; w < PAD_W_NODES; w++) {
             line_of(table, t, w, line);
-            table->lean[t][w] = (float)lean_of(line, lead);
+            table->lean[t][w] = lean_of(line, lead);
         }
 }

@@ -12,7 +12,7 @@
 #include "lock.h"
 
 /// Of the file: another number where nodes or the solution change.
-enum { FORMAT = 3, PATH_LENGTH = 1024 };
+enum { FORMAT = 4, PATH_LENGTH = 1024 };
 
 static lock guard = LOCK_OPEN;
 static _Atomic(const pad_table *) tables[MAX_PAD_TABLES];
@@ -29,11 +29,11 @@ typedef struct file_head {
     uint64_t count, checksum;
 } file_head;
 
-/// Fowler, Noll, Vo 1991 over words of 32 bits.
-static uint64_t checksum(const float *at, size_t count) {
+/// Fowler, Noll, Vo 1991 over words of 64 bits.
+static uint64_t checksum(const double *at, size_t count) {
     uint64_t sum = 14695981039346656037u;
     for (size_t i = 0; i < count; i++) {
-        uint32_t word;
+        uint64_t word;
         memcpy(&word, &at[i], sizeof word);
         sum = (sum ^ word) * 1099511628211u;
         sum ^= sum >> 29;
@@ -94,7 +94,7 @@ static pad_table *read_table(const pad_table_key *key) {
     FILE *in = fopen(path, "rb");
     pad_table *table = in ? malloc(sizeof *table) : NULL;
     bool good = table && fread(&head, sizeof head, 1, in) == 1 &&
-                fread(table->coefficients, sizeof(float), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
+                fread(table->coefficients, sizeof(double), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
     if (good) {
         own = head_of(key, table);
         good = same_head(&head, &own);
@@ -124,7 +124,7 @@ static void write_table(const pad_table_key *key, const pad_table *table) {
     if (!out) return;
     const file_head head = head_of(key, table);
     bool good = fwrite(&head, sizeof head, 1, out) == 1 &&
-                fwrite(table->coefficients, sizeof(float), head.count, out) == head.count;
+                fwrite(table->coefficients, sizeof(double), head.count, out) == head.count;
     good = fclose(out) == 0 && good;
     if (!good || rename(part, path) != 0) (void)remove(part);
 }

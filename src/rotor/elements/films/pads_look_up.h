@@ -83,16 +83,15 @@ VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cell
     return on;
 }
 
-/// Where the journal is in the table of a pad, whatever its direction: the first coefficients of every lane, and the
-/// splines along t and w there; then their derivatives.
-typedef struct pads_spot {
-    const float *first[VECTOR_LANES];
-    double t[4][VECTOR_LANES], w[4][VECTOR_LANES], by_t[4][VECTOR_LANES], by_w[4][VECTOR_LANES];
-} pads_spot;
+/// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
+enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
 
-VECTOR_INLINE void pads_keep(const vec from[4], double to[4][VECTOR_LANES]) {
-    memcpy(to, from, 4 * sizeof *from);
-}
+/// Where the journal is in the table of a pad, whatever its direction: the first coefficients of every lane, and for
+/// every sum the products of the splines along t and w there, by which its rows are weighed.
+typedef struct pads_spot {
+    const double *first[VECTOR_LANES];
+    double weight[PADS_SUMS][4][4][VECTOR_LANES];
+} pads_spot;
 
 /// The first coefficients of all lanes.
 VECTOR_INLINE void pads_first(vec table, const pads_axis *t, const pads_axis *w, pads_spot *spot) {
@@ -107,20 +106,27 @@ VECTOR_INLINE void pads_first(vec table, const pads_axis *t, const pads_axis *w,
     }
 }
 
+VECTOR_INLINE void pads_products(const vec t[4], const vec w[4], double weight[4][4][VECTOR_LANES]) {
+    VECTOR_FOR (i, 4)
+        VECTOR_FOR (j, 4) {
+            const vec product = v_mul(t[i], w[j]);
+            memcpy(weight[i][j], &product, sizeof product);
+        }
+}
+
 VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *spot) {
     const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
     const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
     pads_first(table, &on_t, &on_w, spot);
-    vec splines[4];
-    pads_splines(on_t.u, splines);
-    pads_keep(splines, spot->t);
-    pads_splines(on_w.u, splines);
-    pads_keep(splines, spot->w);
+    vec along_t[4], along_w[4], slope[4];
+    pads_splines(on_t.u, along_t);
+    pads_splines(on_w.u, along_w);
+    pads_products(along_t, along_w, spot->weight[PADS_VALUE]);
     if (!sloped) return;
-    pads_spline_slopes(on_t.u, on_t.over_step, splines);
-    pads_keep(splines, spot->by_t);
-    pads_spline_slopes(on_w.u, on_w.over_step, splines);
-    pads_keep(splines, spot->by_w);
+    pads_spline_slopes(on_t.u, on_t.over_step, slope);
+    pads_products(slope, along_w, spot->weight[PADS_BY_T]);
+    pads_spline_slopes(on_w.u, on_w.over_step, slope);
+    pads_products(along_t, slope, spot->weight[PADS_BY_W]);
 }
 
 /// `lean` of a table (pads/pad_tables.h) between its nodes, linear along both axes.
@@ -134,8 +140,8 @@ VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     const pad_table *of = NULL;
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
         if (lane == 0 || id[lane] != id[lane - 1]) of = pad_table_of(id[lane]);
-        const float *near = &of->lean[(size_t)row[lane]][(size_t)column[lane]];
-        for (size_t i = 0; i < 4; i++) corner[i][lane] = (double)near[i / 2 * PAD_W_NODES + i % 2];
+        const double *near = &of->lean[(size_t)row[lane]][(size_t)column[lane]];
+        for (size_t i = 0; i < 4; i++) corner[i][lane] = near[i / 2 * PAD_W_NODES + i % 2];
     }
     vec at[4];
     memcpy(at, corner, sizeof at);
@@ -143,42 +149,30 @@ VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     return v_fma(on_t.u, v_sub(high, low), low);
 }
 
-/// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
-enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
-
 /// Both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time, row by
 /// row: eight numbers of a row are one vector of the widest lanes, two to eight of narrower ones.
 VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec sums[][8]) {
     enum { PARTS = 8 / VECTOR_LANES };
+    const int kinds = sloped ? PADS_SUMS : 1;
     double begin[VECTOR_LANES], all[PADS_SUMS][VECTOR_LANES][8];
     memcpy(begin, &cell, sizeof begin);
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-        const float *first = spot->first[lane] + 2 * (size_t)begin[lane];
-        vec w[4], by_w[4], sum[PADS_SUMS][PARTS];
-        VECTOR_FOR (j, 4) w[j] = v_set(spot->w[j][lane]);
-        if (sloped)
-            VECTOR_FOR (j, 4) by_w[j] = v_set(spot->by_w[j][lane]);
-        for (int kind = 0; kind < PADS_SUMS; kind++)
+        const double *first = spot->first[lane] + 2 * (size_t)begin[lane];
+        vec sum[PADS_SUMS][PARTS];
+        for (int kind = 0; kind < kinds; kind++)
             VECTOR_FOR (k, PARTS) sum[kind][k] = v_set(0.0);
-        VECTOR_FOR (i, 4) {
-            const float *from = first + i * PAD_SHEET;
-            const vec t = v_set(spot->t[i][lane]), by_t = v_set(sloped ? spot->by_t[i][lane] : 0.0);
-            VECTOR_FOR (k, PARTS) {
-                vec row[4];
-                VECTOR_FOR (j, 4) row[j] = v_load_floats(from + j * PAD_ROW + k * VECTOR_LANES);
-                const vec value = v_fma(w[3], row[3], v_fma(w[2], row[2], v_fma(w[1], row[1], v_mul(w[0], row[0]))));
-                sum[PADS_VALUE][k] = v_fma(t, value, sum[PADS_VALUE][k]);
-                if (!sloped) continue;
-                sum[PADS_BY_T][k] = v_fma(by_t, value, sum[PADS_BY_T][k]);
-                const vec slope =
-                    v_fma(by_w[3], row[3], v_fma(by_w[2], row[2], v_fma(by_w[1], row[1], v_mul(by_w[0], row[0]))));
-                sum[PADS_BY_W][k] = v_fma(t, slope, sum[PADS_BY_W][k]);
+        VECTOR_FOR (i, 4)
+            VECTOR_FOR (j, 4) {
+                const double *from = first + i * PAD_SHEET + j * PAD_ROW;
+                VECTOR_FOR (k, PARTS) {
+                    const vec row = v_load(from + k * VECTOR_LANES);
+                    for (int kind = 0; kind < kinds; kind++)
+                        sum[kind][k] = v_fma(v_set(spot->weight[kind][i][j][lane]), row, sum[kind][k]);
+                }
             }
-        }
-        for (int kind = 0; kind < (sloped ? PADS_SUMS : 1); kind++)
-            memcpy(all[kind][lane], sum[kind], sizeof sum[kind]);
+        for (int kind = 0; kind < kinds; kind++) memcpy(all[kind][lane], sum[kind], sizeof sum[kind]);
     }
-    for (int kind = 0; kind < (sloped ? PADS_SUMS : 1); kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
+    for (int kind = 0; kind < kinds; kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
 }
 
 /// The two forces with weights of the four splines.
