@@ -50,17 +50,33 @@ enum {
 #define PAD_HALF_TURN 3.14159265358979323846
 #define PAD_STEP_ALPHA (2.0 * PAD_HALF_TURN / PAD_ALPHA_NODES)
 
-/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on: twice the memory of single precision,
-/// half the time. Of a pad that tilts freely, about where its film has no moment about the pivot: r/p at the nodes of t
-/// and w (elements/films/pads_balance.h).
+/// Of rows for kernels, how far one is from the next along alpha, w and t: a row more for every w than there are cells
+/// along alpha, for else those around a place would share few sets of a cache.
+enum {
+    PAD_ALPHA_APART = 8,
+    PAD_W_APART = PAD_ALPHA_APART * (PAD_ALPHA_NODES + 1),
+    PAD_T_APART = PAD_W_APART * (PAD_W_NODES + 2),
+    PAD_ROWS = PAD_T_APART * (PAD_T_NODES + 2)
+};
+
+/// Coefficients of B-splines [t][w][alpha][2], from one before the first node on. Of a pad that tilts freely, about
+/// where its film has no moment about the pivot: r/p at the nodes of t and w (elements/films/pads_balance.h). For
+/// kernels, of every t, w and cell along alpha the four coefficients on which it depends, as one line of a cache.
 typedef struct pad_table {
     double coefficients[PAD_COEFFICIENTS];
     double lean[PAD_T_NODES][PAD_W_NODES];
+    _Alignas(64) double rows[PAD_ROWS];
 } pad_table;
 
 /// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed. Errors as
 /// pad_solve.
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
+
+/// A table without coefficients, to be freed; NULL without memory.
+pad_table *pad_table_empty(void);
+
+/// Fills in `rows` from the coefficients.
+void pad_table_rows(pad_table *table);
 
 /// Fills in `lean` of a pad whose pivot lies `lead` before its middle.
 void pad_table_lean(pad_table *table, double lead);

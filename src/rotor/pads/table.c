@@ -125,15 +125,29 @@ static pad_film film_of(const pad_table_key *key) {
                       .reynolds = key->reynolds};
 }
 
+pad_table *pad_table_empty(void) {
+    pad_table *table = aligned_alloc(_Alignof(pad_table), sizeof *table);
+    if (table) memset(table, 0, sizeof *table);
+    return table;
+}
+
+void pad_table_rows(pad_table *table) {
+    for (size_t place = 0; place < (PAD_T_NODES + 2) * (PAD_W_NODES + 2); place++)
+        for (size_t cell = 0; cell < PAD_ALPHA_NODES; cell++)
+            memcpy(table->rows + place * PAD_W_APART + cell * PAD_ALPHA_APART,
+                   table->coefficients + place * PAD_ROW + 2 * cell, PAD_ALPHA_APART * sizeof(double));
+}
+
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
     const pad_film film = film_of(key);
-    pad_table *table = calloc(1, sizeof *table);
+    pad_table *table = pad_table_empty();
     const whirl_status status =
         table ? fill(table->coefficients, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
     if (status.code != WHIRL_OK) {
         free(table);
         table = NULL;
     }
+    if (table) pad_table_rows(table);
     *out = table;
     return status;
 }

@@ -92,7 +92,7 @@ static pad_table *read_table(const pad_table_key *key) {
     file_head head, own;
     if (!file_of(key, path)) return NULL;
     FILE *in = fopen(path, "rb");
-    pad_table *table = in ? malloc(sizeof *table) : NULL;
+    pad_table *table = in ? pad_table_empty() : NULL;
     bool good = table && fread(&head, sizeof head, 1, in) == 1 &&
                 fread(table->coefficients, sizeof(double), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
     if (good) {
@@ -100,6 +100,7 @@ static pad_table *read_table(const pad_table_key *key) {
         good = same_head(&head, &own);
     }
     if (in) fclose(in);
+    if (good) pad_table_rows(table);
     if (good) return table;
     free(table);
     return NULL;
@@ -160,7 +161,7 @@ pad_table_key pad_table_key_of(double number) {
 /// One of not-a-numbers.
 static const pad_table *no_table(void) {
     static pad_table table;
-    for (size_t i = 0; i < PAD_COEFFICIENTS && !isnan(table.coefficients[i]); i++) table.coefficients[i] = NAN;
+    for (size_t i = 0; i < PAD_ROWS && !isnan(table.rows[i]); i++) table.rows[i] = NAN;
     return &table;
 }
 

@@ -27,20 +27,6 @@ static inline void KERNEL(pads_direction)(num a, num b, num *V, num *half) {
 #endif
 }
 
-static inline void KERNEL(pads_spline)(vec table, num t, num w, num half, num force[2]) {
-#ifdef NUMBERS_DUAL
-    vec value[2], slope[2][3];
-    pads_look_up_sloped(table, t.value, w.value, half.value, value, slope);
-    for (int n = 0; n < 2; n++) {
-        force[n].value = value[n];
-        for (int i = 0; i < DUAL_INPUTS; i++)
-            force[n].by[i] = v_fma(slope[n][0], t.by[i], v_fma(slope[n][1], w.by[i], v_mul(slope[n][2], half.by[i])));
-    }
-#else
-    pads_look_up(table, t, w, half, force);
-#endif
-}
-
 /// t, w and 1/((1 - v^2) Hm^2) of the table where the journal is at (x, y) in the frame of a pad. Beyond the wall a
 /// root is not a number, and the motion counts as diverged.
 static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, num x, num y, num *t, num *w,
@@ -57,44 +43,64 @@ static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, n
     *scale = n_mul(n_mul(n_mul(most, most), both), over);
 }
 
-/// The force of a film with these (A, B).
-static inline void KERNEL(pads_film)(vec table, num t, num w, num scale, num a, num b, num f[2]) {
-    num V, half;
-    KERNEL(pads_direction)(a, b, &V, &half);
-    KERNEL(pads_spline)(table, t, w, half, f);
-    const num size = n_mul(V, scale);
-    for (int n = 0; n < 2; n++) f[n] = n_mul(size, f[n]);
-}
-
 /// What a pad sees of the journal, in its frame: its place, and (A, B) while the pad does not tilt further; of the
-/// place what pads_place makes of it.
+/// place what pads_place makes of it; then where in its table that is, by which S, V times the scale, becomes a force.
 typedef struct KERNEL(pads_view) {
     num x, y, a, b, t, w, scale;
+    num half, size;
+    pads_entry entry;
 } KERNEL(pads_view);
 
-static inline KERNEL(pads_view)
-    KERNEL(pads_seen)(const kernel_view *view, const vec *pad, const num journal[4], num tilt, const num *yield) {
+/// Where it is in its table.
+static inline void KERNEL(pads_film_begin)(vec table, KERNEL(pads_view) * seen) {
+    num V;
+    KERNEL(pads_direction)(seen->a, seen->b, &V, &seen->half);
+    seen->size = n_mul(V, seen->scale);
+#ifdef NUMBERS_DUAL
+    pads_enter(table, seen->t.value, seen->w.value, seen->half.value, true, &seen->entry);
+#else
+    pads_enter(table, seen->t, seen->w, seen->half, false, &seen->entry);
+#endif
+}
+
+/// The force of its film.
+static inline void KERNEL(pads_film_end)(const KERNEL(pads_view) * seen, num f[2]) {
+#ifdef NUMBERS_DUAL
+    vec value[2], slope[2][3];
+    pads_read_sloped(&seen->entry, value, slope);
+    for (int n = 0; n < 2; n++) {
+        f[n].value = value[n];
+        for (int i = 0; i < DUAL_INPUTS; i++)
+            f[n].by[i] = v_fma(slope[n][0], seen->t.by[i],
+                               v_fma(slope[n][1], seen->w.by[i], v_mul(slope[n][2], seen->half.by[i])));
+    }
+#else
+    pads_read(&seen->entry, f);
+#endif
+    for (int n = 0; n < 2; n++) f[n] = n_mul(seen->size, f[n]);
+}
+
+static inline void KERNEL(pads_see)(const kernel_view *view, const vec *pad, const num journal[4], num tilt,
+                                    const num *yield, KERNEL(pads_view) * seen) {
     const size_t stride = view->stride;
     const vec c = pad[PAD_COSINE * stride], sn = pad[PAD_SINE * stride], twice = view->number[PADS_TWICE * stride];
     num vx = n_add(n_scale(c, journal[2]), n_scale(sn, journal[3]));
     num vy = n_sub(n_scale(c, journal[3]), n_scale(sn, journal[2]));
-    KERNEL(pads_view) seen;
-    seen.x = n_add(n_add(n_scale(c, journal[0]), n_scale(sn, journal[1])), n_of(pad[PAD_SHIFT_X * stride]));
-    seen.y = n_add(n_sub(n_scale(c, journal[1]), n_scale(sn, journal[0])), n_of(pad[PAD_SHIFT_Y * stride]));
+    seen->x = n_add(n_add(n_scale(c, journal[0]), n_scale(sn, journal[1])), n_of(pad[PAD_SHIFT_X * stride]));
+    seen->y = n_add(n_sub(n_scale(c, journal[1]), n_scale(sn, journal[0])), n_of(pad[PAD_SHIFT_Y * stride]));
     if (KERNEL_STATES > 0) {
-        seen.x = n_sub(seen.x, n_scale(pad[PAD_ALONG_X * stride], tilt));
-        seen.y = n_sub(seen.y, n_scale(pad[PAD_ALONG_Y * stride], tilt));
+        seen->x = n_sub(seen->x, n_scale(pad[PAD_ALONG_X * stride], tilt));
+        seen->y = n_sub(seen->y, n_scale(pad[PAD_ALONG_Y * stride], tilt));
     }
     if (PADS_YIELD) {
-        seen.x = n_sub(seen.x, n_scale(pad[PAD_ALONG_Y * stride], yield[0]));
-        seen.y = n_add(seen.y, n_scale(pad[PAD_ALONG_X * stride], yield[0]));
+        seen->x = n_sub(seen->x, n_scale(pad[PAD_ALONG_Y * stride], yield[0]));
+        seen->y = n_add(seen->y, n_scale(pad[PAD_ALONG_X * stride], yield[0]));
         vx = n_sub(vx, n_scale(pad[PAD_ALONG_Y * stride], yield[1]));
         vy = n_add(vy, n_scale(pad[PAD_ALONG_X * stride], yield[1]));
     }
-    seen.a = n_sub(seen.x, n_scale(twice, vy));
-    seen.b = n_add(seen.y, n_scale(twice, vx));
-    KERNEL(pads_place)(view, pad, seen.x, seen.y, &seen.t, &seen.w, &seen.scale);
-    return seen;
+    seen->a = n_sub(seen->x, n_scale(twice, vy));
+    seen->b = n_add(seen->y, n_scale(twice, vx));
+    KERNEL(pads_place)(view, pad, seen->x, seen->y, &seen->t, &seen->w, &seen->scale);
 }
 
 #ifdef KERNEL_FEWER_STATES
@@ -112,16 +118,6 @@ static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, 
                            n_scale(view->number[PADS_TILT_DAMPER * stride], rate));
     const num film = n_add(n_scale(pad[PAD_ALONG_X * stride], f[0]), n_scale(pad[PAD_ALONG_Y * stride], f[1]));
     return n_add(held, n_scale(view->number[PADS_TILT_FORCE * stride], film));
-}
-
-/// A pad with inertia: the force, and the slopes of tilt and rate.
-static inline void KERNEL(pads_inert)(const kernel_view *view, const vec *pad, const num journal[4], const num *s,
-                                      const num *yield, num f[2], num *slope) {
-    KERNEL(pads_view) seen = KERNEL(pads_seen)(view, pad, journal, s[0], yield);
-    KERNEL(pads_turn)(view, pad, s[1], &seen);
-    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen.t, seen.w, seen.scale, seen.a, seen.b, f);
-    slope[0] = s[1];
-    slope[1] = n_sub(n_set(0.0), KERNEL(pads_moments)(view, pad, s[0], s[1], f));
 }
 
 /// What pads_balance wants to know of one without.
@@ -148,7 +144,8 @@ static inline num KERNEL(pads_found)(const kernel_view *view, const vec *pad, co
     num rate = n_of(found->rate);
 #ifdef NUMBERS_DUAL
     KERNEL(pads_turn)(view, pad, rate, seen);
-    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen->t, seen->w, seen->scale, seen->a, seen->b, f);
+    KERNEL(pads_film_begin)(pad[PAD_TABLE * view->stride], seen);
+    KERNEL(pads_film_end)(seen, f);
     const dual moments = KERNEL(pads_moments)(view, pad, tilt, rate, f);
     const vec over = v_div(v_set(-1.0), found->steep);
     for (int i = 0; i < DUAL_INPUTS; i++) {
@@ -175,11 +172,6 @@ static inline void KERNEL(pads_yielding)(const kernel_view *view, const vec *pad
     slope[1] = n_sub(n_set(0.0), n_add(held, n_scale(view->number[PADS_YIELD_FORCE * stride], outwards)));
 }
 #endif
-#else
-static inline void KERNEL(pads_fixed)(const kernel_view *view, const vec *pad, const num journal[4], num f[2]) {
-    const KERNEL(pads_view) seen = KERNEL(pads_seen)(view, pad, journal, n_set(0.0), NULL);
-    KERNEL(pads_film)(pad[PAD_TABLE * view->stride], seen.t, seen.w, seen.scale, seen.a, seen.b, f);
-}
 #endif
 
 static inline void KERNEL(force)(const element *own, const kernel_view *view, const num *d, const num *w, const num *s,
@@ -189,31 +181,43 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const num journal[] = {n_scale(over, d[0]), n_scale(v_mul(sign, over), d[1]), n_scale(over, w[0]),
                            n_scale(v_mul(sign, over), w[1])};
     num FX = n_set(0.0), FY = n_set(0.0), f[MAX_PADS][2];
+    KERNEL(pads_view) seen[MAX_PADS];
     const vec *pads[MAX_PADS];
     for (size_t p = 0; p < count; p++) pads[p] = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
 #ifdef KERNEL_FEWER_STATES
     for (int i = 0; i < STATES_OF(own); i++) slope[i] = n_set(0.0); // compilers do not see that pads set them all
     const num *yields = s + (pads_are_light(own) ? count : 2 * count);
     if (pads_are_light(own)) {
-        KERNEL(pads_view) seen[MAX_PADS];
         pads_pivot pivots[MAX_PADS];
         for (size_t p = 0; p < count; p++) {
-            seen[p] = KERNEL(pads_seen)(view, pads[p], journal, s[p], yields + 2 * p);
+            KERNEL(pads_see)(view, pads[p], journal, s[p], yields + 2 * p, &seen[p]);
             KERNEL(pads_prepare)(view, pads[p], &seen[p], s[p], &pivots[p]);
         }
         pads_balance(pivots, count);
         for (size_t p = 0; p < count; p++)
             slope[p] = KERNEL(pads_found)(view, pads[p], &pivots[p], &seen[p], s[p], f[p]);
     } else {
-        for (size_t p = 0; p < count; p++)
-            KERNEL(pads_inert)(view, pads[p], journal, s + 2 * p, yields + 2 * p, f[p], slope + 2 * p);
+        for (size_t p = 0; p < count; p++) {
+            KERNEL(pads_see)(view, pads[p], journal, s[2 * p], yields + 2 * p, &seen[p]);
+            KERNEL(pads_turn)(view, pads[p], s[2 * p + 1], &seen[p]);
+            KERNEL(pads_film_begin)(pads[p][PAD_TABLE * stride], &seen[p]);
+        }
+        for (size_t p = 0; p < count; p++) {
+            KERNEL(pads_film_end)(&seen[p], f[p]);
+            slope[2 * p] = s[2 * p + 1];
+            slope[2 * p + 1] = n_sub(n_set(0.0), KERNEL(pads_moments)(view, pads[p], s[2 * p], s[2 * p + 1], f[p]));
+        }
     }
 #if PADS_YIELD
     for (size_t p = 0; p < count; p++)
         KERNEL(pads_yielding)(view, pads[p], yields + 2 * p, f[p], slope + (yields - s) + 2 * p);
 #endif
 #else
-    for (size_t p = 0; p < count; p++) KERNEL(pads_fixed)(view, pads[p], journal, f[p]);
+    for (size_t p = 0; p < count; p++) {
+        KERNEL(pads_see)(view, pads[p], journal, n_set(0.0), NULL, &seen[p]);
+        KERNEL(pads_film_begin)(pads[p][PAD_TABLE * stride], &seen[p]);
+    }
+    for (size_t p = 0; p < count; p++) KERNEL(pads_film_end)(&seen[p], f[p]);
 #endif
     for (size_t p = 0; p < count; p++) {
         const vec c = pads[p][PAD_COSINE * stride], sn = pads[p][PAD_SINE * stride];

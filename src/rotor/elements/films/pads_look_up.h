@@ -75,10 +75,10 @@ typedef struct pads_axis {
 } pads_axis;
 
 VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cells) {
-    const vec place = v_mul(v_sub(at, v_set(first)), v_set(1.0 / step)), zero = v_set(0.0), most = v_set(cells);
+    const vec place = v_fma(at, v_set(1.0 / step), v_set(-first / step)), zero = v_set(0.0), most = v_set(cells);
     const vec kept = v_min(v_max(place, zero), most), down = v_round(v_sub(kept, v_set(0.5)));
     const vec over = v_select(v_less(zero, place), v_select(v_less(place, most), v_set(1.0 / step), zero), zero);
-    pads_axis on = {.cell = v_min(v_max(down, zero), v_set(cells - 1)), .over_step = over};
+    pads_axis on = {.cell = v_min(down, v_set(cells - 1)), .over_step = over};
     on.u = v_sub(kept, on.cell);
     return on;
 }
@@ -86,24 +86,21 @@ VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cell
 /// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
 enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
 
-/// Where the journal is in the table of a pad, whatever its direction: the first coefficients of every lane, and for
-/// every sum the products of the splines along t and w there, by which its rows are weighed.
+/// Where the journal is in the table of a pad, whatever its direction: the rows of every lane's table and the number of
+/// the first one there, and for every sum the products of the splines along t and w, by which rows are weighed.
 typedef struct pads_spot {
-    const double *first[VECTOR_LANES];
+    const double *rows[VECTOR_LANES];
+    vec first;
     double weight[PADS_SUMS][4][4][VECTOR_LANES];
 } pads_spot;
 
-/// The first coefficients of all lanes.
-VECTOR_INLINE void pads_first(vec table, const pads_axis *t, const pads_axis *w, pads_spot *spot) {
-    const vec place = v_fma(t->cell, v_set(PAD_SHEET), v_mul(w->cell, v_set(PAD_ROW)));
-    double id[VECTOR_LANES], begin[VECTOR_LANES];
+/// The tables of all lanes.
+VECTOR_INLINE void pads_tables(vec table, const pad_table *of[VECTOR_LANES]) {
+    double id[VECTOR_LANES];
     memcpy(id, &table, sizeof id);
-    memcpy(begin, &place, sizeof begin);
-    const pad_table *of = NULL;
-    for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-        if (lane == 0 || id[lane] != id[lane - 1]) of = pad_table_of(id[lane]);
-        spot->first[lane] = of->coefficients + (size_t)begin[lane];
-    }
+    of[0] = pad_table_of(id[0]);
+    for (size_t lane = 1; lane < VECTOR_LANES; lane++)
+        of[lane] = id[lane] == id[lane - 1] ? of[lane - 1] : pad_table_of(id[lane]);
 }
 
 VECTOR_INLINE void pads_products(const vec t[4], const vec w[4], double weight[4][4][VECTOR_LANES]) {
@@ -117,7 +114,10 @@ VECTOR_INLINE void pads_products(const vec t[4], const vec w[4], double weight[4
 VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *spot) {
     const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
     const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
-    pads_first(table, &on_t, &on_w, spot);
+    const pad_table *of[VECTOR_LANES];
+    pads_tables(table, of);
+    for (size_t lane = 0; lane < VECTOR_LANES; lane++) spot->rows[lane] = of[lane]->rows;
+    spot->first = v_fma(on_t.cell, v_set(PAD_T_APART), v_mul(on_w.cell, v_set(PAD_W_APART)));
     vec along_t[4], along_w[4], slope[4];
     pads_splines(on_t.u, along_t);
     pads_splines(on_w.u, along_w);
@@ -133,14 +133,13 @@ VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *sp
 VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
     const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
-    double id[VECTOR_LANES], row[VECTOR_LANES], column[VECTOR_LANES], corner[4][VECTOR_LANES];
-    memcpy(id, &table, sizeof id);
+    double row[VECTOR_LANES], column[VECTOR_LANES], corner[4][VECTOR_LANES];
+    const pad_table *of[VECTOR_LANES];
+    pads_tables(table, of);
     memcpy(row, &on_t.cell, sizeof row);
     memcpy(column, &on_w.cell, sizeof column);
-    const pad_table *of = NULL;
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-        if (lane == 0 || id[lane] != id[lane - 1]) of = pad_table_of(id[lane]);
-        const double *near = &of->lean[(size_t)row[lane]][(size_t)column[lane]];
+        const double *near = &of[lane]->lean[(size_t)row[lane]][(size_t)column[lane]];
         for (size_t i = 0; i < 4; i++) corner[i][lane] = near[i / 2 * PAD_W_NODES + i % 2];
     }
     vec at[4];
@@ -150,20 +149,21 @@ VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
 }
 
 /// Both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time, row by
-/// row: eight numbers of a row are one vector of the widest lanes, two to eight of narrower ones.
+/// row: one is a vector of the widest lanes, two to eight of narrower ones.
 VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec sums[][8]) {
     enum { PARTS = 8 / VECTOR_LANES };
     const int kinds = sloped ? PADS_SUMS : 1;
     double begin[VECTOR_LANES], all[PADS_SUMS][VECTOR_LANES][8];
-    memcpy(begin, &cell, sizeof begin);
+    const vec first = v_fma(cell, v_set(PAD_ALPHA_APART), spot->first);
+    memcpy(begin, &first, sizeof begin);
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) {
-        const double *first = spot->first[lane] + 2 * (size_t)begin[lane];
+        const double *here = spot->rows[lane] + (size_t)begin[lane];
         vec sum[PADS_SUMS][PARTS];
         for (int kind = 0; kind < kinds; kind++)
             VECTOR_FOR (k, PARTS) sum[kind][k] = v_set(0.0);
         VECTOR_FOR (i, 4)
             VECTOR_FOR (j, 4) {
-                const double *from = first + i * PAD_SHEET + j * PAD_ROW;
+                const double *from = here + i * PAD_T_APART + j * PAD_W_APART;
                 VECTOR_FOR (k, PARTS) {
                     const vec row = v_load(from + k * VECTOR_LANES);
                     for (int kind = 0; kind < kinds; kind++)
@@ -190,32 +190,38 @@ VECTOR_INLINE pads_axis pads_on_alpha(vec half) {
 /// dividing by zero.
 VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
     const vec square = v_fma(a, a, v_fma(b, b, v_set(0x1p-600)));
-    *over = v_mul(v_set(0.57735026918962576451), v_root_of_3_over(square));
-    *V = v_mul(square, *over);
+    *V = v_sqrt(square);
+    *over = v_div(v_set(1.0), *V);
     const vec part = v_mul(v_set(0.5), *over);
     *half = v_half_angle(v_mul(a, part), v_mul(b, part));
 }
 
-/// S of every lane.
-static inline void pads_look_up(vec table, vec t, vec w, vec half, vec force[2]) {
+/// Where all lanes are in the tables of a pad: what is known before a number of them is read. All pads of a bearing are
+/// found first, and read then, so that none waits for what it is to read.
+typedef struct pads_entry {
     pads_spot spot;
+    pads_axis alpha;
+} pads_entry;
+
+VECTOR_INLINE void pads_enter(vec table, vec t, vec w, vec half, bool sloped, pads_entry *entry) {
+    entry->alpha = pads_on_alpha(half);
+    pads_find(table, t, w, sloped, &entry->spot);
+}
+
+/// S of every lane.
+static inline void pads_read(const pads_entry *entry, vec force[2]) {
     vec rows[1][8], weight[4];
-    const pads_axis alpha = pads_on_alpha(half);
-    pads_find(table, t, w, false, &spot);
-    pads_sum(&spot, alpha.cell, false, rows);
-    pads_splines(alpha.u, weight);
+    pads_sum(&entry->spot, entry->alpha.cell, false, rows);
+    pads_splines(entry->alpha.u, weight);
     pads_weigh(rows[PADS_VALUE], weight, force);
 }
 
 /// The same, and its derivatives by t, w and half the angle alpha, which are 0 beyond the table.
-static inline void pads_look_up_sloped(vec table, vec t, vec w, vec half, vec force[2], vec slope[2][3]) {
-    pads_spot spot;
+static inline void pads_read_sloped(const pads_entry *entry, vec force[2], vec slope[2][3]) {
     vec rows[3][8], weight[4], turned[4], by[3][2];
-    const pads_axis alpha = pads_on_alpha(half);
-    pads_find(table, t, w, true, &spot);
-    pads_sum(&spot, alpha.cell, true, rows);
-    pads_splines(alpha.u, weight);
-    pads_spline_slopes(alpha.u, v_set(2.0 / PAD_STEP_ALPHA), turned);
+    pads_sum(&entry->spot, entry->alpha.cell, true, rows);
+    pads_splines(entry->alpha.u, weight);
+    pads_spline_slopes(entry->alpha.u, v_set(2.0 / PAD_STEP_ALPHA), turned);
     pads_weigh(rows[PADS_VALUE], weight, force);
     pads_weigh(rows[PADS_BY_T], weight, by[0]);
     pads_weigh(rows[PADS_BY_W], weight, by[1]);
