@@ -31,9 +31,11 @@ void ring_force(const void *law, const double *d, const double *w, const double 
     slope[0] = own->inner.drag * (1.0 - speed) / inner - own->outer.drag * speed / outer;
 }
 
+/// Degrees; how many coefficients stand before those of p^2 and b^2 in the denominator.
+enum { IN_P = 14, IN_B = 12, COEFFICIENTS = 99 };
+
 /// Polynomials by Horner's rule in two variables; the real part's coefficients, of even powers of p, come first.
 static double in_two(const double *coefficients, int first, double p, double b) {
-    enum { IN_P = 18, IN_B = 16 };
     double row[IN_P + 1], sum = 0.0;
     const double *next = coefficients;
     for (int i = first; i <= IN_P; i += 2) {
@@ -49,7 +51,7 @@ static double in_two(const double *coefficients, int first, double p, double b) 
 
 static int even_count(void) {
     int count = 0;
-    for (int i = 0; i <= 18; i += 2) count += 16 * (18 - i) / 18 + 1;
+    for (int i = 0; i <= IN_P; i += 2) count += IN_B * (IN_P - i) / IN_P + 1;
     return count;
 }
 
@@ -63,8 +65,9 @@ void finite_force(const void *law, const double *d, const double *w, const doubl
     const double q = 1.0 - x * x - y * y, z = q < 0.0975 ? 1.0 - q / 0.0975 : 0.0, g = 1.0 - 0.2 * z * z;
     const double p = g * (x * A + y * B) / sqrt(A * A + B * B), b = g * (2.0 / PI * angle - 1.0);
     const double R = in_two(own->coefficients, 0, p, b), I = in_two(own->coefficients + even_count(), 1, p, b);
-    force[0] = R * f[0] - I * f[1];
-    force[1] = R * f[1] + I * f[0];
+    const double *const under = own->coefficients + COEFFICIENTS, whole = 1.0 + under[0] * p * p + under[1] * b * b;
+    force[0] = (R * f[0] - I * f[1]) / whole;
+    force[1] = (R * f[1] + I * f[0]) / whole;
 }
 
 static double dent(const dent_law *of, double x, double y) {

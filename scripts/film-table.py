@@ -6,8 +6,11 @@
 The force of a closed film of finite length without negative pressures (Guembel's condition) is that of the short film
 times a complex ratio R, a function of p = e cos a and beta = atan(e sin a/sqrt(1 - e^2)), with the eccentricity ratio e
 and the direction a of (A, B) against the journal's, and of L/D (docs/theory.md). This finds R from Reynolds' equation
-and fits polynomials in p and b = 2 beta/pi to it by least squares, at Chebyshev places of s = r/(SHIFT + r), r = L/D,
-over which R (1 + r^2) is then a polynomial. Takes half a minute.
+and fits to it by least squares (N(p, b) + i M(p, b))/(1 + d_p p^2 + d_b b^2), b = 2 beta/pi, at Chebyshev places of
+s = r/(SHIFT + r), r = L/D, over which d_p, d_b and the polynomials' coefficients times 1 + r^2 are then polynomials. The
+denominator, found with the polynomials by fits whose weights are those of the one before (Sanathanan, Koerner 1963),
+takes the place of four degrees of them. What the ratio does about rest, the direction along the journal, is fitted, too:
+stiffness and damping hang on its slope there. Takes half a minute.
 """
 
 import numpy as np
@@ -15,7 +18,9 @@ from numpy.polynomial import chebyshev, legendre
 from scipy.linalg import eigh, solveh_banded
 
 LEAST, MOST, SHIFT, PLACES = 0.1, 2.0, 0.6, 11  # of L/D
-IN_P, IN_B = 18, 16  # degrees: of p^i b^j those with i/IN_P + j/IN_B <= 1
+IN_P, IN_B = 14, 12  # degrees: of p^i b^j those with i/IN_P + j/IN_B <= 1
+DENOMINATOR, DENOMINATOR_TERMS = [(2, 0), (0, 2)], 6  # powers of p and b; terms over s, few, for smoothness
+AT_REST, STEP = 0.5, 1e-3  # the weight of slopes by the direction at rest, and the half difference that they are of
 # Weights of relative errors at eccentricity ratios, by straight lines of their logarithms over sqrt(1 - e^2).
 WEIGHTS = {0.0: 1.0, 0.9: 1.0, 0.95: 0.3, 0.97: 0.03, 0.987: 0.003}
 
@@ -29,12 +34,18 @@ def axial_modes(count, points):
     shape, slope = legendre.legval(z, series.T), legendre.legval(z, legendre.legder(series.T))
     value, vector = eigh((slope * weight) @ slope.T, (shape * weight) @ shape.T)
     half = points // 2  # the other half is its mirror image
-    return value, vector.T @ (shape @ weight), (vector.T @ shape)[:, half:], 2.0 * weight[half:]
+    return (
+        value,
+        vector.T @ (shape @ weight),
+        (vector.T @ shape)[:, half:],
+        2.0 * weight[half:],
+    )
 
 
 def pressures(e, length, modes, terms):
     """Fourier coefficients [z, n] of the pressure by A, sines, and by B, cosines, of a journal at (e, 0):
-    (h^3 P')' + (1/length)^2 h^3 P'' = A sin t - B cos t, h = 1 - e cos t, by Galerkin's method."""
+    (h^3 P')' + (1/length)^2 h^3 P'' = A sin t - B cos t, h = 1 - e cos t, by Galerkin's method.
+    """
     value, load, shape, _ = modes
     n = np.arange(terms + 1)
     cube = np.array([1.0 + 1.5 * e**2, -1.5 * e - 0.375 * e**3, 0.75 * e**2, -0.125 * e**3])  # of exp(i n t)
@@ -45,8 +56,8 @@ def pressures(e, length, modes, terms):
             for d in range(4):
                 a, b = n[d:], n[: terms + 1 - d]
                 both = np.where(a + b < 4, cube[np.minimum(a + b, 3)], 0.0)
-                bands[d, : terms + 1 - d] = (
-                    a * b * (cube[d] - parity * both) + value[k] / length**2 * (cube[d] + parity * both)
+                bands[d, : terms + 1 - d] = a * b * (cube[d] - parity * both) + value[k] / length**2 * (
+                    cube[d] + parity * both
                 )
             first = 1 if parity < 0.0 else 0
             right = np.zeros(terms + 1 - first)
@@ -63,7 +74,10 @@ def finite_force(e, length, angles, axial=10):
     sines, cosines = pressures(e, length, modes, terms)
     n, grid = np.arange(terms + 1), 4 * terms
     spectrum = np.zeros((2, len(sines), grid // 2 + 1), complex)
-    spectrum[0, :, : terms + 1], spectrum[1, :, : terms + 1] = -0.5j * grid * sines, 0.5 * grid * cosines
+    spectrum[0, :, : terms + 1], spectrum[1, :, : terms + 1] = (
+        -0.5j * grid * sines,
+        0.5 * grid * cosines,
+    )
     spectrum[1, :, 0] *= 2.0
     by_a, by_b = np.fft.irfft(spectrum, n=grid, axis=2)
     A, B = np.cos(angles), np.sin(angles)
@@ -114,39 +128,98 @@ def monomials(parity, coefficients):
     return np.array([square[i, j] for i, j in powers(parity)])
 
 
+def denominator(by, p, b):
+    return 1.0 + sum(c * p**i * b**j for c, (i, j) in zip(by, DENOMINATOR))
+
+
+def best_denominator(p, b, ratio, weight):
+    """Its coefficients for one L/D."""
+    even, odd, free = (
+        polynomials(p, b, 0),
+        polynomials(p, b, 1),
+        np.array([p**i * b**j for i, j in DENOMINATOR]).T,
+    )
+    found = np.zeros(free.shape[1])
+    for _ in range(12):
+        own = weight / np.abs(ratio) / np.abs(denominator(found, p, b))
+        rows = [
+            np.hstack(
+                [
+                    even * own[:, None],
+                    np.zeros(odd.shape),
+                    -free * (ratio.real * own)[:, None],
+                ]
+            ),
+            np.hstack(
+                [
+                    np.zeros(even.shape),
+                    odd * own[:, None],
+                    -free * (ratio.imag * own)[:, None],
+                ]
+            ),
+        ]
+        sides = np.concatenate([ratio.real * own, ratio.imag * own])
+        found = np.linalg.lstsq(np.vstack(rows), sides, rcond=1e-13)[0][-free.shape[1] :]
+    return found
+
+
+def place_of(r):
+    """x from -1 to 1 over s."""
+    ends = [one / (SHIFT + one) for one in (LEAST, MOST)]
+    return (2.0 * r / (SHIFT + r) - ends[0] - ends[1]) / (ends[1] - ends[0])
+
+
+def coordinates(e, a):
+    return e * np.cos(a), np.arctan(e * np.sin(a) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi
+
+
+def slope_of(values):
+    """By the direction, from values at -STEP and STEP."""
+    return (values[1] - values[0]) / (2.0 * STEP)
+
+
 def fit():
-    """[coefficient, Chebyshev term over s] of the real part, then of the imaginary one."""
+    """[coefficient, Chebyshev term over s] of the real part, of the imaginary one, and of the denominator."""
     end = list(WEIGHTS)[-1]
     radii = end * np.sin(0.5 * np.pi * (np.arange(34) + 0.5) / 34)
     angles = np.pi * ((np.arange(32) + 0.5) / 32 - 0.5)  # the other half is its mirror image
     e, a = (m.ravel() for m in np.meshgrid(radii, angles, indexing="ij"))
     knots = [np.sqrt(1.0 - np.array(list(WEIGHTS)[::-1]) ** 2), np.log(list(WEIGHTS.values())[::-1])]
-    weight = np.exp(np.interp(np.sqrt(1.0 - e**2), *knots))
-    p, b = e * np.cos(a), np.arctan(e * np.sin(a) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi
+    weight, weight_at_rest = (np.exp(np.interp(np.sqrt(1.0 - one**2), *knots)) for one in (e, radii))
+    place, near = coordinates(e, a), [coordinates(radii, side) for side in (-STEP, STEP)]
     ends = [r / (SHIFT + r) for r in (LEAST, MOST)]
     x = np.cos(np.pi * (np.arange(PLACES) + 0.5) / PLACES)
     s = 0.5 * (ends[0] + ends[1]) + 0.5 * (ends[1] - ends[0]) * x
+    lengths, at = SHIFT * s / (1.0 - s), np.append(angles, [-STEP, STEP])
+    ratios = [np.array([finite_force(one, r, at) / short_force(one, at) for one in radii]) / r**2 for r in lengths]
+    below = [best_denominator(*place, ratio[:, :-2].ravel(), weight) for ratio in ratios]
+    below = chebyshev.chebfit(x, np.array(below), DENOMINATOR_TERMS - 1).T
     found = [[], []]
-    for r in SHIFT * s / (1.0 - s):
-        ratio = np.concatenate([finite_force(one, r, angles) / short_force(one, angles) for one in radii]) / r**2
-        own = weight / np.abs(ratio)
+    for r, ratio in zip(lengths, ratios):
+        own = chebyshev.chebval(place_of(r), below.T)
+        scale = np.append(
+            weight / np.abs(ratio[:, :-2].ravel()), AT_REST * weight_at_rest / np.abs(ratio[:, -2:]).mean(1)
+        )
         for parity, part in ((0, ratio.real), (1, ratio.imag)):
-            basis = polynomials(p, b, parity) * own[:, None]
-            found[parity].append(np.linalg.lstsq(basis, part * own, rcond=1e-12)[0] * (1.0 + r**2))
+            over = [polynomials(*pb, parity) / denominator(own, *pb)[:, None] for pb in (place, *near)]
+            basis = np.vstack([over[0], slope_of(over[1:])]) * scale[:, None]
+            wanted = np.append(part[:, :-2].ravel(), slope_of(part[:, -2:].T)) * scale
+            found[parity].append(np.linalg.lstsq(basis, wanted, rcond=1e-12)[0] * (1.0 + r**2))
     terms = np.linalg.inv(chebyshev.chebvander(x, PLACES - 1))
-    return [monomials(parity, (terms @ np.array(found[parity])).T) for parity in (0, 1)]
+    return [monomials(parity, (terms @ np.array(found[parity])).T) for parity in (0, 1)] + [below]
 
 
 def ratio_of(table, e, r, angles):
     """R + i I as the program has it."""
-    ends = [one / (SHIFT + one) for one in (LEAST, MOST)]
-    x = (2.0 * r / (SHIFT + r) - ends[0] - ends[1]) / (ends[1] - ends[0])
-    p, b = e * np.cos(angles), np.arctan(e * np.sin(angles) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi
+    p, b = (
+        e * np.cos(angles),
+        np.arctan(e * np.sin(angles) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi,
+    )
     sums = []
     for parity in (0, 1):
-        at_r = chebyshev.chebval(x, table[parity].T) / (1.0 + r**2)
+        at_r = chebyshev.chebval(place_of(r), table[parity].T) / (1.0 + r**2)
         sums.append(sum(c * p**i * b**j for c, (i, j) in zip(at_r, powers(parity))))
-    return sums[0] + 1j * sums[1]
+    return (sums[0] + 1j * sums[1]) / denominator(chebyshev.chebval(place_of(r), table[2].T), p, b)
 
 
 def errors(table, r, random):
@@ -160,12 +233,16 @@ def errors(table, r, random):
     return worst
 
 
+def rows(table):
+    return "\n".join("    {" + ", ".join(f"{value:.12g}" for value in row) + "}," for row in table)
+
+
 def main():
     parts = fit()
     random = np.random.default_rng(1886)
     lengths = np.geomspace(LEAST, MOST, 14)
     found = [[r, *errors(parts, r, random)] for r in lengths]
-    count = sum(len(part) for part in parts)
+    count = len(parts[0]) + len(parts[1])
     print(
         f"""/// What films of finite length have over short ones (film_ratio.h), written by scripts/film-table.py.
 #ifndef ROTOR_FILM_TABLE_H
@@ -179,14 +256,20 @@ def main():
 /// Degrees in p and b; how many coefficients there are; the terms of their series over s.
 enum {{ FILM_IN_P = {IN_P}, FILM_IN_B = {IN_B}, FILM_COEFFICIENTS = {count}, FILM_TERMS = {PLACES} }};
 
+/// Coefficients of p^2 and b^2 in the denominator.
+enum {{ FILM_DENOMINATOR = {len(parts[2])}, FILM_DENOMINATOR_TERMS = {DENOMINATOR_TERMS} }};
+static const double film_denominator[FILM_DENOMINATOR][FILM_DENOMINATOR_TERMS] = {{
+{rows(parts[2])}
+}};
+
 /// 1 + r^2 times the coefficients of p^i b^j, i/FILM_IN_P + j/FILM_IN_B <= 1, j innermost: i even, of the real part,
 /// then i odd, of the imaginary one.
-static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {{"""
+static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {{
+{rows(np.concatenate(parts[:2]))}
+}};"""
     )
-    for row in np.concatenate(parts):
-        print("    {" + ", ".join(f"{value:.12g}" for value in row) + "},")
     print(
-        """};
+        """
 
 /// Of 480 states at some L/D the largest error over the force, to e = .9 and from there to .95.
 enum { FILM_TRIED = %d };

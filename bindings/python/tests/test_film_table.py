@@ -40,13 +40,13 @@ def test_tends_to_the_short_film(film):
 
 def test_table_is_the_generators(film):
     text = (ROOT / "src/rotor/elements/films/film_table.h").read_text()
-    body = text[text.index("film_table[FILM_COEFFICIENTS]") : text.index("film_errors")]
-    rows = [
-        [float(number) for number in row.split(",")]
-        for row in re.findall(r"\{([-+.0-9e,\s]+)\}", body.split("=", 1)[1])
-    ]
-    count = len(film.powers(0))
-    parts = [np.array(rows[:count]), np.array(rows[count:])]
+
+    def rows(name):
+        body = re.search(rf"{name}\[\w+\]\[\w+\] = \{{(.*?)\n\}};", text, re.DOTALL).group(1)
+        return np.array([[float(n) for n in row.split(",")] for row in re.findall(r"\{([-+.0-9e,\s]+)\}", body)])
+
+    count, numerators = len(film.powers(0)), rows("film_table")
+    parts = [numerators[:count], numerators[count:], rows("film_denominator")]
     assert len(parts[1]) == len(film.powers(1))
     random = np.random.default_rng(3)
     for r in (0.13, 0.4, 1.7):

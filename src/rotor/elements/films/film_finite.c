@@ -159,8 +159,15 @@ void film_coefficients(double length, double *number) {
     const double s = r / (FILM_SHIFT + r), first = FILM_SHORTEST / (FILM_SHIFT + FILM_SHORTEST);
     const double last = FILM_LONGEST / (FILM_SHIFT + FILM_LONGEST), x = (2.0 * s - first - last) / (last - first);
     const double share = length / r, factor = (length < r ? share * share : 1.0 / (share * share)) / (1.0 + r * r);
+    double *const under = number + FILM_COEFFICIENTS;
     for (size_t n = 0; n < FILM_COEFFICIENTS; n++) number[n] = factor * series(film_table[n], FILM_TERMS, x);
-    if (length < r) number[0] += 1.0 - share * share;
+    for (size_t n = 0; n < FILM_DENOMINATOR; n++) under[n] = series(film_denominator[n], FILM_DENOMINATOR_TERMS, x);
+    if (length >= r) return;
+    // 1, p^2 and b^2.
+    const double rest = 1.0 - share * share;
+    number[0] += rest;
+    number[film_row(2)] += rest * under[0];
+    number[2] += rest * under[1];
 }
 
 static double bearing_clearance(const element *own) {

@@ -4,7 +4,7 @@
 /// With the quantities of film_kernel.h and a journal that turns counter-clockwise the force is (R + i I) (fx + i fy),
 /// (fx, fy) Capone's. By the symmetry of Reynolds' equation R is even and I odd in p, and
 ///
-///     R = sum R_mn p^m b^n,   I = sum I_mn p^m b^n,   p = g U/(C c),   b = g 2/pi atan(P/W),
+///     (R, I) = sum (R_mn, I_mn) p^m b^n/(1 + d_p p^2 + d_b b^2),   p = g U/(C c),   b = g 2/pi atan(P/W),
 ///
 /// sums over m/FILM_IN_P + n/FILM_IN_B <= 1, of which film_table.h has the coefficients. Near the wall, where they are
 /// not known, g takes p and b back towards the middle: g = 1 - (1 - FILM_BACK) z^2, z = max(0, 1 - q/(c^2 FILM_FOLD)),
@@ -21,7 +21,7 @@
 /// The numbers of a film in a housing that moves, or of finite length, behind those of every film: by which its force
 /// on the journal becomes that on the housing, along x and y, 0 where that is the ground; then of one of finite length
 /// L/D, 1/c, 1/(c^2 FILM_FOLD) and 2/pi, below 0 where journal and housing turn clockwise, when P, the angle
-/// and I have the other sign; and the coefficients.
+/// and I have the other sign; the coefficients; and those of the denominator.
 enum {
     FILM_REACTION_X = FILM_NUMBERS,
     FILM_REACTION_Y,
@@ -30,7 +30,7 @@ enum {
     FILM_OVER_FOLD,
     FILM_TURNS,
     FILM_COEFFICIENT,
-    FILM_ALL_NUMBERS = FILM_COEFFICIENT + FILM_COEFFICIENTS
+    FILM_ALL_NUMBERS = FILM_COEFFICIENT + FILM_COEFFICIENTS + FILM_DENOMINATOR
 };
 
 /// The law of an element with these numbers.
@@ -91,18 +91,23 @@ VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool
             row[m] = j == FILM_POWERS(m) - 1 ? c : v_fma(row[m], b, c);
         }
     }
-    const vec u = v_mul(p, p);
+    const vec u = v_mul(p, p), d_p = film_coefficient(of, FILM_COEFFICIENTS),
+              d_b = film_coefficient(of, FILM_COEFFICIENTS + 1);
+    const vec over = v_div(v_set(1.0), v_fma(d_p, u, v_fma(v_mul(d_b, b), b, v_set(1.0))));
     film_ratio r;
     r.real_p = r.imaginary_p = r.real_b = r.imaginary_b = v_set(0.0);
-    vec by_u, odd_u, odd = film_sum(row, 1, u, slopes ? &odd_u : NULL);
-    r.real = film_sum(row, 0, u, slopes ? &by_u : NULL);
+    vec by_u, odd_u;
+    const vec odd = v_mul(over, film_sum(row, 1, u, slopes ? &odd_u : NULL));
+    r.real = v_mul(over, film_sum(row, 0, u, slopes ? &by_u : NULL));
     r.imaginary = v_mul(p, odd);
     if (!slopes) return r;
-    const vec twice = v_add(p, p);
-    r.real_p = v_mul(twice, by_u);
-    r.imaginary_p = v_fma(v_mul(twice, p), odd_u, odd);
-    r.real_b = film_sum(by_b, 0, u, NULL);
-    r.imaginary_b = v_mul(p, film_sum(by_b, 1, u, NULL));
+    const vec twice_p = v_add(p, p), under_p = v_mul(v_mul(d_p, twice_p), over),
+              under_b = v_mul(v_mul(d_b, v_add(b, b)), over);
+    const vec even_b = v_mul(over, film_sum(by_b, 0, u, NULL)), odd_b = v_mul(over, film_sum(by_b, 1, u, NULL));
+    r.real_p = v_fnma(r.real, under_p, v_mul(twice_p, v_mul(over, by_u)));
+    r.imaginary_p = v_fnma(r.imaginary, under_p, v_fma(v_mul(twice_p, p), v_mul(over, odd_u), odd));
+    r.real_b = v_fnma(r.real, under_b, even_b);
+    r.imaginary_b = v_fnma(r.imaginary, under_b, v_mul(p, odd_b));
     return r;
 }
 
@@ -112,7 +117,7 @@ typedef struct film_direction {
 } film_direction;
 
 VECTOR_INLINE film_direction film_direction_of(const film_state *f, size_t stride, const vec *number) {
-    const vec CC = v_fma(f->A, f->A, v_fma(f->B, f->B, v_set(0x1p-600))), over_C = v_over_root(CC);
+    const vec CC = v_fma(f->A, f->A, v_fma(f->B, f->B, v_set(0x1p-600))), over_C = v_div(v_set(1.0), v_sqrt(CC));
     const vec U = v_fma(f->x, f->A, v_mul(f->y, f->B));
     const vec q = v_fnma(f->y, f->y, v_fnma(f->x, f->x, number[FILM_CLEARANCE_SQUARE * stride]));
     const vec over = number[FILM_OVER_FOLD * stride], one = v_set(1.0), most = v_set(1.0 - FILM_BACK);
