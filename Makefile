@@ -13,7 +13,7 @@ CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TE
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 
 .PHONY: all help test test-all check sanitize ci soak clang fuzz paper explorer gallery docs bench install packages format lint \
-        clean test-steps check-steps sanitize-steps sanitize-build sanitize-matrix thread-steps changed-steps
+        clean test-steps check-steps sanitize-steps sanitize-build sanitize-release thread-steps changed-steps
 .NOTPARALLEL:
 .DEFAULT_GOAL := all
 
@@ -76,21 +76,22 @@ sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: tests, $$(scripts/quarter.sh)" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' $(QUARTERS) \
 	    --no-tests=error
 
-# Eigen's part of the library is taken as the release has compiled it.
-MATRIX := $(BUILD)/CMakeFiles/whirl_base.dir/src/base/numerics/matrix.cc.o
-sanitized = -DWHIRL_MATRIX=$(CURDIR)/$(MATRIX)
+# Eigen's part of the library is taken as the release has compiled it, and layers that know of no threads where these are
+# looked at.
+sanitized = -DWHIRL_OTHER=$(CURDIR)/$(BUILD)
+ALONE    := report;import
 
-sanitize-matrix:
+sanitize-release:
 	@$(PHASE) packages $(INSTALL) build report test
 	@$(CONFIGURE)
-	@cmake --build $(BUILD) --target whirl_base >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target whirl_base $(addprefix whirl_,$(subst ;, ,$(ALONE))) >/dev/null
 
-sanitize-build: sanitize-matrix
+sanitize-build: sanitize-release
 	@$(PHASE) "sanitized: configure" cmake --preset sanitize $(sanitized) -DWHIRL_WIDE=$$(scripts/quarter.sh --wide)
 	@$(PHASE) "sanitized: compile" cmake --build $(BUILD)/sanitize --parallel $(JOBS)
 
-thread-steps: sanitize-matrix
-	@$(PHASE) "threads: configure" cmake --preset threads $(sanitized)
+thread-steps: sanitize-release
+	@$(PHASE) "threads: configure" cmake --preset threads $(sanitized) "-DWHIRL_TAKEN=$(ALONE)"
 	@$(PHASE) "threads: compile" cmake --build $(BUILD)/threads --parallel $(JOBS) --target whirl
 	@$(PHASE) "threads: studies under the thread sanitizer" scripts/thread-check.sh $(BUILD)/threads
 

@@ -32,7 +32,7 @@ void ring_force(const void *law, const double *d, const double *w, const double 
 }
 
 /// Degrees; how many coefficients stand before those of p^2 and b^2 in the denominator.
-enum { IN_P = 14, IN_B = 12, COEFFICIENTS = 99 };
+enum { IN_P = 15, IN_B = 13, COEFFICIENTS = 113 };
 
 /// Polynomials by Horner's rule in two variables; the real part's coefficients, of even powers of p, come first.
 static double in_two(const double *coefficients, int first, double p, double b) {

@@ -812,8 +812,8 @@ def pads_sentences(rates):
     widest = next(isa for isa in INSTRUCTION_SETS if f"whirl {isa}, {PADS_TILTING}" in rates)
     costs, own = pads_costs(rates, widest), rates[f"whirl {widest}, {PADS_TILTING}"]
     films = ", ".join(f"{kind} {short(cost)} ({cost / costs['short film']:.1f})" for kind, cost in costs.items())
-    return [f"- A film costs a machine of the {widest} kernel, in ns (of a short film): {films}. Aims were 2.2 (finite) and "
-            "5 (a pad) of a short film of 2.9 ns, which are 6.5 and 14.7 ns; the short film has become faster since.",
+    return [f"- A film costs a machine of the {widest} kernel, in ns (of a short film): {films}. Aims: 2.2 (finite) and 5 "
+            "(a pad); when they were set a short film took 2.9 ns, so they meant 6.4 and 14.5 ns.",
             f"- Five tilting pads, of straightforward C (aim: 10): {own / rates['C -O3']:.1f} times -O3, "
             f"{own / rates[BASE]:.1f} times -O3 -march=native -ffast-math."]
 

@@ -1,6 +1,6 @@
 # Tests, and what they may cost.
 
-# tests/costs.txt says of every test that takes over a second how long it takes and when it runs.
+# tests/costs.txt says of every test that takes long how long it takes and when it runs.
 set(costs_file ${PROJECT_SOURCE_DIR}/tests/costs.txt)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${costs_file})
 file(STRINGS ${costs_file} costs REGEX "^[^#]")
@@ -34,11 +34,14 @@ function(whirl_test name)
     set(budget 60)
   endif()
   set(quarter ${quarter_${name}})
-  # Under the sanitizers, where everything takes some ten times as long, all that is slow takes turns.
-  if(WHIRL_SANITIZE AND seconds GREATER 1 AND NOT quarter)
+  # Under the sanitizers, where everything takes some ten times as long, all that tests/costs.txt names takes turns, and
+  # of what is long a third of each.
+  if(WHIRL_SANITIZE AND DEFINED cost_${name} AND NOT quarter)
     string(LENGTH ${name} length)
     math(EXPR quarter "1 + ${length} % 4")
-    math(EXPR third_${name} "1 + ${length} / 4 % 3")
+    if(seconds GREATER 1)
+      math(EXPR third_${name} "1 + ${length} / 4 % 3")
+    endif()
   endif()
   if(third_${name})
     list(APPEND labels third-${third_${name}})

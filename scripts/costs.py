@@ -19,8 +19,10 @@ COSTS = ROOT / "tests/costs.txt"
 SHARED = 2
 SLOW = 10
 SANITIZED = 10
+TOLD_SANITIZED = 1.5  # from so many with the sanitizers on a test takes turns there (cmake/testing.cmake)
 THIRDS = 3
-# The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always.
+# The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always, but for
+# the sanitizers.
 ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
                     r"unit\.analyze\.test_locked|cli\.resume-after-interrupt-carry")
 TOGETHER = re.compile(r"determinism\.compilers|portability\.musl")
@@ -87,6 +89,7 @@ def seconds_of(name, costs):
 def main():
     lines = COSTS.read_text().splitlines()
     costs = {line.split()[0]: float(line.split()[1]) for line in lines if not line.startswith("#")}
+    before = set(costs)
     costs.update(measured(Path(sys.argv[1]) / "tests.log"))
     listed = subprocess.run(["ctest", "--test-dir", sys.argv[1], "-N"], check=True, capture_output=True, text=True).stdout
     there = set(re.findall(r"Test +#\d+: (\S+)", listed))
@@ -94,8 +97,13 @@ def main():
     sanitized = measured(again) if again.exists() else {}
     quarters, thirds = quarters_of({name: seconds for name, seconds in costs.items() if name in there}, sanitized)
     head = [line for line in lines if line.startswith("#")]
+    unknown = before - set(sanitized)
+
+    def is_told(name):
+        return costs[name] >= 1 or quarters[name] or name in unknown or sanitized.get(name, 0) >= TOLD_SANITIZED
+
     told = [f"{name:<52} {seconds_of(name, costs):>2} {quarters[name]} {thirds.get(name, '')}".rstrip()
-            for name in sorted(quarters) if costs[name] >= 1 or quarters[name]]
+            for name in sorted(quarters) if is_told(name)]
     COSTS.write_text("\n".join(head + told) + "\n")
 
 

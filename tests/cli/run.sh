@@ -24,8 +24,9 @@ export CASES TESTS PYTHON
 PATH=${whirl%/*}:$PATH
 
 folder=${TMPDIR:-/tmp}/whirl-test.$$.$RANDOM
+mkdir -m 700 "$folder" || exit 1
 trap 'rm -rf "$folder"' EXIT
-mkdir "$folder" "$folder/work" && cd "$folder/work" || exit 1
+mkdir "$folder/work" && cd "$folder/work" || exit 1
 
 mapfile -t lines <"$test"
 edits=() expected=0 checks=()
@@ -54,7 +55,7 @@ done
 IFS= read -r -d '' case <"$TESTS/good.yaml"
 case=${case%$'\n'}
 printf '%s\n' "$case" >good.yaml
-for edit in ${edits[@]+"${edits[@]}"}; do
+for edit in "${edits[@]}"; do
     edited=$(sed -E "$edit" <<<"$case") || exit 1
     if [ "$edited" = "$case" ]; then
         echo "$test: '$edit' changes nothing"
@@ -90,13 +91,13 @@ for ((n = 0; n < ${#checks[@]}; n += 2)); do
     printed=("${stdout[@]}")
     [ "$stream" = stdout ] || printed=("${stderr[@]}")
     case ${checks[n]} in
-    *-not) ! like "$pattern" ${printed[@]+"${printed[@]}"} || fail "$stream has a line like: $pattern" ;;
+    *-not) ! like "$pattern" "${printed[@]}" || fail "$stream has a line like: $pattern" ;;
     *-lines) [ ${#printed[@]} = "$pattern" ] || fail "$stream has not $pattern lines" ;;
-    *) like "$pattern" ${printed[@]+"${printed[@]}"} || fail "$stream has no line like: $pattern" ;;
+    *) like "$pattern" "${printed[@]}" || fail "$stream has no line like: $pattern" ;;
     esac
 done
 # Whatever the outcome, a sanitizer or a crash has no place in it.
-if like 'Sanitizer|runtime error:|Segmentation fault|Aborted' ${stderr[@]+"${stderr[@]}"}; then fail "the program crashed"; fi
+if grep -qaE 'Sanitizer|runtime error:|Segmentation fault|Aborted' "$folder/stderr"; then fail "the program crashed"; fi
 if [ $failures -gt 0 ]; then
     for stream in stdout stderr; do
         echo "--- $stream"

@@ -175,7 +175,7 @@ static void compare(double r, uint64_t *seed, double worst[2]) {
 
 static void force_is_that_of_reynolds(void **unused) {
     (void)unused;
-    static const double lengths[] = {0.1, 0.17, 0.25, 0.5, 0.7, 1.0, 1.4, 2.0};
+    static const double lengths[] = {0.1, 0.14, 0.17, 0.25, 0.5, 0.6, 0.7, 1.0, 1.4, 2.0};
     uint64_t seed = 20270301u;
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         double worst[2] = {0.0, 0.0};

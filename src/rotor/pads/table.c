@@ -143,11 +143,12 @@ whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
     pad_table *table = pad_table_empty();
     const whirl_status status =
         table ? fill(table->coefficients, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    if (status.code != WHIRL_OK) {
+    if (status.code == WHIRL_OK) {
+        pad_table_rows(table);
+    } else {
         free(table);
         table = NULL;
     }
-    if (table) pad_table_rows(table);
     *out = table;
     return status;
 }

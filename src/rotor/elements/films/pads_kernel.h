@@ -44,7 +44,8 @@ static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, n
 }
 
 /// What a pad sees of the journal, in its frame: its place, and (A, B) while the pad does not tilt further; of the
-/// place what pads_place makes of it; then where in its table that is, by which S, V times the scale, becomes a force.
+/// place what pads_place makes of it; half of alpha; V times the scale, by which S becomes a force; the place in the
+/// table.
 typedef struct KERNEL(pads_view) {
     num x, y, a, b, t, w, scale;
     num half, size;

@@ -83,11 +83,10 @@ static inline num KERNEL(pull)(const element *own, const kernel_view *view, num 
     return n_scale(number[MAGNETIC_FORCE * stride], n_mul(square, n_mul(over, over)));
 }
 
-/// Places along both axes. The sums by an explicit multiply-add: of c a - s b beside s a + c b gcc 12 fuses pairs that
-/// are not to be fused.
+/// Places along both axes.
 static inline void KERNEL(along_axes)(const kernel_view *view, const num *d, num *u) {
     const vec c = view->number[MAGNETIC_COS * view->stride], sine = view->number[MAGNETIC_SIN * view->stride];
-    u[0] = n_fma(n_of(c), d[0], n_scale(sine, d[1]));
+    u[0] = n_add(n_scale(c, d[0]), n_scale(sine, d[1]));
     u[1] = n_sub(n_scale(c, d[1]), n_scale(sine, d[0]));
 }
 
@@ -135,5 +134,5 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
         left = n_mul(share, share);
     }
     force[0] = n_mul(left, n_sub(n_scale(c, pull[0]), n_scale(sine, pull[1])));
-    force[1] = n_mul(left, n_fma(n_of(sine), pull[0], n_scale(c, pull[1])));
+    force[1] = n_mul(left, n_add(n_scale(sine, pull[0]), n_scale(c, pull[1])));
 }
