@@ -153,7 +153,8 @@ static double series(const double *terms, size_t n, double x) {
     return x * b1 - b2 + terms[0];
 }
 
-/// Beyond the table's lengths: of shorter films 1 - R goes with the square of L/D, of longer ones R with the inverse of that.
+/// Beyond the table's lengths: of shorter films 1 - R goes with the square of L/D, of longer ones R with the inverse of
+/// that.
 void film_coefficients(double length, double *number) {
     const double r = length < FILM_SHORTEST ? FILM_SHORTEST : length > FILM_LONGEST ? FILM_LONGEST : length;
     const double s = r / (FILM_SHIFT + r), first = FILM_SHORTEST / (FILM_SHIFT + FILM_SHORTEST);
