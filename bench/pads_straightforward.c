@@ -60,8 +60,7 @@ static void film(double x, double y, double a, double b, double f[2]) {
     for (int p = 0; p < 4; p++)
         for (int q = 0; q < 4; q++)
             for (int r = 0; r < 4; r++)
-                for (int n = 0; n < 2; n++)
-                    sum[n] += by_t[p] * by_w[q] * by_alpha[r] * table[i + p][j + q][k + r][n];
+                for (int n = 0; n < 2; n++) sum[n] += by_t[p] * by_w[q] * by_alpha[r] * table[i + p][j + q][k + r][n];
     for (int n = 0; n < 2; n++) f[n] = V / (rest * h * h) * sum[n];
 }
 

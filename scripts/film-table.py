@@ -34,18 +34,12 @@ def axial_modes(count, points):
     shape, slope = legendre.legval(z, series.T), legendre.legval(z, legendre.legder(series.T))
     value, vector = eigh((slope * weight) @ slope.T, (shape * weight) @ shape.T)
     half = points // 2  # the other half is its mirror image
-    return (
-        value,
-        vector.T @ (shape @ weight),
-        (vector.T @ shape)[:, half:],
-        2.0 * weight[half:],
-    )
+    return value, vector.T @ (shape @ weight), (vector.T @ shape)[:, half:], 2.0 * weight[half:]
 
 
 def pressures(e, length, modes, terms):
     """Fourier coefficients [z, n] of the pressure by A, sines, and by B, cosines, of a journal at (e, 0):
-    (h^3 P')' + (1/length)^2 h^3 P'' = A sin t - B cos t, h = 1 - e cos t, by Galerkin's method.
-    """
+    (h^3 P')' + (1/length)^2 h^3 P'' = A sin t - B cos t, h = 1 - e cos t, by Galerkin's method."""
     value, load, shape, _ = modes
     n = np.arange(terms + 1)
     cube = np.array([1.0 + 1.5 * e**2, -1.5 * e - 0.375 * e**3, 0.75 * e**2, -0.125 * e**3])  # of exp(i n t)
@@ -56,8 +50,8 @@ def pressures(e, length, modes, terms):
             for d in range(4):
                 a, b = n[d:], n[: terms + 1 - d]
                 both = np.where(a + b < 4, cube[np.minimum(a + b, 3)], 0.0)
-                bands[d, : terms + 1 - d] = a * b * (cube[d] - parity * both) + value[k] / length**2 * (
-                    cube[d] + parity * both
+                bands[d, : terms + 1 - d] = (
+                    a * b * (cube[d] - parity * both) + value[k] / length**2 * (cube[d] + parity * both)
                 )
             first = 1 if parity < 0.0 else 0
             right = np.zeros(terms + 1 - first)
@@ -74,10 +68,7 @@ def finite_force(e, length, angles, axial=10):
     sines, cosines = pressures(e, length, modes, terms)
     n, grid = np.arange(terms + 1), 4 * terms
     spectrum = np.zeros((2, len(sines), grid // 2 + 1), complex)
-    spectrum[0, :, : terms + 1], spectrum[1, :, : terms + 1] = (
-        -0.5j * grid * sines,
-        0.5 * grid * cosines,
-    )
+    spectrum[0, :, : terms + 1], spectrum[1, :, : terms + 1] = -0.5j * grid * sines, 0.5 * grid * cosines
     spectrum[1, :, 0] *= 2.0
     by_a, by_b = np.fft.irfft(spectrum, n=grid, axis=2)
     A, B = np.cos(angles), np.sin(angles)
@@ -134,29 +125,14 @@ def denominator(by, p, b):
 
 def best_denominator(p, b, ratio, weight):
     """Its coefficients for one L/D."""
-    even, odd, free = (
-        polynomials(p, b, 0),
-        polynomials(p, b, 1),
-        np.array([p**i * b**j for i, j in DENOMINATOR]).T,
-    )
+    even, odd = (polynomials(p, b, parity) for parity in (0, 1))
+    free = np.array([p**i * b**j for i, j in DENOMINATOR]).T
     found = np.zeros(free.shape[1])
     for _ in range(12):
         own = weight / np.abs(ratio) / np.abs(denominator(found, p, b))
         rows = [
-            np.hstack(
-                [
-                    even * own[:, None],
-                    np.zeros(odd.shape),
-                    -free * (ratio.real * own)[:, None],
-                ]
-            ),
-            np.hstack(
-                [
-                    np.zeros(even.shape),
-                    odd * own[:, None],
-                    -free * (ratio.imag * own)[:, None],
-                ]
-            ),
+            np.hstack([even * own[:, None], np.zeros(odd.shape), -free * (ratio.real * own)[:, None]]),
+            np.hstack([np.zeros(even.shape), odd * own[:, None], -free * (ratio.imag * own)[:, None]]),
         ]
         sides = np.concatenate([ratio.real * own, ratio.imag * own])
         found = np.linalg.lstsq(np.vstack(rows), sides, rcond=1e-13)[0][-free.shape[1] :]
@@ -213,10 +189,7 @@ def fit():
 
 def ratio_of(table, e, r, angles):
     """R + i I as the program has it."""
-    p, b = (
-        e * np.cos(angles),
-        np.arctan(e * np.sin(angles) / np.sqrt(1.0 - e**2)) * 2.0 / np.pi,
-    )
+    p, b = coordinates(e, angles)
     sums = []
     for parity in (0, 1):
         at_r = chebyshev.chebval(place_of(r), table[parity].T) / (1.0 + r**2)
