@@ -45,7 +45,7 @@ static double in_two(const double *coefficients, int first, double p, double b) 
         next += count;
         row[i] = of_b;
     }
-    for (int i = IN_P - first; i >= first; i -= 2) sum = sum * p * p + row[i];
+    for (int i = IN_P - (IN_P - first) % 2; i >= first; i -= 2) sum = sum * p * p + row[i];
     return first ? sum * p : sum;
 }
 
