@@ -132,7 +132,7 @@ pad_table *pad_table_empty(void) {
 }
 
 void pad_table_rows(pad_table *table) {
-    for (size_t place = 0; place < (PAD_T_NODES + 2) * (PAD_W_NODES + 2); place++)
+    for (size_t place = 0; place < (size_t)(PAD_T_NODES + 2) * (PAD_W_NODES + 2); place++)
         for (size_t cell = 0; cell < PAD_ALPHA_NODES; cell++)
             memcpy(table->rows + place * PAD_W_APART + cell * PAD_ALPHA_APART,
                    table->coefficients + place * PAD_ROW + 2 * cell, PAD_ALPHA_APART * sizeof(double));
