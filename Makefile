@@ -84,13 +84,14 @@ ALONE    := report;import
 sanitize-release:
 	@$(PHASE) packages $(INSTALL) build report test
 	@$(CONFIGURE)
-	@cmake --build $(BUILD) --parallel $(JOBS) --target whirl_base $(addprefix whirl_,$(subst ;, ,$(ALONE))) >/dev/null
+	@cmake --build $(BUILD) --parallel $(JOBS) --target whirl_base >/dev/null
 
 sanitize-build: sanitize-release
 	@$(PHASE) "sanitized: configure" cmake --preset sanitize $(sanitized) -DWHIRL_WIDE=$$(scripts/quarter.sh --wide)
 	@$(PHASE) "sanitized: compile" cmake --build $(BUILD)/sanitize --parallel $(JOBS)
 
 thread-steps: sanitize-release
+	@cmake --build $(BUILD) --parallel $(JOBS) --target $(addprefix whirl_,$(subst ;, ,$(ALONE))) >/dev/null
 	@$(PHASE) "threads: configure" cmake --preset threads $(sanitized) "-DWHIRL_TAKEN=$(ALONE)"
 	@$(PHASE) "threads: compile" cmake --build $(BUILD)/threads --parallel $(JOBS) --target whirl
 	@$(PHASE) "threads: studies under the thread sanitizer" scripts/thread-check.sh $(BUILD)/threads

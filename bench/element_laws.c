@@ -31,8 +31,7 @@ void ring_force(const void *law, const double *d, const double *w, const double 
     slope[0] = own->inner.drag * (1.0 - speed) / inner - own->outer.drag * speed / outer;
 }
 
-/// Degrees; how many coefficients stand before those of p^2 and b^2 in the denominator.
-enum { IN_P = 15, IN_B = 13, COEFFICIENTS = 113 };
+enum { IN_P = 15, IN_B = 13 }; ///< degrees
 
 /// Polynomials by Horner's rule in two variables; the real part's coefficients, of even powers of p, come first.
 static double in_two(const double *coefficients, int first, double p, double b) {
@@ -49,9 +48,10 @@ static double in_two(const double *coefficients, int first, double p, double b) 
     return first ? sum * p : sum;
 }
 
-static int even_count(void) {
+/// Coefficients of the real part (first: 0), or of the imaginary one (1).
+static int count_of(int first) {
     int count = 0;
-    for (int i = 0; i <= IN_P; i += 2) count += IN_B * (IN_P - i) / IN_P + 1;
+    for (int i = first; i <= IN_P; i += 2) count += IN_B * (IN_P - i) / IN_P + 1;
     return count;
 }
 
@@ -64,8 +64,8 @@ void finite_force(const void *law, const double *d, const double *w, const doubl
     short_film(&own->film, x, y, A, B, f, &angle);
     const double q = 1.0 - x * x - y * y, z = q < 0.0975 ? 1.0 - q / 0.0975 : 0.0, g = 1.0 - 0.2 * z * z;
     const double p = g * (x * A + y * B) / sqrt(A * A + B * B), b = g * (2.0 / PI * angle - 1.0);
-    const double R = in_two(own->coefficients, 0, p, b), I = in_two(own->coefficients + even_count(), 1, p, b);
-    const double *const under = own->coefficients + COEFFICIENTS, whole = 1.0 + under[0] * p * p + under[1] * b * b;
+    const double *const even = own->coefficients, *const odd = even + count_of(0), *const under = odd + count_of(1);
+    const double R = in_two(even, 0, p, b), I = in_two(odd, 1, p, b), whole = 1.0 + under[0] * p * p + under[1] * b * b;
     force[0] = (R * f[0] - I * f[1]) / whole;
     force[1] = (R * f[1] + I * f[0]) / whole;
 }

@@ -130,12 +130,12 @@ def best_denominator(p, b, ratio, weight):
     found = np.zeros(free.shape[1])
     for _ in range(12):
         own = weight / np.abs(ratio) / np.abs(denominator(found, p, b))
-        rows = [
+        sums = [
             np.hstack([even * own[:, None], np.zeros(odd.shape), -free * (ratio.real * own)[:, None]]),
             np.hstack([np.zeros(even.shape), odd * own[:, None], -free * (ratio.imag * own)[:, None]]),
         ]
         sides = np.concatenate([ratio.real * own, ratio.imag * own])
-        found = np.linalg.lstsq(np.vstack(rows), sides, rcond=1e-13)[0][-free.shape[1] :]
+        found = np.linalg.lstsq(np.vstack(sums), sides, rcond=1e-13)[0][-free.shape[1] :]
     return found
 
 
@@ -237,15 +237,11 @@ static const double film_denominator[FILM_DENOMINATOR][FILM_DENOMINATOR_TERMS] =
 /// then i odd, of the imaginary one.
 static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {{
 {rows(np.concatenate(parts[:2]))}
-}};"""
-    )
-    print(
-        """
+}};
 
 /// Of 1127 states at some L/D the largest error over the force, to e = .9 and from there to .95.
-enum { FILM_TRIED = %d };
-static const double film_errors[FILM_TRIED][3] = {"""
-        % len(found)
+enum {{ FILM_TRIED = {len(found)} }};
+static const double film_errors[FILM_TRIED][3] = {{"""
     )
     for row in found:
         print("    {%.4g, %.1e, %.1e}," % tuple(row))

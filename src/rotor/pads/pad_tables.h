@@ -68,11 +68,11 @@ typedef struct pad_table {
     _Alignas(64) double rows[PAD_ROWS];
 } pad_table;
 
-/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn. To be freed. Errors as
-/// pad_solve.
+/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn: coefficients alone. To be
+/// freed. Errors as pad_solve.
 whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
 
-/// A table without coefficients, to be freed; NULL without memory.
+/// A table of zeros, to be freed; NULL without memory.
 pad_table *pad_table_empty(void);
 
 /// Fills in `rows` from the coefficients.

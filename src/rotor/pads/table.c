@@ -143,9 +143,7 @@ whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
     pad_table *table = pad_table_empty();
     const whirl_status status =
         table ? fill(table->coefficients, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    if (status.code == WHIRL_OK) {
-        pad_table_rows(table);
-    } else {
+    if (status.code != WHIRL_OK) {
         free(table);
         table = NULL;
     }

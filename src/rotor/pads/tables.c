@@ -100,7 +100,6 @@ static pad_table *read_table(const pad_table_key *key) {
         good = same_head(&head, &own);
     }
     if (in) fclose(in);
-    if (good) pad_table_rows(table);
     if (good) return table;
     free(table);
     return NULL;
@@ -178,6 +177,7 @@ static const pad_table *make_table(const pad_table_key *key) {
         if (pad_table_new(key, &table).code != WHIRL_OK) return no_table();
         if (is_finite(table)) write_table(key, table);
     }
+    pad_table_rows(table);
     pad_table_lean(table, key->lead);
     return table;
 }
