@@ -103,4 +103,6 @@ const test_file test_files[] = {\n${lines}};
 const size_t test_file_count = sizeof test_files / sizeof *test_files;\n" @ONLY)
   add_executable(${program} ${ARGN} ${table} ${PROJECT_SOURCE_DIR}/tests/runner.c)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  # What they test is optimized; compiling them takes longer than running them.
+  target_compile_options(${program} PRIVATE -O1 $<$<BOOL:${WHIRL_FUZZ}>:-fno-sanitize=fuzzer-no-link>)
 endfunction()

@@ -24,6 +24,10 @@ set(WHIRL_UNASKED "")
 if(WHIRL_SANITIZE MATCHES address AND WHIRL_SANITIZE MATCHES undefined)
   set(WHIRL_UNASKED -fno-sanitize=pointer-overflow,null,object-size)
 endif()
+# Fuzzers look for new ways through what reads files.
+if(WHIRL_FUZZ)
+  list(APPEND WHIRL_UNASKED -fno-sanitize=fuzzer-no-link)
+endif()
 
 # Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`. What is
 # compiled must find `source` by its place in `root`: paths that say where a tree lies would keep compilers' caches from

@@ -23,7 +23,7 @@ TOLD_SANITIZED = 1.5  # from so many with the sanitizers on a test takes turns t
 THIRDS = 3
 # The first that anyone tries, what holds the sources together, and what alone catches a kind of fault: always, but for
 # the sanitizers.
-ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|unit\.store\.test_file|"
+ALWAYS = re.compile(r"docs\.readme|architecture.*|validation\.test_verdicts|cli\.branch|browser\.page|"
                     r"unit\.analyze\.test_locked|cli\.resume-after-interrupt-carry")
 TOGETHER = re.compile(r"determinism\.compilers|portability\.musl")
 

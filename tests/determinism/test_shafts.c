@@ -62,7 +62,7 @@ static double speed_of(size_t point) {
 /// The states of `count` machines after some revolutions, side by side in one ensemble, from the first machine on.
 static void carry(int kind, size_t first, size_t count, double *ends) {
     whirl_integrate_options options = whirl_integrate_default();
-    whirl_rotor *rotors[POINTS];
+    whirl_rotor *rotors[POINTS] = {NULL};
     whirl_ensemble *lanes;
     static double start[MOST];
     snprintf(options.method, sizeof options.method, "%s", kinds[kind].method);

@@ -161,7 +161,7 @@ typedef struct tally {
 /// One revolution of `count` motions in lanes, and of the reference.
 static void compare(uint64_t *seed, int count, tally *sum) {
     reference motions[BLOCK];
-    whirl_rotor *rotors[BLOCK];
+    whirl_rotor *rotors[BLOCK] = {NULL};
     whirl_ensemble *lanes;
     whirl_integrate_options options = whirl_integrate_default();
     snprintf(options.method, sizeof options.method, "dop853");
