@@ -21,6 +21,7 @@
 #include "whirl/engine/linear.h"
 #include "whirl/engine/model.h"
 #include "whirl/engine/orbit.h"
+#include "whirl/engine/record.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/rotor.h"

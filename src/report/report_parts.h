@@ -44,6 +44,15 @@ bool document_write(bool well, json_t *value, FILE *stream);
 whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
                             size_t count, const char *directory, const char *units);
 
+// ---------------------------------------------------------------- explorer_tables
+// Tables in the explorer's page, thinned to what a browser takes in.
+
+/// One table, with sections where they are asked for; false without memory.
+bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections);
+
+/// `,"fields": ...` of one point: all that is known of it.
+void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
+
 // ---------------------------------------------------------------- explorer_figures
 // Figures in the explorer of results that it has no view of.
 

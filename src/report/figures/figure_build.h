@@ -89,6 +89,12 @@ void script_text(FILE *stream, const char *text);
 /// Writes a number with the digits that give the same double back, null for NaN and infinities.
 void script_number(FILE *stream, double value);
 
+/// A member of an object: what stands before it, `{` of the first, `,` of others; its key; and its value, which follows
+/// a key alone.
+void script_key(FILE *stream, char before, const char *key);
+void script_text_member(FILE *stream, char before, const char *key, const char *text);
+void script_number_member(FILE *stream, char before, const char *key, double value);
+
 /// Writes ',"NAME":VALUE' for every member of a struct that has a name.
 void script_members(FILE *stream, const whirl_member *member, const void *from);
 

@@ -31,6 +31,22 @@ void script_number(FILE *stream, double value) {
     fputs(text, stream);
 }
 
+void script_key(FILE *stream, char before, const char *key) {
+    fputc(before, stream);
+    script_text(stream, key);
+    fputc(':', stream);
+}
+
+void script_text_member(FILE *stream, char before, const char *key, const char *text) {
+    script_key(stream, before, key);
+    script_text(stream, text);
+}
+
+void script_number_member(FILE *stream, char before, const char *key, double value) {
+    script_key(stream, before, key);
+    script_number(stream, value);
+}
+
 void script_members(FILE *stream, const whirl_member *member, const void *from) {
     char text[WHIRL_NAME_SIZE];
     for (; member->part; member++) {

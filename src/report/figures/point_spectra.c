@@ -1,0 +1,238 @@
+// Spectra of one point at a station, with the orders of their largest lines.
+#include "point_panels.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "figure_kinds.h"
+
+enum {
+    MOST_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
+    MOST_LABELS = 8   ///< spectral lines that get their order written beside them
+};
+
+static double order_size(const subject *of) {
+    return isnan(of->order) ? 1.0 : of->order;
+}
+
+static double amplitude(const double *line, int full) {
+    return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
+}
+
+/// The axis of amplitudes: logarithmic where lines would be lost at the foot of a linear one.
+typedef struct scale {
+    bool logarithmic;
+    double low, high; ///< as shown
+} scale;
+
+/// Lines of a spectrum below this share of the largest are not seen on a linear axis.
+static const double SEEN = 0.01;
+
+/// Over the tallest line stands room for its label.
+static scale scale_of(const subject *of, int full, double room) {
+    double tallest = 0.0, least = INFINITY;
+    for (size_t k = 0; k < of->spectrum.rows; k++) tallest = fmax(tallest, amplitude(&of->spectrum.at[5 * k], full));
+    for (size_t k = 0; k < of->lines.rows; k++) {
+        const double height = amplitude(&of->lines.at[5 * k], full);
+        if (height > 0.0) least = fmin(least, height);
+    }
+    const double high = of->amplitude * (tallest > 0.0 ? tallest : 1.0);
+    if (!(least < SEEN * tallest)) return (scale){false, 0.0, room * high};
+    const double low = fmin(0.3 * of->amplitude * least, 1e-3 * high);
+    return (scale){true, low, high * pow(high / low, room - 1.0)};
+}
+
+/// Where on the axis an amplitude stands, from 0 to 1.
+static double scale_place(const scale *axis, double height) {
+    if (!axis->logarithmic) return height / axis->high;
+    return fmax(log(fmax(height, axis->low) / axis->low) / log(axis->high / axis->low), 0.0);
+}
+
+/// The amplitude that stands there.
+static double scale_height(const scale *axis, double place) {
+    return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place) : place * axis->high;
+}
+
+/// A peak that may get its order written above it, and its height on the axis; in a full spectrum backward ones stand
+/// on the left.
+typedef struct peak {
+    double place, height;
+} peak;
+
+static int by_height(const void *left, const void *right) {
+    const double a = ((const peak *)left)->height, b = ((const peak *)right)->height;
+    return (a < b) - (a > b);
+}
+
+/// Height of the drawn curve, as shown, near an order: that of a line between two bins is a little larger.
+static double drawn_height(const subject *of, double order, int column) {
+    double most = 0.0;
+    const double *at = of->spectrum.at;
+    const double step = of->spectrum.rows > 1 ? at[5] - at[0] : 1.0;
+    const double middle = step > 0.0 ? fmin((order - at[0]) / step, (double)of->spectrum.rows) : 0.0;
+    const size_t first = middle > 2.0 ? (size_t)middle - 2 : 0;
+    for (size_t k = first; k < of->spectrum.rows && k < first + 5; k++) most = fmax(most, at[5 * k + (size_t)column]);
+    return of->amplitude * most;
+}
+
+static size_t find_peaks(const subject *of, const scale *axis, int full, peak *peaks) {
+    size_t count = 0;
+    for (size_t k = 0; k < of->lines.rows && k < WHIRL_MAX_LINES; k++) {
+        const double order = of->lines.at[5 * k], at = order_size(of) * order;
+        if (!full) peaks[count++] = (peak){at, fmax(drawn_height(of, order, 1), drawn_height(of, order, 2))};
+        if (full) peaks[count++] = (peak){at, drawn_height(of, order, 3)};
+        if (full) peaks[count++] = (peak){-at, drawn_height(of, order, 4)};
+    }
+    for (size_t k = 0; k < count; k++) peaks[k].height = scale_place(axis, peaks[k].height);
+    if (count > 1) qsort(peaks, count, sizeof *peaks, by_height);
+    return count;
+}
+
+/// The place of a label: the orders that it covers; none where low is not below high.
+typedef struct label {
+    double low, high, height;
+} label;
+
+static bool label_fits(const label *candidate, const label *placed, int count, double tall) {
+    for (int i = 0; i < count; i++)
+        if (candidate->low < placed[i].high && candidate->high > placed[i].low &&
+            fabs(candidate->height - placed[i].height) < tall)
+            return false;
+    return true;
+}
+
+/// Peaks of one broad hump share the label of the largest.
+static bool peak_stands_alone(const peak *candidate, const peak *labelled, int count, double distance) {
+    for (int i = 0; i < count; i++)
+        if (fabs(labelled[i].place - candidate->place) < distance) return false;
+    return true;
+}
+
+/// Where another peak of about this height stands beside it: -1 left, 1 right, 0 nowhere. Of two the nearer counts.
+static int neighbour_side(const peak *peaks, size_t count, const peak *of, double wide, double tall) {
+    const peak *nearest = NULL;
+    for (const peak *other = peaks; other < peaks + count; other++) {
+        if (other == of || fabs(other->height - of->height) > tall || fabs(other->place - of->place) > wide) continue;
+        if (!nearest || fabs(other->place - of->place) < fabs(nearest->place - of->place)) nearest = other;
+    }
+    return !nearest ? 0 : nearest->place < of->place ? -1 : 1;
+}
+
+/// Above the peak or, where it has a neighbour, on the side away from that; else on whatever side no label is there;
+/// empty where nothing fits.
+static label place_label(const peak *of, int neighbour, const label *placed, int count, double wide, double tall) {
+    const label tries[] = {{of->place - 0.5 * wide, of->place + 0.5 * wide, of->height},
+                           {of->place - 0.1 * wide, of->place + 0.9 * wide, of->height},
+                           {of->place - 0.9 * wide, of->place + 0.1 * wide, of->height}};
+    const int first = neighbour == 0 ? 0 : neighbour < 0 ? 1 : 2;
+    for (int i = 0; i < 3; i++)
+        if (label_fits(&tries[(first + i) % 3], placed, count, tall)) return tries[(first + i) % 3];
+    return (label){0};
+}
+
+/// The order as it is shown and, where the machine names it, that name: "3.58 (BPFO)". Gives its length.
+static int label_text(const subject *of, const whirl_machine *named, double place, char *text, size_t size) {
+    const int letters = snprintf(text, size, "%.3g", place);
+    char name[LINE_NAME_SIZE];
+    whirl_named_order whose;
+    if (!named || !named_line(named->system, place / order_size(of), of->station, name, &whose)) return letters;
+    return letters + snprintf(text + letters, size - (size_t)letters, " (%s)", name);
+}
+
+/// Adds the orders of the largest lines above them.
+static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subject *of, const scale *axis,
+                            double highest, int full) {
+    peak peaks[2 * WHIRL_MAX_LINES], labelled[MOST_LABELS];
+    label placed[MOST_LABELS];
+    const size_t found = find_peaks(of, axis, full, peaks);
+    whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
+    int count = 0;
+    whirl_machine own;
+    const bool made = machine_at(of->machine, of->table, of->point, &own);
+    for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
+        if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
+        if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
+        char text[32 + LINE_NAME_SIZE];
+        const int letters = label_text(of, made ? &own : NULL, fabs(peaks[k].place), text, sizeof text);
+        // Half a letter between neighbours.
+        const double wide = 0.017 * highest * (letters + 0.5), tall = 0.06;
+        const int neighbour = neighbour_side(peaks, found, &peaks[k], wide, tall);
+        const label here = place_label(&peaks[k], neighbour, placed, count, wide, tall);
+        if (!(here.low < here.high)) continue;
+        labelled[count] = peaks[k];
+        placed[count++] = here;
+        series_add_text(figure, texts, 0.5 * (here.low + here.high), scale_height(axis, here.height), text);
+    }
+    if (made) own.release(own.owner);
+}
+
+/// The frequency up to which the spectrum is drawn, as shown.
+static double highest_order(const subject *of) {
+    const double last = of->spectrum.at[5 * (of->spectrum.rows - 1)];
+    return order_size(of) * (last > 0.0 ? last : 1.0);
+}
+
+static void label_spectrum(whirl_panel *panel, const subject *of, int full) {
+    panel->keyed = true;
+    symbol_length(of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
+    units_order_label(of->units, isnan(of->order), full, panel->x.label, sizeof panel->x.label);
+}
+
+/// A spectrum's axes, and the orders of its largest lines. Gives its axis of amplitudes.
+static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of, int full) {
+    const double highest = highest_order(of);
+    const scale axis = scale_of(of, full, full ? 1.24 : 1.22);
+    label_spectrum(panel, of, full);
+    axis_show(&panel->x, (span){full ? -highest : 0.0, highest});
+    axis_show(&panel->y, (span){axis.low, axis.high});
+    panel->y.logarithmic = axis.logarithmic;
+    add_line_labels(figure, panel, of, &axis, highest, full);
+    return axis;
+}
+
+/// A column of the spectrum; bins that are too many are grouped, and the largest of a group is kept.
+static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject *of, const scale *axis, int column,
+                         double direction) {
+    const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
+    for (size_t first = 0; first < of->spectrum.rows; first += group) {
+        double most = 0.0, place = of->spectrum.at[5 * first];
+        for (size_t k = first; k < first + group && k < of->spectrum.rows; k++) {
+            const double *at = &of->spectrum.at[5 * k];
+            if (at[column] > most) place = at[0];
+            most = fmax(most, at[column]);
+        }
+        series_add(figure, line, direction * order_size(of) * place, fmax(of->amplitude * most, axis->low));
+    }
+}
+
+void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const scale axis = begin_spectrum(figure, panel, of, 0);
+    panel_named(figure, panel, WHIRL_LINE, "$x$", line_colour(0), 0.53);
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "$y$", line_colour(1), 0.38), of, &axis, 2, 1.0);
+    add_spectrum(figure, panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38), of, &axis, 1, 1.0);
+}
+
+void add_full_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    const scale axis = begin_spectrum(figure, panel, of, 1);
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "backward", line_colour(1), 0.38), of, &axis, 4, -1.0);
+    add_spectrum(figure, panel_named(figure, panel, WHIRL_LINE, "forward", line_colour(0), 0.38), of, &axis, 3, 1.0);
+}
+
+void add_lines(whirl_figure *figure, whirl_panel *panel, const subject *of) {
+    double highest = 0.0, tallest = 0.0;
+    for (size_t k = 0; k < of->lines.rows && !isnan(of->lines.at[5 * k]); k++) {
+        highest = fmax(highest, order_size(of) * of->lines.at[5 * k]);
+        tallest = fmax(tallest, of->amplitude * amplitude(&of->lines.at[5 * k], 1));
+    }
+    label_spectrum(panel, of, 1);
+    axis_show(&panel->x, (span){-1.08 * highest, 1.08 * highest});
+    axis_show(&panel->y, (span){0.0, 1.2 * (tallest > 0.0 ? tallest : 1.0)});
+    for (size_t way = 0; way < 2; way++) {
+        whirl_series *bars =
+            panel_named(figure, panel, WHIRL_BARS, way ? "forward" : "backward", line_colour(1 - way), 1.1);
+        for (size_t k = 0; k < of->lines.rows && !isnan(of->lines.at[5 * k]); k++)
+            series_add_to(figure, bars, (way ? 1.0 : -1.0) * order_size(of) * of->lines.at[5 * k], 0.0,
+                          of->amplitude * of->lines.at[5 * k + (way ? 3 : 4)]);
+    }
+}
