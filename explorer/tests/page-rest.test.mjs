@@ -72,14 +72,17 @@ test('modes are those of the result file, in the diagram, the table and the shap
   const stored = exported('modes', 'modes-modes-frequency.csv');
   const damped = exported('modes', 'modes-modes-damping_ratio.csv');
   const whirl = exported('modes', 'modes-modes-direction.csv');
+  const names = JSON.parse(command('show', 'modes.h5', '--json')).points.flatMap((point) => point.modes.name);
+  assert.ok(names.includes('1F') && names.includes('1B'));
   const page_rows = rowsOf((await saved(page, '.rest .map-card', 'csv')).bytes.toString('utf8'));
   const finite = stored.map((cells, i) => [cells, i]).filter(([cells]) => Number.isFinite(Number(cells[4][1])));
   assert.equal(page_rows.length, finite.length);
   finite.forEach(([cells, i], row) => {
     const [value, index, frequency] = numbers(cells, 1, 3, 4);
-    const found = numbers(page_rows[row], 0, 2, 3, 4, 6);
+    const found = numbers(page_rows[row], 0, 2, 4, 5, 7);
     near(found[0], value, 1e-9 * 6000, 'the speed, rpm');
     assert.equal(found[1], index);
+    assert.equal(page_rows[row][3][1], names[row], 'the name');
     near(found[2], frequency / (2 * Math.PI), 1e-6 * frequency, 'the frequency, Hz');
     near(found[3], Number(damped[i][4][1]), 1e-6, 'the damping ratio');
     near(found[4], Number(whirl[i][4][1]), 1e-6, 'the whirl');
@@ -89,7 +92,7 @@ test('modes are those of the result file, in the diagram, the table and the shap
     rows.map((row) => [...row.cells].map((cell) => cell.textContent)),
   );
   assert.ok(told.length >= 4);
-  told.forEach((cells, i) => near(Number(cells[2]), Number(at[i][4][1]) / (2 * Math.PI), 5e-5 * cells[2], 'told'));
+  told.forEach((cells, i) => near(Number(cells[3]), Number(at[i][4][1]) / (2 * Math.PI), 5e-5 * cells[3], 'told'));
   const second = exported('modes', 'modes-modes-shape.csv').filter(
     (cells) => cells[1][1] === '3000' && cells[4][1] === '2',
   );
@@ -155,7 +158,7 @@ test('keys go from computed point to computed point; the address holds what is l
   await third.focus();
   await page.keyboard.press('Enter');
   await page.waitForFunction(() =>
-    /^mode 3, /.test(document.querySelector('.rest .panel-shape .panel-note').textContent),
+    /^mode 3 \(\d[FBM]\), /.test(document.querySelector('.rest .panel-shape .panel-note').textContent),
   );
   assert.equal(await third.getAttribute('aria-pressed'), 'true');
   assert.ok(await third.evaluate((button) => button === document.activeElement), 'the focus stays at the mode');
@@ -168,7 +171,7 @@ test('keys go from computed point to computed point; the address holds what is l
     ['3', 'decrement', 'all'],
   );
   const again = await opened(page.url());
-  assert.match(await again.page.textContent('.rest .panel-shape .panel-note'), /^mode 3, /);
+  assert.match(await again.page.textContent('.rest .panel-shape .panel-note'), /^mode 3 \(\d[FBM]\), /);
   assert.equal(await again.page.getAttribute('.rest button[value="decrement"]', 'aria-pressed'), 'true');
   await page.keyboard.press('Control+z');
   await page.waitForFunction(() => !/modes=all/.test(location.hash));

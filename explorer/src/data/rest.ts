@@ -2,7 +2,7 @@
 // parameter. Nothing is computed here but other views of the same numbers: ellipses, and what a probe sees of them.
 import type { StationInfo } from '../engine/protocol';
 import { Diagram } from './diagram';
-import type { Run } from './run';
+import { float32Of, type Run } from './run';
 import { FIELD } from './fields';
 
 /// A harmonic motion of a station: x = xc cos t + xs sin t, y alike.
@@ -22,6 +22,8 @@ export interface Mode {
   readonly decrement: number;
   /// 1 circles with the rotation, -1 against it.
   readonly direction: number;
+  /// Of the line along which it was followed, "2F"; "" of none.
+  readonly name: string;
 }
 
 /// What was located between two points.
@@ -92,6 +94,12 @@ export function seenBy({ xc, xs, yc, ys }: Sway, angle: number): { readonly ampl
   return { amplitude, lag: amplitude > 0 ? (((Math.atan2(late, real) / RADIAN) % 360) + 360) % 360 : NaN };
 }
 
+/// Along which modes were followed: what they are called, and which one a mode is on, [points][modes].
+interface Lines {
+  readonly names: readonly string[];
+  readonly of: Float32Array;
+}
+
 export class AtRest {
   /// Points by rising value.
   readonly order: readonly number[];
@@ -104,6 +112,7 @@ export class AtRest {
     readonly critical: readonly Critical[],
     /// Degrees from the x axis: the first probe of the case.
     readonly probe: number,
+    private readonly lines: Lines | undefined,
   ) {
     this.order = Array.from(diagram.values.keys())
       .filter((point) => diagram.done[point])
@@ -128,7 +137,9 @@ export class AtRest {
       return name ? [{ kind: name, value, speed, frequency, ratio, direction }] : [];
     });
     const diagram = Diagram.stored(table, run.length_scale);
-    return new AtRest(kind, diagram, run.stations, critical, (table.probe_angle ?? 0) / RADIAN);
+    const { mode_names: names, mode_lines: of } = table;
+    const lines = names && of ? { names, of: float32Of(of) } : undefined;
+    return new AtRest(kind, diagram, run.stations, critical, (table.probe_angle ?? 0) / RADIAN, lines);
   }
 
   /// The point that is `steps` further on than the one at a value.
@@ -179,6 +190,7 @@ export class AtRest {
       ratio: ratio[i]!,
       decrement: decrement[i]!,
       direction: direction[i]!,
+      name: this.lines?.names[this.lineOf(point, i)] ?? '',
     })).filter(({ frequency }) => Number.isFinite(frequency));
   }
 
@@ -193,12 +205,29 @@ export class AtRest {
     });
   }
 
-  /// Modes from point to point, each with the one that it has most likely become.
+  /// Modes from point to point, as they were followed; those that were not stand alone.
   get curves(): readonly (readonly Place[])[] {
-    return (this.found ??= curvesOf(
-      this.order,
-      this.order.map((point) => this.modes(point)),
-    ));
+    return (this.found ??= this.findCurves());
+  }
+
+  /// NaN of none.
+  private lineOf(point: number, mode: number): number {
+    const { rows = 0 } = this.diagram.column(FIELD.MODES_FREQUENCY) ?? {};
+    return this.lines?.of[point * rows + mode] ?? NaN;
+  }
+
+  private findCurves(): readonly (readonly Place[])[] {
+    const curves = new Map<number | Place, Place[]>();
+    for (const point of this.order)
+      this.modes(point).forEach((mode, index) => {
+        const place = { point, index, mode };
+        const line = this.lineOf(point, index);
+        const key = Number.isNaN(line) ? place : line;
+        const curve = curves.get(key);
+        if (curve) curve.push(place);
+        else curves.set(key, [place]);
+      });
+    return [...curves.values()];
   }
 
   // ---------------------------------------------------------------- unbalance
@@ -226,41 +255,4 @@ export interface Place {
   readonly point: number;
   readonly index: number;
   readonly mode: Mode;
-}
-
-/// How little alike two modes are: by frequency, damping and whirl. Only for drawing lines.
-function unlike(one: Mode, other: Mode): number {
-  return (
-    Math.abs(Math.log(one.frequency / other.frequency)) +
-    Math.abs(one.ratio - other.ratio) +
-    0.15 * Math.abs(one.direction - other.direction)
-  );
-}
-
-/// More than this and a mode has ended.
-const MOST_UNLIKE = 0.3;
-
-function curvesOf(order: readonly number[], modes: readonly (readonly Mode[])[]): Place[][] {
-  const curves: Place[][] = [];
-  let open: Place[][] = [];
-  modes.forEach((now, k) => {
-    const pairs = open.flatMap((curve, c) =>
-      now.map((mode, index) => ({ c, index, far: unlike(curve.at(-1)!.mode, mode) })),
-    );
-    pairs.sort((a, b) => a.far - b.far);
-    const [from, to] = [new Set<number>(), new Map<number, Place[]>()];
-    for (const { c, index, far } of pairs) {
-      if (far > MOST_UNLIKE) break;
-      if (from.has(c) || to.has(index)) continue;
-      from.add(c);
-      to.set(index, open[c]!);
-    }
-    open = now.map((mode, index) => {
-      const curve = to.get(index) ?? [];
-      if (curve.length === 0) curves.push(curve);
-      curve.push({ point: order[k]!, index, mode });
-      return curve;
-    });
-  });
-  return curves;
 }

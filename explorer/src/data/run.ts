@@ -65,6 +65,10 @@ export interface StoredTable {
   readonly verdicts?: readonly (readonly [string, string])[];
   /// Of machines at rest, what was located between points: kind, value, speed, frequency, damping ratio, direction.
   readonly critical?: readonly (readonly (number | null)[])[];
+  /// Of modes, what the lines along which they were followed are called; and of every mode of every point the number of
+  /// its line, float32, little-endian, base64, NaN where it has none.
+  readonly mode_names?: readonly string[];
+  readonly mode_lines?: string;
   /// rad, of the first probe of a response to unbalance.
   readonly probe_angle?: number;
   readonly fields: readonly StoredField[];

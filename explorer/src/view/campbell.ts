@@ -143,6 +143,7 @@ export class CampbellView implements RestChart {
         labelled(parameter, value.unit),
         labelled('speed', frequency.unit),
         'mode',
+        'name',
         labelled('damped frequency', frequency.unit),
         'damping ratio',
         'logarithmic decrement',
@@ -155,6 +156,7 @@ export class CampbellView implements RestChart {
             rest.diagram.values[point]! * value.factor,
             rest.speed(point) * frequency.factor,
             i + 1,
+            mode.name,
             mode.frequency * frequency.factor,
             mode.ratio,
             mode.decrement,
@@ -298,7 +300,7 @@ export class CampbellView implements RestChart {
     pen: Pen,
     frame: Frame,
     colours: Theme,
-    heightOf: (found: Critical) => number,
+    heightOf: (found: Pick<Critical, 'frequency'>) => number,
     all: boolean,
   ): void {
     const { rest } = this.subject!;
@@ -314,7 +316,24 @@ export class CampbellView implements RestChart {
       marks.push({ x, y, text: shownWhole(found.value * this.valueFactor(), 5) });
     }
     if (!all) return;
-    drawLabels(pen, marks.reverse(), frame, size, colours);
+    drawLabels(pen, [...marks.reverse(), ...this.lineEnds(frame, heightOf)], frame, size, colours);
+  }
+
+  /// Names of lines where they leave the frame on the right.
+  private lineEnds(frame: Frame, heightOf: (mode: Pick<Mode, 'frequency'>) => number): Marked[] {
+    const { rest } = this.subject!;
+    return rest.curves.flatMap((curve) => {
+      const places = curve.map(({ point, mode }) => ({
+        x: frame.x(rest.diagram.values[point]! * this.valueFactor()),
+        y: frame.y(heightOf(mode)),
+        text: mode.name,
+      }));
+      const seen = places.filter(
+        ({ x, y }) => x <= frame.left + frame.width && y >= frame.top && y <= frame.top + frame.height,
+      );
+      const end = seen.at(-1);
+      return end?.text && end.x >= frame.left ? [end] : [];
+    });
   }
 }
 

@@ -188,10 +188,13 @@ export class RestView {
     const { rest, point, units } = subject;
     const frequency = naturalMeasure(units);
     const chosen = modeOf(subject);
+    const modes = rest.modes(point);
+    const named = modes.some(({ name }) => name);
     const row = (mode: Mode, i: number) => [
       button(`${i + 1}`, `Show the shape of mode ${i + 1}`, () => this.listener.chosen({ mode: i }), {
         'aria-pressed': String(i === chosen),
       }),
+      ...(named ? [mode.name] : []),
       whirlSign(mode.direction),
       shownWhole(mode.frequency * frequency.factor, 5),
       dampingText(mode.ratio),
@@ -200,6 +203,7 @@ export class RestView {
     ];
     const heading = [
       'mode',
+      ...(named ? ['name'] : []),
       'whirl',
       `damped frequency (${frequency.unit})`,
       'damping ratio',
@@ -207,7 +211,6 @@ export class RestView {
       'growth (1/s)',
     ];
     // What the diagram leaves out, the table does.
-    const modes = rest.modes(point);
     const top = topOf(subject);
     const rows = modes.map(row).filter((_, i) => modes[i]!.frequency <= top || i <= chosen);
     return numbersTable(title, heading, rows, chosen);
@@ -248,7 +251,7 @@ function motionOf(subject: RestSubject): Motion {
     factor: 1,
     unit: '',
     text: mode
-      ? `mode ${index + 1}, ${WHIRL_TEXT[whirlOf(mode.direction)]}, ` +
+      ? `mode ${index + 1}${mode.name && ` (${mode.name})`}, ${WHIRL_TEXT[whirlOf(mode.direction)]}, ` +
         `${shownWhole(mode.frequency * frequency.factor, 5)} ${frequency.unit}; the dots move from blank to bright`
       : '',
   };
