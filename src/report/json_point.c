@@ -351,16 +351,23 @@ static json_t *whole_field(bool *well, const whirl_table *table, size_t point, c
     return array;
 }
 
-/// How far it went in the ranges of laws: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...]}, as "law" names them.
-static void put_ranges(bool *well, json_t *object, const whirl_table *table, size_t point) {
+/// How far it went in the ranges of laws, as "law" names them, and the forces, N, of the contacts against which it
+/// rests: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
+static void put_ranges(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     const whirl_field *const field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
-    if (!field) return;
-    const double *const reached = whirl_table_field(table, point, field->name, 0);
-    json_t *ranges = json_object(), *rows = json_array();
-    document_put(well, ranges, "left", document_number(whirl_table_number(table, point, WHIRL_FIELD_RANGES_LEFT, 0)));
-    for (size_t i = 0; i < field->rows; i++) document_append(well, rows, numbers_array(well, reached + 2 * i, 2));
-    document_put(well, ranges, "reached", rows);
-    document_put(well, object, "ranges", ranges);
+    if (field) {
+        const double *const reached = whirl_table_field(table, point, field->name, 0);
+        json_t *ranges = member(well, object, "ranges"), *rows = json_array();
+        document_put(well, ranges, "left",
+                     document_number(whirl_table_number(table, point, WHIRL_FIELD_RANGES_LEFT, 0)));
+        for (size_t i = 0; i < field->rows; i++) document_append(well, rows, numbers_array(well, reached + 2 * i, 2));
+        document_put(well, ranges, "reached", rows);
+    }
+    for (size_t c = 0; c < result->contact_count && whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_HELD); c++) {
+        const double force = whirl_table_number(table, point, WHIRL_FIELD_RANGES_HELD, c);
+        document_put(well, member(well, member(well, object, "ranges"), "held"), result->contacts[c],
+                     document_number(result->force_scale * force));
+    }
 }
 
 /// All of a machine at rest: "modes": {"frequency": [...], ..., "stations": {"disc": {"shape": [...]}}}.
@@ -398,14 +405,14 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     }
     if (!whirl_analysis_kind(table->analyses)->moves) {
         put_rest(well, object, result, table, point);
-        put_ranges(well, object, table, point);
+        put_ranges(well, object, result, table, point);
         return object;
     }
     if (table->refine > 0)
         document_put(well, object, "width",
                      document_number(whirl_table_number(table, point, WHIRL_FIELD_MAP_WIDTH, 0)));
     put_verdict(well, object, table, point);
-    put_ranges(well, object, table, point);
+    put_ranges(well, object, result, table, point);
     put_refinement(well, object, table, point);
     put_lyapunov(well, object, table, point);
     put_exponents(well, object, table, point);

@@ -191,14 +191,31 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
 // ---------------------------------------------------------------- ranges_told
 // Points beyond the range of a law, in words.
 
-bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]) {
+/// Adds which points, where there are several.
+static void add_points(const whirl_shown_units *units, const whirl_table *table, const whirl_left *left,
+                       char text[RANGES_TOLD_SIZE]) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
+    const size_t used = strlen(text);
+    if (*table->parameter)
+        snprintf(text + used, RANGES_TOLD_SIZE - used, " (%zu of %zu points, first at %.6g%s%s)", left->points,
+                 table->count, table->values[left->first] / unit.size, *unit.name ? " " : "", unit.name);
+}
+
+bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]) {
     whirl_left left;
     if (whirl_table_left(table, index, &left) == 0) return false;
-    int used = snprintf(text, RANGES_TOLD_SIZE, "%s; reached %.4g", whirl_result_law_range(units->result, index),
-                        left.reached);
-    if (used > 0 && used < RANGES_TOLD_SIZE && *table->parameter)
-        snprintf(text + used, RANGES_TOLD_SIZE - (size_t)used, " (%zu of %zu points, first at %.6g%s%s)", left.points,
-                 table->count, table->values[left.first] / unit.size, *unit.name ? " " : "", unit.name);
+    snprintf(text, RANGES_TOLD_SIZE, "%s; reached %.4g", whirl_result_law_range(units->result, index), left.reached);
+    add_points(units, table, &left, text);
+    return true;
+}
+
+bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]) {
+    whirl_left left;
+    if (whirl_table_held(table, contact, &left) == 0) return false;
+    snprintf(text, RANGES_TOLD_SIZE, "%s with %s%.4g N", units->result->contacts[contact],
+             left.points > 1 ? "up to " : "", left.reached * units->result->force_scale);
+    add_points(units, table, &left, text);
+    const size_t used = strlen(text);
+    snprintf(text + used, RANGES_TOLD_SIZE - used, ", from which small motions do not lift");
     return true;
 }

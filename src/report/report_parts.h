@@ -116,6 +116,10 @@ enum { RANGES_TOLD_SIZE = 1024 };
 /// reached 0.97 (37 of 256 points, first at 6400 rpm)"; false where no point has left it.
 bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]);
 
+/// Of a contact, by its index, of machines at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500 rpm),
+/// from which small motions do not lift"; false where it is open everywhere.
+bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);
+
 // ---------------------------------------------------------------- regimes
 // Regimes as figures and pages show them: classes with colours, and intervals along a sweep.
 

@@ -180,11 +180,48 @@ static void balls_tell_their_pressure(void **state) {
     whirl_result_free(result);
 }
 
+/// A disc on a spring k whose weight W lies on a stator of stiffness K, that shares what the gap leaves of it:
+/// N = (W - k gap) K / (k + K). A second stator is out of reach.
+static void contacts_hold_what_rests_on_them(void **state) {
+    static const char *const studies[] = {"modes", "unbalance", "critical_speeds"};
+    (void)state;
+    for (size_t s = 0; s < sizeof studies / sizeof *studies; s++) {
+        char text[2048];
+        snprintf(
+            text, sizeof text,
+            "whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 200 rad/s\n  length_scale: 0.1 mm\n  stations:\n"
+            "    disc: {mass: 10 kg, damping: 600 N.s/m, eccentricity: 1 um}\n  elements:\n"
+            "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n"
+            "    - rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, friction: 0}\n"
+            "    - rub: {at: disc, gap: 9 mm, stiffness: 2 MN/m, friction: 0}\n"
+            "    - gravity: = load\nstudy:\n  %s: {parameter: load, values: [1, 10, 20]}\n"
+            "  sweep: {parameter: load, values: [1, 10]}\n"
+            "  integrate: {method: dop853, transient: 10, record: 5}\n  analyze: [orbit]\n",
+            studies[s]);
+        whirl_result *result = result_of_text(text);
+        const whirl_table *table = whirl_result_table(result, studies[s]);
+        whirl_left held;
+        snprintf(whose, sizeof whose, "%s: ", studies[s]);
+        assert_int_equal(whirl_table_held(table, 0, &held), 2);
+        assert_int_equal(held.first, 1);
+        check_relative("force of the contact at rest (N)", result->force_scale * held.reached,
+                       (200.0 - 80.0) * 2.0 / 2.4, 1e-9);
+        check_relative("force of the contact at rest (N)",
+                       result->force_scale * table_number(table, 1, WHIRL_FIELD_RANGES_HELD, 0),
+                       (100.0 - 80.0) * 2.0 / 2.4, 1e-9);
+        assert_int_equal(whirl_table_held(table, 1, &held), 0);
+        assert_int_equal(whirl_table_held(whirl_result_table(result, "sweep"), 0, &held), 0);
+        assert_null(whirl_layout_field(&whirl_result_table(result, "sweep")->layout, WHIRL_FIELD_RANGES_HELD));
+        whirl_result_free(result);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(annular_rub_takes_its_power), cmocka_unit_test(blades_take_their_power),
-        cmocka_unit_test(unknown_friction_is_missing), cmocka_unit_test(friction_is_told_of_every_machine),
-        cmocka_unit_test(films_tell_where_they_end),   cmocka_unit_test(balls_tell_their_pressure),
+        cmocka_unit_test(annular_rub_takes_its_power),      cmocka_unit_test(blades_take_their_power),
+        cmocka_unit_test(unknown_friction_is_missing),      cmocka_unit_test(friction_is_told_of_every_machine),
+        cmocka_unit_test(films_tell_where_they_end),        cmocka_unit_test(balls_tell_their_pressure),
+        cmocka_unit_test(contacts_hold_what_rests_on_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

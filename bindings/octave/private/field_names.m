@@ -17,6 +17,7 @@ names.rub_power = 'rub/power';
 names.rub_contact = 'rub/contact';
 names.ranges_left = 'ranges/left';
 names.ranges_reached = 'ranges/reached';
+names.ranges_held = 'ranges/held';
 names.waveform_samples = 'waveform/samples';
 names.spectrum_lines = 'spectrum/lines';
 names.spectrum_amplitude = 'spectrum/amplitude';

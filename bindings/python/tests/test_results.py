@@ -420,3 +420,25 @@ def test_laws_that_are_left_are_told():
     assert list(result["modes"][FIELD.RANGES_LEFT].ravel()) == [0, 1]
     (told,) = result.beyond
     assert told.startswith("modes: film at journal: eccentricity ratio up to 0.95") and "(1 of 2 points)" in told
+
+
+def test_contacts_that_hold_a_machine_at_rest():
+    """The weight of 10 kg on a spring of 400 kN/m, whose rest beyond the gap a stator of 2 MN/m shares."""
+    case = whirl.Case(
+        {
+            "parameters": {"load": "10 m/s2"},
+            "rotor": {
+                "speed": "200 rad/s",
+                "length_scale": "0.1 mm",
+                "stations": {"disc": {"mass": "10 kg", "damping": "600 N.s/m"}},
+                "elements": [
+                    {"spring": {"between": ["disc", "ground"], "stiffness": "400 kN/m"}},
+                    {"rub": {"at": "disc", "gap": "0.2 mm", "stiffness": "2 MN/m", "friction": 0}},
+                    {"gravity": "= load"},
+                ],
+            },
+            "study": {"modes": {"parameter": "load", "values": [1, 20]}},
+        }
+    )
+    result = whirl.run(case, progress=False)
+    assert result.held == ["modes: rub at disc with 100 N (1 of 2 points)"]

@@ -159,6 +159,21 @@ class Result:
         return told
 
     @property
+    def held(self) -> list[str]:
+        """The contacts against which machines at rest rest, from which small motions do not lift. Field "ranges/held" of
+        a table is the normal force of every contact at every point, 0 where it is open."""
+        told = []
+        for name, table in self.tables.items():
+            if FIELD.RANGES_HELD not in table:
+                continue
+            forces = self.force_scale * np.asarray(table[FIELD.RANGES_HELD]).reshape(len(table.values), -1)
+            for contact, force in zip(self.contacts, forces.T):
+                touching = force[force > 0]
+                if touching.size:
+                    told.append(f"{name}: {contact} with {touching.max():.4g} N ({touching.size} of {len(force)} points)")
+        return told
+
+    @property
     def parameters(self) -> dict[str, Parameter]:
         """The parameters of the case by their names."""
         return self._about.parameters

@@ -17,6 +17,7 @@ export const FIELD = {
   RUB_CONTACT: 'rub/contact',
   RANGES_LEFT: 'ranges/left',
   RANGES_REACHED: 'ranges/reached',
+  RANGES_HELD: 'ranges/held',
   WAVEFORM_SAMPLES: 'waveform/samples',
   SPECTRUM_LINES: 'spectrum/lines',
   SPECTRUM_AMPLITUDE: 'spectrum/amplitude',

@@ -113,6 +113,7 @@ export class AtRest {
     /// Degrees from the x axis: the first probe of the case.
     readonly probe: number,
     private readonly lines: Lines | undefined,
+    private readonly contacts: readonly string[],
   ) {
     this.order = Array.from(diagram.values.keys())
       .filter((point) => diagram.done[point])
@@ -139,7 +140,8 @@ export class AtRest {
     const diagram = Diagram.stored(table, run.length_scale);
     const { mode_names: names, mode_lines: of } = table;
     const lines = names && of ? { names, of: float32Of(of) } : undefined;
-    return new AtRest(kind, diagram, run.stations, critical, (table.probe_angle ?? 0) / RADIAN, lines);
+    const probe = (table.probe_angle ?? 0) / RADIAN;
+    return new AtRest(kind, diagram, run.stations, critical, probe, lines, run.contacts);
   }
 
   /// The point that is `steps` further on than the one at a value.
@@ -151,6 +153,11 @@ export class AtRest {
   /// Speed of the shaft, rad/s.
   speed(point: number): number {
     return this.diagram.number(point, `${this.kind}/speed`);
+  }
+
+  /// The contacts against which the machine rests.
+  held(point: number): readonly string[] {
+    return this.contacts.filter((_, contact) => this.diagram.number(point, FIELD.RANGES_HELD, contact) > 0);
   }
 
   // ---------------------------------------------------------------- modes

@@ -24,6 +24,7 @@
 
 #define WHIRL_FIELD_RANGES_LEFT "ranges/left"
 #define WHIRL_FIELD_RANGES_REACHED "ranges/reached"
+#define WHIRL_FIELD_RANGES_HELD "ranges/held"
 
 #define WHIRL_FIELD_WAVEFORM_SAMPLES "waveform/samples"
 

@@ -15,6 +15,7 @@ typedef struct block_shape {
     size_t dimension, station_count, contact_count, touch_count, range_count;
     size_t runout_count; ///< of all probes
     size_t samples_per_revolution;
+    bool at_rest; ///< whether points are of machines at rest
     const whirl_record_options *options;
 } block_shape;
 

@@ -60,6 +60,12 @@ static whirl_status add_field(whirl_layout *layout, const field_plan *plan, cons
     return whirl_ok();
 }
 
+static bool is_at_rest(whirl_analysis_set set) {
+    for (size_t a = 0; analysis_plans[a]; a++)
+        if ((set >> a & 1u) && analysis_plans[a]->compute_resting && !analysis_plans[a]->compute) return true;
+    return false;
+}
+
 /// On springs in the place of its bearings it is another machine, whose ranges are not those that results name.
 static size_t range_count(const whirl_system *system, const whirl_record_options *options) {
     whirl_law_range range;
@@ -83,6 +89,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
         .touch_count = whirl_touch_count(system),
         .range_count = range_count(system, options),
         .samples_per_revolution = (size_t)whirl_record_samples(options, integrate->steps_per_revolution),
+        .at_rest = is_at_rest(set),
         .options = options,
     };
     for (size_t p = 0; p < system->probe_count; p++) shape.runout_count += system->probes[p].runout_count;

@@ -1,10 +1,11 @@
-// Ranges: how far a motion, or a machine at rest, goes in what its laws are for.
+// Ranges: how far a motion, or a machine at rest, goes in what its laws are for. Small motions about where a machine
+// rests are those of contacts that stay as they are there, open or closed.
 #include <math.h>
 #include <stdlib.h>
 
 #include "analysis.h"
 
-enum { LEFT, REACHED, FIELD_COUNT };
+enum { LEFT, REACHED, HELD, FIELD_COUNT };
 
 static size_t every_range(const block_shape *shape) {
     return shape->range_count;
@@ -14,10 +15,17 @@ static size_t one_where_any(const block_shape *shape) {
     return shape->range_count > 0;
 }
 
+/// Not on springs in the place of its bearings, where it rests elsewhere.
+static size_t one_at_rest(const block_shape *shape) {
+    return shape->at_rest && !shape->options->bearings;
+}
+
 static const field_plan fields[FIELD_COUNT] = {
     [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},
+    [HELD] = {WHIRL_FIELD_RANGES_HELD, "force", "normal force at rest (0: open), which small motions leave closed",
+              WHIRL_PER_CONTACT, 1, one_at_rest},
 };
 
 static void fill(const whirl_system *system, const whirl_extremes *seen, const block_view *view) {
@@ -33,6 +41,16 @@ static void fill(const whirl_system *system, const whirl_extremes *seen, const b
     *view_numbers(view, LEFT, 0) = left;
 }
 
+static whirl_status fill_held(const whirl_system *system, const double *x, const block_view *view) {
+    if (!view->fields[HELD] || !system->contacts) return whirl_ok();
+    double *force = calloc(system->contact_count, sizeof *force);
+    if (!force) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of contacts");
+    system->contacts(system->model, x, force);
+    for (size_t c = 0; c < system->contact_count; c++) *view_numbers(view, HELD, c) = force[c];
+    free(force);
+    return whirl_ok();
+}
+
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
     fill(record->system, &(whirl_extremes){record->low, record->high, record->max_radius}, view);
@@ -45,14 +63,17 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
     const whirl_system *system = point->system;
     const size_t d = system->dimension, probes = system->probe_count;
     (void)options;
-    if (!view->fields[LEFT]) return whirl_ok();
+    if (!view->fields[LEFT] && !view->fields[HELD]) return whirl_ok();
     double *x = malloc((d + probes + 1) * sizeof *x), *radius = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ranges of laws");
     memcpy(x, point->start, d * sizeof *x);
-    const whirl_status status = whirl_equilibrium(system, x);
+    whirl_status status = whirl_equilibrium(system, x);
     for (size_t p = 0; p < probes; p++)
         radius[p] = hypot(whirl_probe_value(&system->probes[p], x, 0), whirl_probe_value(&system->probes[p], x, 1));
-    if (status.code == WHIRL_OK) fill(system, &(whirl_extremes){x, x, radius}, view);
+    if (status.code == WHIRL_OK) {
+        fill(system, &(whirl_extremes){x, x, radius}, view);
+        status = fill_held(system, x, view);
+    }
     free(x);
     return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
 }

@@ -173,18 +173,24 @@ static void append_gap(const whirl_shown_units *units, const whirl_probe *statio
     snprintf(text + used, size - used, " (stator at %.4g %s)", units->length * station->gap, units->length_name);
 }
 
+static void write_doubt(FILE *stream, const char *what, const whirl_table *table, const char *text) {
+    fprintf(stream, "<p><strong>%s:</strong> ", what);
+    html_text(stream, table->name);
+    fputs(", ", stream);
+    html_text(stream, text);
+    fputs("</p>\n", stream);
+}
+
 void page_ranges(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     char text[RANGES_TOLD_SIZE];
-    for (size_t t = 0; t < result->table_count; t++)
-        for (size_t i = 0; *whirl_result_law_range(result, i); i++) {
-            if (!ranges_told(&to->units[index], &result->tables[t], i, text)) continue;
-            fputs("<p><strong>Beyond its law:</strong> ", to->stream);
-            html_text(to->stream, result->tables[t].name);
-            fputs(", ", to->stream);
-            html_text(to->stream, text);
-            fputs("</p>\n", to->stream);
-        }
+    for (size_t t = 0; t < result->table_count; t++) {
+        const whirl_table *table = &result->tables[t];
+        for (size_t i = 0; *whirl_result_law_range(result, i); i++)
+            if (ranges_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Beyond its law", table, text);
+        for (size_t i = 0; i < result->contact_count; i++)
+            if (held_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Rests against", table, text);
+    }
 }
 
 void page_computed(const page *to, size_t index) {

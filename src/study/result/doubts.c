@@ -23,12 +23,23 @@ size_t whirl_table_doubts(const whirl_table *table, whirl_doubt doubts[WHIRL_REM
 }
 
 // ---------------------------------------------------------------- ranges
-// Points of a table that left the range of a law.
+// Points of a table that left the range of a law, or rest against a contact.
 
 const char *whirl_result_law_range(const whirl_result *result, size_t index) {
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "range %zu", index + 1);
     return whirl_result_fact(result, name);
+}
+
+size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *out) {
+    *out = (whirl_left){.reached = 0.0};
+    for (size_t point = 0; point < table->count; point++) {
+        const double force = whirl_table_number(table, point, WHIRL_FIELD_RANGES_HELD, contact);
+        if (!whirl_table_done(table, point) || !(force > 0.0)) continue;
+        if (out->points++ == 0) out->first = point;
+        out->reached = fmax(out->reached, force);
+    }
+    return out->points;
 }
 
 size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out) {

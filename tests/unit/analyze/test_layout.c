@@ -48,7 +48,7 @@ static bool says(const char *text, const char *const *words) {
 static void meanings_tell_how_lengths_are_counted(void **state) {
     (void)state;
     static const char *const lengths[] = {"0-p", "from the centre", "radial", "upwards", "bearings here", NULL};
-    static const char *const forces[] = {"at any instant", NULL}, *const relative[] = {"relative", NULL};
+    static const char *const forces[] = {"at any instant", "at rest", NULL}, *const relative[] = {"relative", NULL};
     static const char *const sinusoids[] = {"amplitude", "spectrum", "synchronous", "/axes", "/probe", "/seen", NULL};
     whirl_layout layout;
     assert_int_equal(whirl_layout_known(&layout).code, WHIRL_OK);
