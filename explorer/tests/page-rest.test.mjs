@@ -307,13 +307,13 @@ test('pictures and data can be saved', async () => {
 });
 
 test('one point without a parameter has its modes and no diagram; what it rests against is named', async () => {
-  const stator = '    - rub: {at: wheel, gap: 1 um, stiffness: 1 MN/m, friction: 0}\n    - gravity\nstudy:\n  modes: {}\n';
-  const address = makePage('point', FAN.replace('study:\n', stator));
+  const stator = '    - rub: {at: wheel, gap: 1 um, stiffness: 1 MN/m, friction: 0}\n    - gravity\n';
+  const address = makePage('point', FAN.replace('study:\n', `${stator}study:\n  modes: {}\n`));
   const { page, complaints, close } = await opened(address);
   assert.match(await page.textContent('.rest .pane h3'), /Modes at rest/);
   assert.ok(await page.isHidden('.rest .map-main >> nth=0'));
   assert.match(await page.textContent('.rest .panel-shape .panel-note'), /^mode 1, /);
-  assert.match(await page.textContent('.rest .how'), /; rests against rub at wheel, from which small motions do not/);
+  assert.match(await page.textContent('.rest .how'), /; rests against rub at wheel, which small motions leave/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -172,6 +172,22 @@ whirl_status whirl_equilibrium(const whirl_system *system, double *x) {
     return status;
 }
 
+whirl_status whirl_rest_contacts(const whirl_system *system, const double *x, double *force) {
+    mean_system mean;
+    void *block;
+    if (!system->contacts || system->contact_count == 0) return whirl_ok();
+    whirl_status status = mean_begin(&mean, system, &block);
+    if (status.code != WHIRL_OK) return status;
+    double *room = calloc(system->contact_count, sizeof *room);
+    if (room)
+        mean_contacts(&mean, x, force, room);
+    else
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of %zu contacts", system->contact_count);
+    free(room);
+    free(block);
+    return status;
+}
+
 whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian) {
     const size_t d = system->dimension;
     mean_system mean;

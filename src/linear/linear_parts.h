@@ -36,6 +36,9 @@ whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block
 /// Its right-hand side [count] at x [dimension].
 void mean_slope(mean_system *m, const double *x, double *slope);
 
+/// The normal forces of all contacts [contact_count]; `room` has as many numbers.
+void mean_contacts(mean_system *m, const double *x, double *force, double *room);
+
 /// Its Jacobian [count][count] there.
 void mean_jacobian(mean_system *m, const double *x, double *jacobian);
 

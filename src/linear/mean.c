@@ -53,6 +53,16 @@ void mean_slope(mean_system *m, const double *x, double *slope) {
     }
 }
 
+void mean_contacts(mean_system *m, const double *x, double *force, double *room) {
+    const size_t count = m->system->contact_count;
+    memset(force, 0, count * sizeof *force);
+    for (int sample = 0; sample < m->samples; sample++) {
+        at_phase(m, x, sample);
+        m->system->contacts(m->system->model, m->state, room);
+        for (size_t c = 0; c < count; c++) force[c] += room[c] / m->samples;
+    }
+}
+
 /// Adds the transposed rows that `tangent` writes, times a share.
 static void add_jacobian(mean_system *m, double t, const double *forcing, const double *x, double share,
                          double *jacobian) {

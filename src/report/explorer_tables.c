@@ -380,7 +380,6 @@ static void write_critical(FILE *stream, const whirl_table *table) {
     fputc(']', stream);
 }
 
-/// A point of a branch with its orbit, to be freed; false where the table has none there.
 /// Of modes what the lines along which they were followed are called, and of every mode of every point which it is on:
 /// float32, little-endian, base64, NaN for none.
 static void write_mode_lines(FILE *stream, const selection *chosen) {
@@ -405,6 +404,7 @@ static void write_mode_lines(FILE *stream, const selection *chosen) {
     mode_lines_free(&lines);
 }
 
+/// A point of a branch with its orbit, to be freed; false where the table has none there.
 static bool take_trace(const whirl_table *table, size_t point, whirl_trace *trace) {
     return whirl_table_done(table, point) && whirl_table_trace(table, point, trace).code == WHIRL_OK;
 }

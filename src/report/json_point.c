@@ -464,11 +464,13 @@ static void put_start(bool *well, json_t *object, const whirl_result *result, co
 }
 
 /// What the modes of a point are called along the parameter, by rising frequency as they stand there.
-static void put_mode_names(bool *well, json_t *object, const mode_lines *lines, size_t point) {
+static void put_mode_names(bool *well, json_t *object, const whirl_table *table, const mode_lines *lines,
+                           size_t point) {
     json_t *names = json_array();
+    const double *const frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     const size_t least = lines->modes == 1; // one number is no list, as in whole_field
-    size_t count = lines->modes;            // as many as there are frequencies
-    while (count > least && !*mode_lines_name(lines, point, count - 1)) count--;
+    size_t count = lines->modes;
+    while (count > least && isnan(frequency[count - 1])) count--;
     for (size_t i = 0; i < count; i++) {
         const char *name = mode_lines_name(lines, point, i);
         document_append(well, names, *name ? document_text(name) : json_null());
@@ -486,6 +488,6 @@ json_t *point_json(bool *well, const whirl_result *result, const whirl_table *ta
     json_t *object = point_object(well, result, table, point);
     if (!full) leave_out_rows(object);
     if (found->labels) put_start(well, object, result, table, point, found);
-    if (lines) put_mode_names(well, object, lines, point);
+    if (lines) put_mode_names(well, object, table, lines, point);
     return object;
 }

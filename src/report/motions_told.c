@@ -6,6 +6,7 @@
 
 #include "quantities.h"
 #include "report_parts.h"
+#include "shown_kinds.h"
 #include "whirl/engine/shown.h"
 
 bool motions_beside(const whirl_table *table) {
@@ -215,7 +216,9 @@ bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t 
     snprintf(text, RANGES_TOLD_SIZE, "%s with %s%.4g N", units->result->contacts[contact],
              left.points > 1 ? "up to " : "", left.reached * units->result->force_scale);
     add_points(units, table, &left, text);
+    const shown_kind *kind = shown_kind_of(table);
     const size_t used = strlen(text);
-    snprintf(text + used, RANGES_TOLD_SIZE - used, ", from which small motions do not lift");
+    snprintf(text + used, RANGES_TOLD_SIZE - used, ", which %s",
+             kind && kind->held ? kind->held : "small motions leave as it is there");
     return true;
 }

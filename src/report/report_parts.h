@@ -117,7 +117,7 @@ enum { RANGES_TOLD_SIZE = 1024 };
 bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]);
 
 /// Of a contact, by its index, of machines at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500 rpm),
-/// from which small motions do not lift"; false where it is open everywhere.
+/// which small motions leave as it is there"; false where it is open everywhere.
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);
 
 // ---------------------------------------------------------------- regimes

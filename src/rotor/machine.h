@@ -43,7 +43,7 @@ struct whirl_rotor {
     bool kinked;           ///< as whirl_system has it
     bool mute;             ///< there is friction whose power is not known
     size_t *contacts;      ///< [contact_count] indices of elements
-    char (*contact_text)[WHIRL_NAME_SIZE + 16];
+    char (*contact_text)[WHIRL_NAME_SIZE + 32];
     const char **contact_names;
 };
 

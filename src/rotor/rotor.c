@@ -193,6 +193,21 @@ static bool add_body(whirl_rotor *rotor, const assembly *from) {
     return true;
 }
 
+/// "rub at disc"; of several alike the others are "rub at disc (2)", ...
+static void name_contact(whirl_rotor *rotor, size_t k) {
+    const element *own = &rotor->elements[rotor->contacts[k]];
+    char again[16] = "";
+    unsigned number = 1;
+    for (size_t i = 0; i < k; i++) {
+        const element *other = &rotor->elements[rotor->contacts[i]];
+        number += other->type == own->type && other->station == own->station;
+    }
+    if (number > 1) snprintf(again, sizeof again, " (%u)", number);
+    snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s%s", own->type->group.name,
+             rotor->probes[own->station].name, again);
+    rotor->contact_names[k] = rotor->contact_text[k];
+}
+
 static void note_contact(whirl_rotor *rotor, size_t index) {
     const element *own = &rotor->elements[index];
     const size_t k = rotor->contact_count++;
@@ -204,8 +219,7 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     if (own->type->contact_damped(own) && !own->type->jumps) rotor->lanes.jumps = true;
     if (gap > 0.0 && (probe->gap == 0.0 || gap < probe->gap)) probe->gap = gap;
     rotor->contacts[k] = index;
-    snprintf(rotor->contact_text[k], sizeof *rotor->contact_text, "%s at %s", own->type->group.name, probe->name);
-    rotor->contact_names[k] = rotor->contact_text[k];
+    name_contact(rotor, k);
 }
 
 /// Revolutions after which the phases have come back, one of so many rounds in a revolution (NaN: never) of them, too.

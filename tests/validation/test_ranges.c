@@ -216,12 +216,39 @@ static void contacts_hold_what_rests_on_them(void **state) {
     }
 }
 
+/// A blade on a disc that rests: the mean over its turn, wherever it begins. In the direction of the load the means of
+/// its forces are what the spring leaves of the weight; they are no more than that of its normal force.
+static void blades_are_held_in_the_mean(void **state) {
+    double first = 0.0;
+    (void)state;
+    for (int angle = 0; angle < 360; angle += 90) {
+        char text[1024];
+        snprintf(text, sizeof text,
+                 "whirl: 1\nrotor:\n  speed: 200 rad/s\n  length_scale: 0.1 mm\n  stations:\n"
+                 "    disc: {mass: 10 kg, damping: 600 N.s/m}\n  elements:\n"
+                 "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n"
+                 "    - blade_rub: {at: disc, blades: 1, radius: 100 mm, gap: 0.2 mm, stiffness: 2e6, angle: %d deg}\n"
+                 "    - gravity: 20 m/s2\nstudy:\n  modes: {}\n",
+                 angle);
+        whirl_result *result = result_of_text(text);
+        const whirl_table *table = &result->tables[0];
+        const double force = result->force_scale * table_number(table, 0, WHIRL_FIELD_RANGES_HELD, 0);
+        const double *rest = whirl_table_field(table, 0, WHIRL_FIELD_MODES_REST, 0);
+        const double left = 200.0 - 4e5 * 1e-4 * hypot(rest[0], rest[1]);
+        if (angle == 0) first = force;
+        snprintf(whose, sizeof whose, "blade at %d deg: ", angle);
+        check_relative("mean force at rest (N)", force, first, 1e-9);
+        assert_true(left > 20.0 && force >= left * (1.0 - 1e-9) && force < 1.5 * left);
+        whirl_result_free(result);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(annular_rub_takes_its_power),      cmocka_unit_test(blades_take_their_power),
         cmocka_unit_test(unknown_friction_is_missing),      cmocka_unit_test(friction_is_told_of_every_machine),
         cmocka_unit_test(films_tell_where_they_end),        cmocka_unit_test(balls_tell_their_pressure),
-        cmocka_unit_test(contacts_hold_what_rests_on_them),
+        cmocka_unit_test(contacts_hold_what_rests_on_them), cmocka_unit_test(blades_are_held_in_the_mean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 
 import gc
 import importlib.util
+import subprocess
 import weakref
 
 import h5py
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 import whirl
+from conftest import COMMAND
 from whirl.fields import FIELD
 
 
@@ -442,3 +444,19 @@ def test_contacts_that_hold_a_machine_at_rest():
     )
     result = whirl.run(case, progress=False)
     assert result.held == ["modes: rub at disc with 100 N (1 of 2 points)"]
+
+
+def test_a_run_that_stopped_before_a_table_holds_nothing_there(tmp_path):
+    (tmp_path / "case.yaml").write_text(
+        "whirl: 1\nparameters: {load: 10 m/s2}\nrotor:\n  speed: 200 rad/s\n  length_scale: 0.1 mm\n  stations:\n"
+        "    disc: {mass: 10 kg, damping: 600 N.s/m}\n  elements:\n"
+        "    - spring: {between: [disc, ground], stiffness: 400 kN/m}\n"
+        "    - rub: {at: disc, gap: 0.2 mm, stiffness: 2 MN/m, radius: 50 mm}\n    - gravity: = load\nstudy:\n"
+        "  modes: {parameter: load, from: 1, to: 2, points: 1000000}\n"
+        "  unbalance: {parameter: load, from: 1, to: 2, points: 9}\n"
+    )
+    words = [COMMAND, "run", "case.yaml", "-q", "-o", "case.h5", "--max-time", "0.3 s"]
+    assert subprocess.run(words, cwd=tmp_path, stderr=subprocess.DEVNULL).returncode == 3
+    result = whirl.open(tmp_path / "case.h5")
+    assert len(result["unbalance"].values) == 0
+    assert result.held == [] and result.beyond == []

@@ -144,7 +144,7 @@ class Result:
         table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
         told = []
         for name, table in self.tables.items():
-            if FIELD.RANGES_REACHED not in table:
+            if FIELD.RANGES_REACHED not in table or len(table.values) == 0:
                 continue
             every = np.asarray(table[FIELD.RANGES_REACHED]).reshape(len(table.values), -1, 2)
             for i in range(every.shape[1]):
@@ -160,17 +160,18 @@ class Result:
 
     @property
     def held(self) -> list[str]:
-        """The contacts against which machines at rest rest, from which small motions do not lift. Field "ranges/held" of
-        a table is the normal force of every contact at every point, 0 where it is open."""
+        """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
+        of a table is the normal force of every contact at every point, 0 where it is open."""
         told = []
         for name, table in self.tables.items():
-            if FIELD.RANGES_HELD not in table:
+            if FIELD.RANGES_HELD not in table or len(table.values) == 0:
                 continue
             forces = self.force_scale * np.asarray(table[FIELD.RANGES_HELD]).reshape(len(table.values), -1)
             for contact, force in zip(self.contacts, forces.T):
-                touching = force[force > 0]
-                if touching.size:
-                    told.append(f"{name}: {contact} with {touching.max():.4g} N ({touching.size} of {len(force)} points)")
+                count = (force > 0).sum()
+                if count:
+                    most = np.nanmax(force)
+                    told.append(f"{name}: {contact} with {most:.4g} N ({count} of {len(force)} points)")
         return told
 
     @property

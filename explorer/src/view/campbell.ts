@@ -260,12 +260,16 @@ export class CampbellView implements RestChart {
       [frame.x(rest.diagram.values[point]! * this.valueFactor()), frame.y(heightOf(mode))] as const;
     pen.lineWidth = 1.5 * frame.ratio;
     for (const curve of rest.curves) this.drawCurve(pen, curve.map(place), curve, colours);
+    // Of modes that were not followed, those of one number keep their distance.
+    const lasts = new Map<number, number>();
     for (const curve of rest.curves) {
       let last = -Infinity;
       for (const each of curve) {
         const [x, y] = place(each);
+        if (curve.length === 1) last = lasts.get(each.index) ?? -Infinity;
         if (!(Math.abs(x - last) >= APART * frame.ratio) || !Number.isFinite(y)) continue;
         last = x;
+        if (curve.length === 1) lasts.set(each.index, x);
         const whirl = whirlOf(each.mode.direction);
         pen.fillStyle = whirlColour(whirl, colours);
         drawMark(pen, WHIRL_MARKS[whirl], x, y, 3.4 * frame.ratio);

@@ -167,7 +167,7 @@ export class RestView {
     if (rest.modulo(point) > 0)
       parts.push('coefficients turn with the shaft: frequencies are known but for multiples of the speed');
     const held = rest.held(point);
-    if (held.length > 0) parts.push(`rests against ${held.join(' and ')}, from which small motions do not lift`);
+    if (held.length > 0) parts.push(`rests against ${held.join(' and ')}, which small motions leave as it is there`);
     this.how.textContent = `${parts.join('; ')}.`;
   }
 

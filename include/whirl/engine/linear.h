@@ -27,6 +27,10 @@ whirl_status whirl_equilibrium(const whirl_system *system, double *x);
 /// [dimension][dimension]. 0 in the rows and columns of what turns. Errors as whirl_equilibrium.
 whirl_status whirl_rest_slope(const whirl_system *system, const double *x, double *slope, double *jacobian);
 
+/// The normal forces of all contacts there, force [contact_count], likewise their means; 0 of those that are open.
+/// Errors as whirl_equilibrium.
+whirl_status whirl_rest_contacts(const whirl_system *system, const double *x, double *force);
+
 /// A mode: what goes like exp(lambda t), of the pair lambda and its conjugate the one with the positive imaginary part.
 typedef struct whirl_mode {
     double real, imaginary; ///< of lambda, by the system's unit of time (rad of a rotor's clock)

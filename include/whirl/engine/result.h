@@ -175,8 +175,8 @@ typedef struct whirl_left {
 /// Points of a table that left range `index` (whirl_result_law_range); gives how many.
 size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out);
 
-/// Points of a table of machines at rest that rest against a contact, by its index: reached is the largest normal force,
-/// in units of force, most 0; gives how many.
+/// Points of a table of machines at rest that rest against a contact, by its index: reached is the largest normal
+/// force, in units of force, most 0; gives how many.
 size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *out);
 
 /// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.

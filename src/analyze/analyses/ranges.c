@@ -24,8 +24,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},
-    [HELD] = {WHIRL_FIELD_RANGES_HELD, "force", "normal force at rest (0: open), which small motions leave closed",
-              WHIRL_PER_CONTACT, 1, one_at_rest},
+    [HELD] = {WHIRL_FIELD_RANGES_HELD, "force", "normal force of the contact at rest, 0: open", WHIRL_PER_CONTACT, 1,
+              one_at_rest},
 };
 
 static void fill(const whirl_system *system, const whirl_extremes *seen, const block_view *view) {
@@ -42,13 +42,14 @@ static void fill(const whirl_system *system, const whirl_extremes *seen, const b
 }
 
 static whirl_status fill_held(const whirl_system *system, const double *x, const block_view *view) {
-    if (!view->fields[HELD] || !system->contacts) return whirl_ok();
+    if (!view->fields[HELD]) return whirl_ok();
     double *force = calloc(system->contact_count, sizeof *force);
     if (!force) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of contacts");
-    system->contacts(system->model, x, force);
-    for (size_t c = 0; c < system->contact_count; c++) *view_numbers(view, HELD, c) = force[c];
+    const whirl_status status = whirl_rest_contacts(system, x, force);
+    for (size_t c = 0; c < system->contact_count && status.code == WHIRL_OK; c++)
+        *view_numbers(view, HELD, c) = force[c];
     free(force);
-    return whirl_ok();
+    return status;
 }
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
@@ -66,8 +67,8 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
     if (!view->fields[LEFT] && !view->fields[HELD]) return whirl_ok();
     double *x = malloc((d + probes + 1) * sizeof *x), *radius = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ranges of laws");
-    memcpy(x, point->start, d * sizeof *x);
-    whirl_status status = whirl_equilibrium(system, x);
+    memcpy(x, point->modes ? point->modes->rest : point->start, d * sizeof *x);
+    whirl_status status = point->modes ? whirl_ok() : whirl_equilibrium(system, x);
     for (size_t p = 0; p < probes; p++)
         radius[p] = hypot(whirl_probe_value(&system->probes[p], x, 0), whirl_probe_value(&system->probes[p], x, 1));
     if (status.code == WHIRL_OK) {

@@ -14,6 +14,7 @@ typedef struct shown_kind {
     const char *about;         ///< what all of its sections share, told once; NULL: nothing
     bool single;               ///< its section is of one point, too
     bool explored;             ///< the explorer has a view of its own, else it shows the figures
+    const char *held; ///< what its numbers do with contacts at rest; NULL: small motions leave them as they are
     /// Whether sentences about all tables of the kind tell what was found in this one (pages/found.c); NULL: of none.
     bool (*found)(const whirl_table *table);
     /// Its lines of the summary, below the table's heading.

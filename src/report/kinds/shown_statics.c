@@ -180,5 +180,6 @@ const shown_kind shown_statics = {.field = WHIRL_FIELD_STATICS_LOAD,
                                   .anchor = "statics",
                                   .name = "Weight and loads of bearings",
                                   .single = true,
+                                  .held = "sag and loads leave out",
                                   .summarize = summarize,
                                   .section = section};

@@ -79,7 +79,10 @@ static whirl_status print_table(FILE *out, const whirl_shown_units *units, const
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     if (!kind && motions_beside(table)) print_told(out, units, table);
     if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
-    kind->summarize(out, units, table);
+    if (table->count > 0 || whirl_analysis_kind(table->analyses)->found)
+        kind->summarize(out, units, table);
+    else
+        fputs("  no point was computed\n", out);
     return whirl_ok();
 }
 
