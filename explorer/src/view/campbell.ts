@@ -323,10 +323,11 @@ export class CampbellView implements RestChart {
     drawLabels(pen, [...marks.reverse(), ...this.lineEnds(frame, heightOf)], frame, size, colours);
   }
 
-  /// Names of lines where they leave the frame on the right.
+  /// Names of lines where they leave the frame on the right, from above: of two that end together the upper one has
+  /// its name above.
   private lineEnds(frame: Frame, heightOf: (mode: Pick<Mode, 'frequency'>) => number): Marked[] {
     const { rest } = this.subject!;
-    return rest.curves.flatMap((curve) => {
+    const ends = rest.curves.flatMap((curve) => {
       const places = curve.map(({ point, mode }) => ({
         x: frame.x(rest.diagram.values[point]! * this.valueFactor()),
         y: frame.y(heightOf(mode)),
@@ -338,6 +339,7 @@ export class CampbellView implements RestChart {
       const end = seen.at(-1);
       return end?.text && end.x >= frame.left ? [end] : [];
     });
+    return ends.sort((a, b) => a.y - b.y);
   }
 }
 
