@@ -20,13 +20,13 @@ set(WHIRL_ROUNDING -ffp-contract=off -fno-math-errno -fno-trapping-math)
 
 # The address sanitizer tells of wrong addresses where they are used; to ask for every one beforehand as well makes of a
 # kernel, all of whose loops are written out, some five times as much to compile, and so does it to unroll what is asked.
-set(WHIRL_UNASKED "")
+set(WHIRL_SANITIZED_KERNELS "")
 if(WHIRL_SANITIZE MATCHES address AND WHIRL_SANITIZE MATCHES undefined)
-  set(WHIRL_UNASKED -O1 -fno-sanitize=pointer-overflow,null,object-size)
+  set(WHIRL_SANITIZED_KERNELS -O1 -fno-sanitize=pointer-overflow,null,object-size)
 endif()
 # Fuzzers look for new ways through what reads files.
 if(WHIRL_FUZZ)
-  list(APPEND WHIRL_UNASKED -fno-sanitize=fuzzer-no-link)
+  list(APPEND WHIRL_SANITIZED_KERNELS -fno-sanitize=fuzzer-no-link)
 endif()
 
 # Writes for every instruction set a file into `folder` that includes `source`, and adds them to the list `result`. What is
@@ -40,7 +40,7 @@ function(whirl_kernel source root folder result)
     list(POP_FRONT isa suffix number)
     set(file ${folder}/${stem}_${suffix}.c)
     file(CONFIGURE OUTPUT ${file} CONTENT "#define VECTOR_ISA ${number}\n#include \"${included}\"\n")
-    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${isa};${WHIRL_UNASKED}")
+    set_source_files_properties(${file} PROPERTIES COMPILE_OPTIONS "${isa};${WHIRL_SANITIZED_KERNELS}")
     list(APPEND ${result} ${file})
   endforeach()
   set(${result} ${${result}} PARENT_SCOPE)

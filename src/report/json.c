@@ -207,6 +207,12 @@ static bool dump_warnings(const whirl_result *result, FILE *stream) {
            (!*whirl_result_fit(result, 0) || dump_texts("fits", whirl_result_fit, result, stream));
 }
 
+/// How many points there are, and the first of them, from 1.
+static void put_points(bool *well, json_t *object, const whirl_left *left) {
+    document_put(well, object, "points", document_number((double)left->points));
+    document_put(well, object, "first", document_number((double)left->first + 1.0));
+}
+
 /// Ranges of laws that points have left.
 static bool dump_beyond(const whirl_result *result, FILE *stream) {
     bool well = true;
@@ -221,8 +227,7 @@ static bool dump_beyond(const whirl_result *result, FILE *stream) {
             document_put(&well, one, "law", document_text(whirl_result_law_range(result, i)));
             document_put(&well, one, "reached", document_number(left.reached));
             document_put(&well, one, "most", document_number(left.most));
-            document_put(&well, one, "points", document_number((double)left.points));
-            document_put(&well, one, "first", document_number((double)left.first + 1.0));
+            put_points(&well, one, &left);
             document_append(&well, all, one);
         }
     return dump_member(",\n", "beyond", all, stream) && well;
@@ -240,8 +245,7 @@ static bool dump_held(const whirl_result *result, FILE *stream) {
             document_put(&well, one, "table", document_text(result->tables[t].name));
             document_put(&well, one, "contact", document_text(result->contacts[c]));
             document_put(&well, one, "force", document_number(left.reached * result->force_scale));
-            document_put(&well, one, "points", document_number((double)left.points));
-            document_put(&well, one, "first", document_number((double)left.first + 1.0));
+            put_points(&well, one, &left);
             document_append(&well, all, one);
         }
     return dump_member(",\n", "held", all, stream) && well;

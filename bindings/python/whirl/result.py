@@ -138,17 +138,20 @@ class Result:
         """Whether the run was stopped before its end."""
         return self._source.partial
 
+    def _rows_of(self, field):
+        """Tables that have points and the field: their names, and its numbers [points][all of a point]."""
+        for name, table in self.tables.items():
+            if field in table and len(table.values) > 0:
+                yield name, np.asarray(table[field]).reshape(len(table.values), -1)
+
     @property
     def beyond(self) -> list[str]:
         """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
         table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
         told = []
-        for name, table in self.tables.items():
-            if FIELD.RANGES_REACHED not in table or len(table.values) == 0:
-                continue
-            every = np.asarray(table[FIELD.RANGES_REACHED]).reshape(len(table.values), -1, 2)
-            for i in range(every.shape[1]):
-                reached, most = every[:, i].T
+        for name, every in self._rows_of(FIELD.RANGES_REACHED):
+            for i in range(every.shape[1] // 2):
+                reached, most = every[:, 2 * i : 2 * i + 2].T
                 left = reached > most * (1 + 1e-9)
                 if left.any():
                     worst = np.nanmax(reached[left])
@@ -163,11 +166,8 @@ class Result:
         """The contacts against which machines at rest rest, and which small motions leave closed. Field "ranges/held"
         of a table is the normal force of every contact at every point, 0 where it is open."""
         told = []
-        for name, table in self.tables.items():
-            if FIELD.RANGES_HELD not in table or len(table.values) == 0:
-                continue
-            forces = self.force_scale * np.asarray(table[FIELD.RANGES_HELD]).reshape(len(table.values), -1)
-            for contact, force in zip(self.contacts, forces.T):
+        for name, every in self._rows_of(FIELD.RANGES_HELD):
+            for contact, force in zip(self.contacts, self.force_scale * every.T):
                 count = (force > 0).sum()
                 if count:
                     most = np.nanmax(force)

@@ -22,7 +22,8 @@ export interface Mode {
   readonly decrement: number;
   /// 1 circles with the rotation, -1 against it.
   readonly direction: number;
-  /// Of the line along which it was followed, "2F"; "" of none.
+  /// The number of the line along which it was followed, NaN of none, and its name, "2F" or "".
+  readonly line: number;
   readonly name: string;
 }
 
@@ -191,14 +192,19 @@ export class AtRest {
       all('decrement'),
       all('direction'),
     ];
-    return Array.from(all('frequency'), (frequency, i) => ({
-      frequency,
-      growth: growth[i]!,
-      ratio: ratio[i]!,
-      decrement: decrement[i]!,
-      direction: direction[i]!,
-      name: this.lines?.names[this.lineOf(point, i)] ?? '',
-    })).filter(({ frequency }) => Number.isFinite(frequency));
+    const frequencies = all('frequency');
+    return Array.from(frequencies, (frequency, i) => {
+      const line = this.lines?.of[point * frequencies.length + i] ?? NaN;
+      return {
+        frequency,
+        growth: growth[i]!,
+        ratio: ratio[i]!,
+        decrement: decrement[i]!,
+        direction: direction[i]!,
+        line,
+        name: this.lines?.names[line] ?? '',
+      };
+    }).filter(({ frequency }) => Number.isFinite(frequency));
   }
 
   /// Shapes of a mode at all stations, the largest displacement 1.
@@ -217,19 +223,12 @@ export class AtRest {
     return (this.found ??= this.findCurves());
   }
 
-  /// NaN of none.
-  private lineOf(point: number, mode: number): number {
-    const { rows = 0 } = this.diagram.column(FIELD.MODES_FREQUENCY) ?? {};
-    return this.lines?.of[point * rows + mode] ?? NaN;
-  }
-
   private findCurves(): readonly (readonly Place[])[] {
     const curves = new Map<number | Place, Place[]>();
     for (const point of this.order)
       this.modes(point).forEach((mode, index) => {
         const place = { point, index, mode };
-        const line = this.lineOf(point, index);
-        const key = Number.isNaN(line) ? place : line;
+        const key = Number.isNaN(mode.line) ? place : mode.line;
         const curve = curves.get(key);
         if (curve) curve.push(place);
         else curves.set(key, [place]);

@@ -254,10 +254,15 @@ export class CampbellView implements RestChart {
     pen.setLineDash([]);
   }
 
+  /// Gives where a mode of a point lies in the frame.
+  private placer(frame: Frame, heightOf: (mode: Mode) => number): (place: Place) => readonly [number, number] {
+    const { values } = this.subject!.rest.diagram;
+    return ({ point, mode }) => [frame.x(values[point]! * this.valueFactor()), frame.y(heightOf(mode))];
+  }
+
   private drawCurves(pen: Pen, frame: Frame, colours: Theme, heightOf: (mode: Mode) => number): void {
     const { rest } = this.subject!;
-    const place = ({ point, mode }: Place) =>
-      [frame.x(rest.diagram.values[point]! * this.valueFactor()), frame.y(heightOf(mode))] as const;
+    const place = this.placer(frame, heightOf);
     pen.lineWidth = 1.5 * frame.ratio;
     for (const curve of rest.curves) this.drawCurve(pen, curve.map(place), curve, colours);
     // Of modes that were not followed, those of one number keep their distance.
@@ -327,12 +332,12 @@ export class CampbellView implements RestChart {
   /// its name above.
   private lineEnds(frame: Frame, heightOf: (mode: Pick<Mode, 'frequency'>) => number): Marked[] {
     const { rest } = this.subject!;
+    const place = this.placer(frame, heightOf);
     const ends = rest.curves.flatMap((curve) => {
-      const places = curve.map(({ point, mode }) => ({
-        x: frame.x(rest.diagram.values[point]! * this.valueFactor()),
-        y: frame.y(heightOf(mode)),
-        text: mode.name,
-      }));
+      const places = curve.map((each) => {
+        const [x, y] = place(each);
+        return { x, y, text: each.mode.name };
+      });
       const seen = places.filter(
         ({ x, y }) => x <= frame.left + frame.width && y >= frame.top && y <= frame.top + frame.height,
       );

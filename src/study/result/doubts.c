@@ -33,8 +33,9 @@ const char *whirl_result_law_range(const whirl_result *result, size_t index) {
 
 size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *out) {
     *out = (whirl_left){.reached = 0.0};
-    for (size_t point = 0; point < table->count; point++) {
-        const double force = whirl_table_number(table, point, WHIRL_FIELD_RANGES_HELD, contact);
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_HELD);
+    for (size_t point = 0; field && point < table->count; point++) {
+        const double force = whirl_table_number(table, point, field->name, contact);
         if (!whirl_table_done(table, point) || !(force > 0.0)) continue;
         if (out->points++ == 0) out->first = point;
         out->reached = fmax(out->reached, force);
