@@ -1,4 +1,5 @@
-// Motions that were saved under way and taken up in another run: the same bits as if nobody had stopped them.
+// Motions that were saved under way and taken up in another run, and motions that had to wait for lanes: the same bits
+// as if nobody had stopped them, and as if each had been alone.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,20 +12,20 @@
 
 #include "machines.h"
 
-enum { MOTIONS = 5, CROWD = 24, TRANSIENT = 20, RECORD = 10, SAVES = 512 };
+enum { MOTIONS = 5, CROWD = 24, MANY = 96, TRANSIENT = 20, RECORD = 10, SAVES = 512 };
 
 /// A source of motions, which keeps their records, and their states after the save number `wanted`.
 typedef struct motions {
-    whirl_rotor *rotors[CROWD];
+    whirl_rotor *rotors[MANY];
     double start[8];
-    whirl_task tasks[CROWD];
-    whirl_record *records[CROWD];
+    whirl_task tasks[MANY];
+    whirl_record *records[MANY];
     size_t count, given;
     int calls, wanted; ///< saves so far; the one that is kept, -1: none
-    void *states[CROWD];
-    size_t sizes[CROWD];
-    double turned[CROWD]; ///< revolutions at the last save
-    bool waited[SAVES];   ///< whether a motion had not gone on since the save before
+    void *states[MANY];
+    size_t sizes[MANY];
+    double turned[MANY]; ///< revolutions at the last save
+    bool waited[SAVES];  ///< whether a motion had not gone on since the save before
 } motions;
 
 static bool next(void *context, whirl_task *task) {
@@ -94,20 +95,25 @@ static void forget(motions *m) {
     }
 }
 
-/// The revolutions that were computed.
-static size_t record(motions *m, const char *method, const whirl_record_options *options) {
+/// Records all motions in `lanes` lanes or a few more (0: as many as the recorder likes). Returns the revolutions that
+/// were computed.
+static size_t record_in(motions *m, const char *method, const whirl_record_options *options, size_t lanes) {
     static const whirl_motion_saver saver = {always, save, saved};
     const whirl_task_source source = {next, done, abandon, m, &saver};
     whirl_integrate_options integrate = whirl_integrate_default();
     whirl_recorder *recorder;
     size_t turned = 1, sum = 0;
     strcpy(integrate.method, method);
-    integrate.located = options->settle; // both in one of the kinds
+    integrate.located = options->settle && lanes == 0; // both in one of the kinds
     integrate.steps_per_revolution = 128;
-    must(whirl_recorder_new(m->tasks[0].system, &integrate, options, &source, 0, &recorder));
+    must(whirl_recorder_new(m->tasks[0].system, &integrate, options, &source, lanes, &recorder));
     for (; turned > 0; sum += turned) must(whirl_recorder_revolve(recorder, &turned));
     whirl_recorder_free(recorder);
     return sum;
+}
+
+static size_t record(motions *m, const char *method, const whirl_record_options *options) {
+    return record_in(m, method, options, 0);
 }
 
 static void expect_same(const double *a, const double *b, size_t count) {
@@ -249,6 +255,27 @@ static void waiting_for_orbits(void **state) {
     forget(&whole);
 }
 
+/// Motions settle and are set upon their orbits after different numbers of revolutions, so that in few lanes perturbed
+/// copies take lanes and give them back while other motions are recorded. Every record is that of the motion alone:
+/// sections, waveforms, bounds and all watched sums.
+static void waiting_for_lanes(void **state) {
+    whirl_record_options options = options_of_orbits();
+    motions alone, crowd;
+    (void)state;
+    options.transient = 88;
+    options.watch = 35;
+    prepare_some(&alone, MANY);
+    for (alone.count = 1; alone.count <= MANY; alone.count++) record_in(&alone, "dop853", &options, 1);
+    alone.count = MANY;
+    for (size_t lanes = 8; lanes <= 32; lanes += 8) {
+        prepare_some(&crowd, MANY);
+        record_in(&crowd, "dop853", &options, lanes);
+        for (size_t i = 0; i < MANY; i++) expect_same_records(alone.records[i], crowd.records[i]);
+        forget(&crowd);
+    }
+    forget(&alone);
+}
+
 static void one_after_the_other(void **state) {
     const int moments[] = {9, 19, 20};
     (void)state;
@@ -284,9 +311,9 @@ static void states_that_do_not_fit(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(side_by_side),           cmocka_unit_test(looking_for_orbits),
-        cmocka_unit_test(waiting_for_orbits),     cmocka_unit_test(one_after_the_other),
-        cmocka_unit_test(states_that_do_not_fit),
+        cmocka_unit_test(side_by_side),       cmocka_unit_test(looking_for_orbits),
+        cmocka_unit_test(waiting_for_orbits), cmocka_unit_test(one_after_the_other),
+        cmocka_unit_test(waiting_for_lanes),  cmocka_unit_test(states_that_do_not_fit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -42,7 +42,7 @@ struct whirl_recorder {
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
     motion **owner;          ///< [lane_count] the motion of every lane in use
-    bool *recorded;          ///< [lane_count] whether it is recorded in this revolution
+    bool *recorded;          ///< [lane_count] whether a lane is watched, set by revolve_lanes for one revolution
     size_t count, most;      ///< motions under way
     motion **motions;        ///< [most], those that wait included
     bool exhausted;          ///< the source had none when it was last asked
@@ -313,18 +313,32 @@ static whirl_status prepare(whirl_recorder *r, motion *m) {
     return whirl_ok();
 }
 
+/// Prepares all motions for a revolution. Motions may change their lanes meanwhile.
 static whirl_status prepare_all(whirl_recorder *r) {
     whirl_status status = whirl_ok();
+    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++)
+        if (!waits(r->motions[i])) status = prepare(r, r->motions[i]);
+    return status;
+}
+
+/// The motion that a lane holds, if it is recorded in this revolution; NULL for a perturbed copy, an empty lane and a
+/// motion that is not recorded yet. Motions move to other lanes whenever one is freed: a lane is looked up when it is
+/// used, never noted before.
+static motion *recorded_in(const whirl_recorder *r, size_t lane) {
+    motion *m = lane < r->used ? r->owner[lane] : NULL;
+    return m && m->lane == lane && records(m) ? m : NULL;
+}
+
+/// Carries all lanes over one revolution, and watches those whose motions are recorded.
+static void revolve_lanes(whirl_recorder *r) {
     bool recording = false;
-    memset(r->recorded, 0, r->lane_count * sizeof *r->recorded);
-    for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
-        motion *m = r->motions[i];
-        if (!waits(m)) status = prepare(r, m);
-        if (waits(m) || !records(m)) continue;
-        r->recorded[m->lane] = recording = true;
+    for (size_t lane = 0; lane < r->lane_count; lane++) {
+        r->recorded[lane] = recorded_in(r, lane) != NULL;
+        recording = recording || r->recorded[lane];
     }
     r->watch.extremes = recording;
-    return status;
+    r->sample_count = 0;
+    whirl_ensemble_revolve(r->ensemble, r->used, recording ? &r->watch : NULL);
 }
 
 /// One sample of the waveforms, of all lanes: rows of the ensemble as they are, told apart after the revolution.
@@ -342,8 +356,8 @@ static void sample(void *context) {
 
 /// Where the waveforms of lane's motion go on; NULL where nothing is recorded there.
 static double *waveform_of(const whirl_recorder *r, size_t lane) {
-    const motion *m = lane < r->used ? r->owner[lane] : NULL;
-    return m && m->lane == lane && records(m) ? m->record->waveform + m->record->sample_count : NULL;
+    const motion *m = recorded_in(r, lane);
+    return m ? m->record->waveform + m->record->sample_count : NULL;
 }
 
 /// The samples of a revolution go to the records, those of a few neighbouring lanes at a time, which lie side by side.
@@ -552,8 +566,7 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     if (status.code != WHIRL_OK || r->count == 0) return status;
     status = follow_all(r);
     if (status.code != WHIRL_OK) return status;
-    r->sample_count = 0;
-    whirl_ensemble_revolve(r->ensemble, r->used, r->watch.extremes ? &r->watch : NULL);
+    revolve_lanes(r);
     keep_samples(r);
     for (size_t i = 0; i < r->count; i++) {
         if (waits(r->motions[i])) continue;
