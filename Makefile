@@ -101,6 +101,7 @@ soak: test-all clang ## what takes longer: long fuzzing, all tests under the san
 	ctest --test-dir $(BUILD)/sanitize --timeout 7200 -j $(JOBS)
 	scripts/fuzz.sh $(BUILD)/sanitize 1800
 	tests/soak/kills.sh $(BUILD)/whirl tests/cli/good.yaml 1000
+	tests/determinism/tables.sh $(BUILD)/whirl cases 200 4
 	tests/soak/shards.sh $(BUILD)/whirl cases 1000
 	tests/mpi.sh tests/soak/ranks.sh $(BUILD)/whirl cases 300
 	tests/memory/out_of_memory.py $(BUILD)/whirl $(BUILD)/tests/libfailing_malloc.so tests/cli/good.yaml tests/memory/units.xml 0
