@@ -71,7 +71,9 @@ whirl_status whirl_user_system_station(whirl_user_system *system, const char *na
 /// velocities; others follow. Machines then run side by side in lanes. Stations are of displacements. 0: it is not so.
 whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
 
-/// The slopes by a function for one machine; the last call of this and the next counts. `context` is handed to it.
+/// The slopes by a function for one machine; the last call of this and the next counts. `context` is handed to it. A
+/// run calls it once more, at the start, and ends with WHIRL_BAD_INPUT where it changes x or p or leaves a slope
+/// unwritten, as a function of another form does.
 whirl_status whirl_user_system_rates(whirl_user_system *system, whirl_user_rates_fn rates, void *context);
 
 /// ... or by one for many machines. One machine is then many of one.

@@ -192,6 +192,7 @@ static whirl_status run(const void *subject, const whirl_run_options *options, w
     whirl_status status = prepare(subject, &p);
     atomic_store(&p.system.failure->code, 0);
     atomic_store(&p.system.failure->told, 0);
+    if (status.code == WHIRL_OK) status = user_check_form(&p.system);
     if (status.code == WHIRL_OK) status = user_check_rest(&p.study);
     if (status.code == WHIRL_OK) {
         status = whirl_study_run(&p.study, options, result);

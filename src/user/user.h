@@ -71,6 +71,10 @@ struct whirl_user_system {
     user_failure *failure;
 };
 
+/// Calls the functions once, at the start. WHIRL_BAD_INPUT where they change what they are given or leave slopes
+/// unwritten, as functions of another form do; WHIRL_NO_MEMORY.
+whirl_status user_check_form(const whirl_user_system *system);
+
 /// Facts of a result that tell the equations from others.
 whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result);
 

@@ -2,6 +2,7 @@
 
 import functools
 import importlib.util
+import ctypes
 import os
 import shutil
 import threading
@@ -95,6 +96,113 @@ def test_text_that_does_not_compile_is_refused():
         compile_c("int rates(double t) { return thing; }")
     with pytest.raises(whirl.BadInput, match="defines no function 'slopes'"):
         compile_c(C_ONE, "slopes")
+    with pytest.raises(whirl.BadInput, match="expected a name in C"):
+        compile_c(C_ONE, "my rates")
+
+
+# What a function of C begins with, each time with one thing wrong.
+OTHER_FORMS = (
+    "void rates(double t, const double *x, const double *p, double *dxdt, void *c)",
+    "double rates(double t, const double *x, const double *p, double *dxdt, void *c)",
+    "int rates(double t)",
+    "int rates()",
+    "int rates(const double *x, double t, const double *p, double *dxdt, void *c)",
+    "int rates(double t, const double *x, double *dxdt, const double *p, void *c)",
+    "int rates(double t, const double *x, double *dxdt, void *p)",
+    "int rates(float t, const double *x, const double *p, double *dxdt, void *c)",
+    "int rates(double t, const float *x, const float *p, float *dxdt, void *c)",
+    "int rates(int n, int row, const double *t, const double *x, const double *p, double *dxdt, void *c)",
+    "static int rates(double t, const double *x, const double *p, double *dxdt, void *c)",
+)
+
+
+@compiler
+@pytest.mark.parametrize("head", OTHER_FORMS)
+def test_c_functions_of_another_form_are_refused(head):
+    with pytest.raises(whirl.BadInput, match=r"a function 'rates' of another form, expected 'int rates\((.|\n)*:2:"):
+        compile_c("\n" + head + " { return 0; }")
+
+
+@compiler
+def test_forms_of_c_texts_are_found_and_compared():
+    tangent = "int f(double t, const double *x, const double *p, const double *dx, double *d, void *c) { return 1; }"
+    functions = compile_c(C_ONE), compile_c(C_LANES), compile_c(tangent, "f")
+    assert [function.form for function in functions] == ["rates", "lanes", "tangent"]
+    more = {"speed": "omega"}
+    with pytest.raises(
+        whirl.BadInput, match=r"rates is a function 'int rates\(size_t .*', expected 'int rates\(double"
+    ):
+        System(functions[1], [0.3, 0], PARAMETERS, **more)
+    with pytest.raises(
+        whirl.BadInput, match=r"rates is a function 'int rates\(double .*', expected 'int rates\(size_t"
+    ):
+        System(functions[0], [0.3, 0], PARAMETERS, lanes=True, **more)
+    with pytest.raises(whirl.BadInput, match=r"tangent is a function .*, expected 'int tangent\(double"):
+        System(functions[0], [0.3, 0], PARAMETERS, tangent=functions[0], **more)
+
+
+REAL = ctypes.POINTER(ctypes.c_double)
+NO_FORMS = (
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, REAL, REAL, REAL), "expected 'int rates"),
+    (ctypes.CFUNCTYPE(None, ctypes.c_double, REAL, REAL, REAL, ctypes.c_void_p), "'void \\(double, double \\*"),
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_float, REAL, REAL, REAL, ctypes.c_void_p), "'int \\(float, double"),
+    (ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, *4 * [ctypes.c_void_p]), "'int \\(double, void \\*, void"),
+    (ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_double, REAL, REAL, REAL, ctypes.c_void_p), "'int64_t \\(double"),
+)
+
+
+@pytest.mark.parametrize("kind, words", NO_FORMS)
+def test_functions_of_ctypes_of_another_form_are_refused(kind, words):
+    with pytest.raises(whirl.BadInput, match=words):
+        System(kind(lambda *_: 0), [0.3, 0], PARAMETERS, speed="omega")
+
+
+@compiler
+def test_functions_by_address_say_their_form():
+    compiled, more = compile_c(C_ONE), {"speed": "omega"}
+    undeclared = compiled._library.rates
+    for unknown in (compiled.address, undeclared, ctypes.c_void_p, object()):
+        with pytest.raises(whirl.BadInput, match="^rates is .*expected"):
+            System(unknown() if isinstance(unknown, type) else unknown, [0.3, 0], PARAMETERS, **more)
+    declared = whirl.systems.prototype()(compiled.address)
+    check_sweep(System(declared, [0.3, 0], PARAMETERS, **more).sweep("omega", OMEGAS, **OPTIONS), velocity=1)
+    undeclared.argtypes = whirl.systems.prototype()._argtypes_
+    System(undeclared, [0.3, 0], PARAMETERS, **more)
+    own = __import__("cffi").FFI()
+    right = "int (*)(double, double *, double *, double *, void *)"
+    System(own.cast(right, compiled.address), [0.3, 0], PARAMETERS, **more)
+    for wrong in ("void *", right.replace("int", "void"), right.replace("(double,", "(float,"), right[:-1] + ", ...)"):
+        with pytest.raises(whirl.BadInput, match="^rates is a .*expected 'int rates"):
+            System(own.cast(wrong, compiled.address), [0.3, 0], PARAMETERS, **more)
+
+
+def test_cfuncs_of_another_form_are_refused():
+    numba = pytest.importorskip("numba") if not os.environ.get("CI") else __import__("numba")
+
+    @numba.cfunc("int32(float64, CPointer(float64), CPointer(float64), CPointer(float64))")
+    def as_gsl_has_it(t, x, slopes, p):
+        return 0
+
+    with pytest.raises(whirl.BadInput, match=r"'int \(double, double \*, double \*, double \*\)', expected 'int rates"):
+        System(as_gsl_has_it, [0.3, 0], PARAMETERS, speed="omega")
+
+
+@compiler
+@pytest.mark.parametrize("body", ("p[k] = x[k]", "x[k] = 0.1", "out[0] = x[1]"))
+def test_functions_that_write_elsewhere_are_refused(body):
+    """The order of pointers is no part of a type of ctypes: what a function does to its arguments shows it."""
+    text = "int f(double t, double *x, double *p, double *out, void *c) { for (int k = 0; k < 2; k++) BODY; return 0; }"
+    with pytest.raises(whirl.BadInput, match="another form"):
+        compile_c(text.replace("BODY", body), "f")
+    wrapped = text.replace("BODY", body).replace("int f(", "static int g(") + (
+        "int f(double t, const double *x, const double *p, double *out, void *c)"
+        "{ return g(t, (double *)x, (double *)p, out, c); }"
+    )
+    system = System(compile_c(wrapped, "f"), [0.3, 0.2], PARAMETERS, speed="omega")
+    with pytest.raises(
+        whirl.BadInput, match="the slopes (change the (state|parameters)|leave number 1 of 2 unwritten)"
+    ):
+        system.response(**OPTIONS)
 
 
 def test_numba_functions_are_systems():
@@ -384,6 +492,7 @@ def test_c_texts_are_known_again(tmp_path):
 @compiler
 def test_functions_that_cannot_be_known_again_need_a_name(tmp_path):
     lock, function = threading.Lock(), compile_c(C_ONE)
+    by_address = whirl.systems.prototype()(function.address)
 
     def locked(t, x, p):
         with lock:
@@ -393,7 +502,7 @@ def test_functions_that_cannot_be_known_again_need_a_name(tmp_path):
         return eval("oscillator(t, x, p)")
 
     for rates, words in [
-        (function.address, "it is an address"),
+        (by_address, "it is an address"),
         (locked, "a lock, whose content is not known"),
         (evaluated, r"it calls eval\(\)"),
     ]:
@@ -401,7 +510,7 @@ def test_functions_that_cannot_be_known_again_need_a_name(tmp_path):
         with pytest.raises(whirl.BadInput, match=words + '.*identity="my rotor 1"'):
             gone_on(system, tmp_path / "journal")
         assert not (tmp_path / "journal").exists()
-    names = [System(function.address, [0.3, 0], PARAMETERS, speed="omega", identity=name) for name in ("a 1", "a 2")]
+    names = [System(by_address, [0.3, 0], PARAMETERS, speed="omega", identity=name) for name in ("a 1", "a 2")]
     stopped(names[0], tmp_path / "journal")
     with pytest.raises(whirl.BadInput, match="equations was 'a 1' and is 'a 2'"):
         gone_on(names[1], tmp_path / "journal", resume=True)

@@ -14,6 +14,7 @@ from __future__ import annotations
 import ctypes
 import hashlib
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -28,6 +29,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _identity, errors
+from ._forms import FORMS, address_of, callback_type, ctypes_prototype, prototype_of, words_of
 from ._library import check, ffi, lib, word_bytes
 from .running import compute
 from .fields import FIELD
@@ -38,32 +40,48 @@ if TYPE_CHECKING:
 
     from .result import Result
 
-__all__ = ["signature", "CFunction", "compile_c", "System"]
-
-_ONE = "int(double, const double *, const double *, double *, void *)"
-_MANY = "int(size_t, size_t, const double *, const double *, const double *, double *, void *)"
-_TANGENT = "int(double, const double *, const double *, const double *, double *, void *)"
+__all__ = ["signature", "prototype", "CFunction", "compile_c", "System"]
 
 
-def signature(lanes: bool = False) -> Signature:
-    """The signature of a Numba ``cfunc`` for slopes: of one machine, or of many in lanes.
+def _form(lanes, tangent):
+    if lanes and tangent:
+        raise errors.BadInput("lanes and tangent are both True, expected one of them: a tangent is of one machine")
+    return "lanes" if lanes else "tangent" if tangent else "rates"
+
+
+def signature(lanes: bool = False, tangent: bool = False) -> Signature:
+    """The signature of a Numba ``cfunc`` for slopes: of one machine, or of many in lanes; or of a tangent.
 
     One machine: ``f(t, x, p, slopes, context)``; many: ``f(count, row, t, x, p, slopes, context)``, where number k of
-    machine i is at ``[k * row + i]``. Pointers become arrays by ``numba.carray(x, n)``; 0 is returned.
+    machine i is at ``[k * row + i]``; a tangent: ``f(t, x, p, dx, slopes, context)``. Pointers become arrays by
+    ``numba.carray(x, n)``; 0 is returned.
     """
     from numba import types
 
-    pointer, void = types.CPointer(types.float64), types.voidptr
-    if lanes:
-        return types.int32(types.uint64, types.uint64, pointer, pointer, pointer, pointer, void)
-    return types.int32(types.float64, pointer, pointer, pointer, void)
+    kinds = {
+        "double": types.float64,
+        "double *": types.CPointer(types.float64),
+        "size_t": types.uint64,
+        "void *": types.voidptr,
+    }
+    return types.int32(*(kinds[word] for word in words_of(_form(lanes, tangent))))
+
+
+def prototype(lanes: bool = False, tangent: bool = False) -> type:
+    """The same form as a type of ctypes: ``prototype()(address)`` declares the form of a function at an address, and
+    ``prototype()(("rates", library))`` that of a function of a library."""
+    return ctypes_prototype(_form(lanes, tangent))
 
 
 class CFunction:
     """A function of C that was compiled from its text; see :func:`compile_c`."""
 
-    def __init__(self, library: ctypes.CDLL, name: str, folder: tempfile.TemporaryDirectory, identity: str) -> None:
+    def __init__(
+        self, library: ctypes.CDLL, name: str, form: str, folder: tempfile.TemporaryDirectory, identity: str
+    ) -> None:
         self._library, self._folder = library, folder  # both live as long as the function
+        #: what it computes: "rates", "lanes" or "tangent"
+        self.form = form
         #: a checksum of its text, of what that includes, of the compiler and its flags
         self.identity = identity
         try:
@@ -80,7 +98,7 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     ----------
     source : str
         ``int rates(double t, const double *x, const double *p, double *dxdt, void *context) {...}``, which returns 0,
-        or the form for lanes (:func:`signature`). ``math.h`` and ``stddef.h`` are included before it.
+        or the form for lanes or a tangent (:func:`signature`). ``math.h`` and ``stddef.h`` are included before it.
     name : str
         Of the function.
     flags : sequence of str
@@ -93,7 +111,7 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     Raises
     ------
     BadInput
-        With what the compiler said.
+        With what the compiler said: of a text that does not compile, of a function of another form.
     MissingProgram
         Where there is no compiler.
     """
@@ -101,20 +119,42 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     flags = shlex.split(flags) if isinstance(flags, str) else flags
     if not shutil.which(compiler[0]):
         raise errors.MissingProgram(f"there is no C compiler '{compiler[0]}' (CC names another)")
+    if not isinstance(source, str):
+        raise errors.BadInput(f"the C text is {type(source).__name__}, expected a str")
+    if not (isinstance(name, str) and name.isascii() and name.isidentifier()):
+        raise errors.BadInput(f"the function is called {name!r}, expected a name in C")
     folder = tempfile.TemporaryDirectory(prefix="whirl-")
     text, library = Path(folder.name) / "system.c", Path(folder.name) / "system.so"
-    text.write_text("#include <math.h>\n#include <stddef.h>\n#line 1\n" + source)
+
+    def run(*words, declared=""):
+        text.write_text(f"#include <math.h>\n#include <stddef.h>\n{declared}\n#line 1\n{source}")
+        return subprocess.run([*compiler, "-std=c17", *flags, *words], capture_output=True, text=True)
 
     def compiled(*words):
-        told = subprocess.run([*compiler, *words], capture_output=True, text=True)
+        told = run(*words)
         if told.returncode != 0:
             raise errors.BadInput(f"the C text does not compile:\n{told.stderr.strip()}")
         return told.stdout
 
-    compiled("-std=c17", "-shared", "-fPIC", *flags, str(text), "-o", str(library), "-lm")
-    parts = compiled("-std=c17", *flags, "-E", "-P", str(text)), compiled("--version"), repr((name, *flags))
+    # The function has the form of the first prototype that the compiler takes before the text.
+    said = {}
+    for form in FORMS:
+        words = "-shared", "-fPIC", str(text), "-o", str(library), "-lm"
+        told = run(*words, declared=prototype_of(form, name) + ";")
+        if told.returncode == 0:
+            break
+        said[form] = told.stderr.strip()
+    else:
+        compiled("-fsyntax-only", str(text))
+        nearest = "lanes" if re.search(rf"\b{name}\s*\(\s*size_t", source) else "rates"
+        raise errors.BadInput(
+            f"the C text has a function '{name}' of another form, expected '{prototype_of(nearest, name)}':\n"
+            + said[nearest]
+        )
+    version = subprocess.run([*compiler, "--version"], capture_output=True, text=True).stdout
+    parts = compiled("-E", "-P", str(text)), version, repr((name, *flags))
     identity = hashlib.sha256("\0".join(parts).encode()).hexdigest()
-    return CFunction(ctypes.CDLL(str(library)), name, folder, identity)
+    return CFunction(ctypes.CDLL(str(library)), name, form, folder, identity)
 
 
 # Options of branches, which the library knows with this before them, as results have them.
@@ -154,17 +194,6 @@ def _pair(name, pair):
     if not isinstance(pair, (Sequence, np.ndarray)) or len(pair) != 2:
         raise errors.BadInput(f"the station '{name}' is {pair!r}, expected a pair of coordinates")
     return tuple(_count(coordinate, f"a coordinate of the station '{name}'") for coordinate in pair)
-
-
-def _address(function):
-    """Where a compiled function lies; None of Python callables."""
-    if isinstance(function, int):
-        return function
-    if isinstance(function, ctypes._CFuncPtr):
-        return ctypes.cast(function, ctypes.c_void_p).value
-    if isinstance(function, ffi.CData):
-        return int(ffi.cast("intptr_t", function))
-    return getattr(function, "address", None)
 
 
 def _identity_of(what, function):
@@ -240,9 +269,10 @@ class System:
 
     Parameters
     ----------
-    rates : callable, Numba cfunc, CFunction, ctypes or cffi pointer, or address
+    rates : callable, Numba cfunc, CFunction, or function of ctypes or cffi
         A Python callable ``f(t, x, p)`` gives the slopes, a sequence; x is an array, p has the parameters by their
-        names (``p.gamma``). Anything compiled has the form of :func:`signature`.
+        names (``p.gamma``). Anything compiled has the form of :func:`signature` and says so: a function of ctypes has
+        ``argtypes``, an address is declared by :func:`prototype`.
     start : sequence of float
         The state that motions start from.
     parameters : mapping of str to float
@@ -281,7 +311,7 @@ class System:
 
     def __init__(
         self,
-        rates: Callable | CFunction | int | Any,
+        rates: Callable | CFunction | Any,
         start: ArrayLike,
         parameters: Mapping[str, float] | None = None,
         *,
@@ -291,7 +321,7 @@ class System:
         displacements: int = 0,
         stations: Mapping[str, Sequence[int]] | None = None,
         angles: Mapping[int, float] | None = None,
-        tangent: Callable | CFunction | int | Any = None,
+        tangent: Callable | CFunction | Any = None,
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
         title: str = "",
@@ -310,14 +340,9 @@ class System:
         unknown = set(self.units) - set(self.parameters)
         if unknown:
             raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
-        for what, function in (("rates", rates), ("tangent", tangent)):
-            if function is None and what == "tangent":
-                continue
-            address = _address(function)
-            wrong = isinstance(function, (bool, np.bool_)) or not 0 < (1 if address is None else address) < 1 << 64
-            if wrong or (address is None and not callable(function)):
-                raise errors.BadInput(f"{what} is {function!r}, expected a function")
-        for name in self.parameters if _address(rates) is None else ():
+        self._rates_at = address_of("rates", "lanes" if self.lanes else "rates", rates)
+        self._tangent_at = None if tangent is None else address_of("tangent", "tangent", tangent)
+        for name in self.parameters if self._rates_at is None else ():
             if iskeyword(name) or name.startswith("_") or not name.isidentifier():
                 raise errors.BadInput(f"a parameter is called '{name}', which p cannot have as an attribute in Python")
         self._build(_Study())  # what is wrong is said here
@@ -346,7 +371,7 @@ class System:
                 raise errors.BadInput(f"rates gave slopes of shape {found.shape}, expected {shape}")
             to[...] = found
 
-        @ffi.callback(_ONE, onerror=keep, error=1)
+        @ffi.callback(callback_type("rates"), onerror=keep, error=1)
         def one(t, x, p, out, _context):
             state, values = self._copied(x, n), self._copied(p, count_p)
             if many:
@@ -356,7 +381,7 @@ class System:
                 put(function(t, state, names(*values)), self._state(out, n), (n,))
             return 0
 
-        @ffi.callback(_MANY, onerror=keep, error=1)
+        @ffi.callback(callback_type("lanes"), onerror=keep, error=1)
         def lanes(count, row, t, x, p, out, _context):
             times, states = self._copied(t, count), self._copied(x, n, row)[:, :count]
             values = names(*self._copied(p, count_p, row)[:, :count])
@@ -371,7 +396,7 @@ class System:
         def keep(kind, value, trace):
             raised.setdefault("value", value)
 
-        @ffi.callback(_TANGENT, onerror=keep, error=1)
+        @ffi.callback(callback_type("tangent"), onerror=keep, error=1)
         def tangent(t, x, p, dx, out, _context):
             slopes = np.asarray(
                 self.tangent(t, self._copied(x, n), names(*self._copied(p, count_p)), self._copied(dx, n)), dtype=float
@@ -385,7 +410,7 @@ class System:
 
     def _put_functions(self, handle, raised):
         """Hands over the functions; gives what must live as long as they are called."""
-        address = _address(self.rates)
+        address = self._rates_at
         rates = self._python_rates(raised) if address is None else ffi.cast("void *", address)
         if self.lanes:
             check(lib.whirl_user_system_lanes(handle, ffi.cast("whirl_user_lanes_fn", rates), ffi.NULL))
@@ -393,7 +418,7 @@ class System:
             check(lib.whirl_user_system_rates(handle, ffi.cast("whirl_user_rates_fn", rates), ffi.NULL))
         if self.tangent is None:
             return rates, None
-        address = _address(self.tangent)
+        address = self._tangent_at
         tangent = self._python_tangent(raised) if address is None else ffi.cast("void *", address)
         check(lib.whirl_user_system_tangent(handle, ffi.cast("whirl_user_tangent_fn", tangent), ffi.NULL))
         return rates, tangent
@@ -528,7 +553,8 @@ class System:
 
     def _run(self, study, threads, progress, journal, resume):
         if threads is None:
-            threads = 1 if _address(self.rates) is None or (self.tangent and _address(self.tangent) is None) else 0
+            called = self._rates_at is None or (self.tangent is not None and self._tangent_at is None)
+            threads = 1 if called else 0
         handle, functions, raised = self._build(study)
         if journal is not None:
             check(lib.whirl_user_system_identity(handle, word_bytes(self._known())))

@@ -290,6 +290,42 @@ static void slopes_that_are_no_numbers_are_divergence(void **state) {
     }
 }
 
+/// GSL's order: slopes before parameters.
+static int as_gsl_has_it(double t, const double *x, double *slopes, void *parameters) {
+    return oscillator(t, x, parameters, slopes, NULL);
+}
+
+static int silent(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)t, (void)x, (void)p, (void)context;
+    dxdt[0] = 1.0;
+    return 0;
+}
+
+static int wrong_perturbation(double t, const double *x, const double *p, const double *dx, double *ddxdt,
+                              void *context) {
+    ((double *)(uintptr_t)dx)[1] = 2.0;
+    return oscillator(t, x, p, ddxdt, context);
+}
+
+/// Functions of another form, which reach the library as addresses, are found by what they do to their arguments.
+static void functions_of_another_form_are_refused(void **state) {
+    whirl_job *job;
+    whirl_result *result;
+    (void)state;
+    whirl_user_system *system = make();
+    good(whirl_job_of_user_system(system, &job));
+    good(whirl_user_system_rates(system, (whirl_user_rates_fn)(void (*)(void))as_gsl_has_it, NULL));
+    refused(whirl_job_run(job, &result),
+            "the slopes change the parameters that they are given, expected the arguments");
+    good(whirl_user_system_rates(system, silent, NULL));
+    refused(whirl_job_run(job, &result), "the slopes leave number 1 of 2 unwritten");
+    good(whirl_user_system_rates(system, oscillator, NULL));
+    good(whirl_user_system_tangent(system, wrong_perturbation, NULL));
+    refused(whirl_job_run(job, &result), "the numbers of the tangent change the perturbation that they are given");
+    whirl_job_free(job);
+    whirl_user_system_free(system);
+}
+
 static void what_is_wrong_is_said(void **state) {
     whirl_user_system *system;
     whirl_job *job;
@@ -341,6 +377,7 @@ int main(void) {
         cmocka_unit_test(a_function_that_fails_ends_the_run),
         cmocka_unit_test(slopes_that_jump_are_refused_where_a_derivative_is_followed),
         cmocka_unit_test(slopes_that_are_no_numbers_are_divergence),
+        cmocka_unit_test(functions_of_another_form_are_refused),
         cmocka_unit_test(what_is_wrong_is_said),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,79 @@
+// A user's functions are called once before a run: what they do to their arguments shows whether they have the form
+// that whirl calls. A function of another form, which reached the library as an address, would write its slopes into
+// the parameters or leave them as they are.
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "user.h"
+
+/// A NaN that no arithmetic gives: it stands where a function has not written.
+static const uint64_t unwritten = 0x7ff8dead0badbeefu;
+
+/// Arguments of a call, and copies of those that a function may not change.
+typedef struct form_arguments {
+    size_t room; ///< of each of the following, also for a function that takes one of them for another
+    double *state, *parameters, *perturbation, *slopes, *kept;
+} form_arguments;
+
+static bool form_changed(const form_arguments *a, const double *argument, size_t which) {
+    return memcmp(argument, a->kept + which * a->room, a->room * sizeof *argument) != 0;
+}
+
+/// Says what a function of this name has done wrong to its arguments.
+static whirl_status form_judge(const whirl_user_system *system, const form_arguments *a, const char *name,
+                               const char *form) {
+    const double *const arguments[] = {a->state, a->parameters, a->perturbation};
+    static const char *const names[] = {"state", "parameters", "perturbation"};
+    for (size_t i = 0; i < 3; i++)
+        if (form_changed(a, arguments[i], i))
+            return whirl_fail(WHIRL_BAD_INPUT, "the %s change the %s that they are given, expected %s", name, names[i],
+                              form);
+    // The slopes of displacements are the velocities, whatever a function writes.
+    for (size_t k = system->displacements; k < system->dimension; k++)
+        if (memcmp(&a->slopes[k], &unwritten, sizeof unwritten) == 0)
+            return whirl_fail(WHIRL_BAD_INPUT, "the %s leave number %zu of %zu unwritten, expected %s", name, k,
+                              system->dimension, form);
+    return whirl_ok();
+}
+
+static void form_fill(const whirl_user_system *system, form_arguments *a) {
+    for (size_t i = 0; i < 4 * a->room; i++) a->state[i] = 0.0;
+    for (size_t k = 0; k < system->dimension; k++) {
+        a->state[k] = a->perturbation[k] = system->start[k];
+        memcpy(&a->slopes[k], &unwritten, sizeof unwritten);
+    }
+    for (size_t k = 0; k < system->parameter_count; k++) a->parameters[k] = system->parameters[k].value;
+    memcpy(a->kept, a->state, 3 * a->room * sizeof *a->kept);
+}
+
+whirl_status user_check_form(const whirl_user_system *system) {
+    const size_t most = system->dimension > system->parameter_count ? system->dimension : system->parameter_count;
+    form_arguments a = {.room = most + 1};
+    a.state = calloc(7 * a.room, sizeof *a.state);
+    if (!a.state) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the arguments of a system");
+    a.parameters = a.state + a.room;
+    a.perturbation = a.parameters + a.room;
+    a.slopes = a.perturbation + a.room;
+    a.kept = a.slopes + a.room;
+
+    // What a function does that fails at the start is no evidence: the run says that it fails.
+    const double t = 0.0;
+    whirl_status status = whirl_ok();
+    form_fill(system, &a);
+    if (system->lanes ? system->lanes(1, 1, &t, a.state, a.parameters, a.slopes, system->context) == 0
+                      : system->rates(t, a.state, a.parameters, a.slopes, system->context) == 0)
+        status = form_judge(system, &a, "slopes",
+                            system->lanes ? "the arguments count, row, t, x, p, dxdt, context, and a number for every "
+                                            "slope"
+                                          : "the arguments t, x, p, dxdt, context, and a number for every slope");
+    if (status.code == WHIRL_OK && system->tangent) {
+        form_fill(system, &a);
+        if (system->tangent(t, a.state, a.parameters, a.perturbation, a.slopes, system->tangent_context) == 0)
+            status = form_judge(system, &a, "numbers of the tangent",
+                                "the arguments t, x, p, dx, ddxdt, context, and a number for every slope");
+    }
+    free(a.state);
+    return status;
+}
