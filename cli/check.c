@@ -11,24 +11,46 @@
 #include "case_arguments.h"
 #include "files.h"
 #include "limit.h"
+#include "output.h"
+#include "whirl/engine/figure.h"
 #include "whirl/engine/report.h"
 
 typedef struct check_arguments {
     case_arguments given; ///< its settings; the cases are argv from `first` on
     int first;
+    const char *figure; ///< file for the drawing of the machine, or NULL
+    bool force;
 } check_arguments;
 
-static const struct argp_option options[] = {SET_OPTION, {0}};
+enum { KEY_FIGURE = 0x200, KEY_FORCE };
+
+static const struct argp_option options[] = {
+    SET_OPTION,
+    {.name = "figure",
+     .key = KEY_FIGURE,
+     .arg = "FILE",
+     .doc = "Draw the machine to scale: .png, .pdf, .svg or .json, of one case"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace a drawing that is there"},
+    {0},
+};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
     check_arguments *arguments = state->input;
     switch (key) {
     case KEY_SET:
         return parse_case_argument(&arguments->given, key, argument, state);
+    case KEY_FIGURE:
+        arguments->figure = argument;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
+        return 0;
     case ARGP_KEY_ARG:
         return ARGP_ERR_UNKNOWN; // all of them at once, below
     case ARGP_KEY_ARGS:
         arguments->first = state->next;
+        if (arguments->figure && state->argc - state->next != 1)
+            bad_argument(state, "--figure is the drawing of one case, %d are given", state->argc - state->next);
         return 0;
     case ARGP_KEY_NO_ARGS:
         require_option(state, NULL, "CASE.yaml");
@@ -263,7 +285,29 @@ static whirl_status load_input(const char *name, whirl_problems *problems, whirl
     return status;
 }
 
-static int check_file(const case_arguments *given, const char *argument) {
+/// Writes the drawing of the machine.
+static int draw_machine(const check_arguments *arguments, const char *path, const whirl_case *object) {
+    whirl_result *told = calloc(1, sizeof *told);
+    whirl_figure *figure = NULL;
+    whirl_status status = told ? whirl_case_describe_result(object, told)
+                               : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    if (status.code == WHIRL_OK) status = whirl_figure_new(told, "rotor", NULL, &figure);
+    int outcome = EXIT_DONE;
+    if (status.code == WHIRL_OK &&
+        !may_write_file(arguments->figure, path, "the case itself, expected another file", arguments->force)) {
+        outcome = EXIT_FAILED;
+    } else if (status.code == WHIRL_OK) {
+        guard_output(arguments->figure);
+        status = whirl_figure_write(figure, arguments->figure, NULL);
+        if (status.code == WHIRL_OK) printf("%s: %s\n", arguments->figure, figure->title);
+    }
+    whirl_figure_free(figure);
+    whirl_result_free(told);
+    return status.code == WHIRL_OK ? outcome : complain_of(&status);
+}
+
+static int check_file(const check_arguments *arguments, const char *argument) {
+    const case_arguments *given = &arguments->given;
     const bool input = strcmp(argument, "-") == 0;
     const char *const path = input ? "standard input" : argument;
     whirl_problems problems = {0};
@@ -273,8 +317,11 @@ static int check_file(const case_arguments *given, const char *argument) {
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     const int set = apply_settings(given, object);
     if (set == EXIT_DONE) status = describe_case(path, object);
+    int drawn = EXIT_DONE;
+    if (set == EXIT_DONE && status.code == WHIRL_OK && arguments->figure) drawn = draw_machine(arguments, path, object);
     whirl_case_free(object);
     if (set != EXIT_DONE) return set;
+    if (drawn != EXIT_DONE) return drawn;
     if (status.code == WHIRL_OK) return EXIT_DONE;
     complain("%s: %s", path, status.message);
     if (status.code == WHIRL_NO_MEMORY) guard_note_exhausted();
@@ -296,7 +343,7 @@ static int run(int argc, char **argv) {
     if (read != EXIT_DONE) return read;
     int outcome = EXIT_DONE;
     for (int i = arguments.first; i < argc && outcome != EXIT_FAILED; i++) {
-        const int checked = check_file(&arguments.given, argv[i]);
+        const int checked = check_file(&arguments, argv[i]);
         if (checked != EXIT_DONE) outcome = checked;
     }
     return outcome == EXIT_DONE ? finish_output() : outcome;

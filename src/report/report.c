@@ -69,7 +69,7 @@ static whirl_status draw_figure(report *made, const drawing *of, const figure_pl
     if (status.code != WHIRL_OK) return status;
     status = write_figure(made->paths[result], figure);
     drawn_figure *own = &made->figures.items[made->figures.count++];
-    *own = (drawn_figure){.result = result, .table = place->table, .name = place->name};
+    *own = (drawn_figure){.result = result, .table = place->table, .name = place->name, .whole = place->kind->whole};
     memcpy(own->caption, figure->caption, sizeof own->caption);
     whirl_figure_free(figure);
     return status;

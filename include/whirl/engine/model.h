@@ -1,7 +1,9 @@
-/// What a machine is made of: sections of its shafts and masses of its stations, as reports list them.
+/// What a machine is made of: sections of its shafts, masses of its stations and what acts on these, as reports list
+/// and drawings show them.
 #ifndef WHIRL_MODEL_H
 #define WHIRL_MODEL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "whirl/engine/rotor.h"
@@ -22,7 +24,30 @@ typedef struct whirl_model_section {
 /// What stands at a station besides its part of a shaft, with discs. SI.
 typedef struct whirl_model_mass {
     double mass, polar, diametral; ///< kg, kg m2
+    size_t shaft;                  ///< among the design's; WHIRL_MODEL_NONE where the station lies on no shaft
+    double position;               ///< along that shaft, m
+    bool unbalanced;               ///< it has an eccentricity, or an element has an unbalance there
 } whirl_model_mass;
+
+/// No station (the ground), or no shaft.
+#define WHIRL_MODEL_NONE ((size_t)-1)
+
+/// What an element is to a machine.
+typedef enum whirl_model_role {
+    WHIRL_ROLE_BEARING, ///< it carries the rotor
+    WHIRL_ROLE_DRAG,    ///< a seal, an impeller or a stage
+    WHIRL_ROLE_STATOR,  ///< the rotor may touch it
+    WHIRL_ROLE_SUPPORT, ///< it holds a station from the ground, as springs and mounts do
+    WHIRL_ROLE_LINK,    ///< it joins two stations, as couplings and lumped shafts do
+    WHIRL_ROLE_OTHER    ///< a mass, a load, or the runout of a probe's track
+} whirl_model_role;
+
+/// An element with its stations.
+typedef struct whirl_model_element {
+    const char *kind;      ///< "film"; static, or the added type's
+    whirl_model_role role; ///< what it is to the machine
+    size_t station[2];     ///< the second, or both, WHIRL_MODEL_NONE where that end stands on the ground
+} whirl_model_element;
 
 /// A shaft with all that is on it.
 typedef struct whirl_model_total {
@@ -31,10 +56,11 @@ typedef struct whirl_model_total {
 
 /// All of a design.
 typedef struct whirl_model {
-    size_t section_count, station_count, shaft_count; ///< of the arrays
-    whirl_model_section *sections;                    ///< [section_count] shaft by shaft, along them
-    whirl_model_mass *stations;                       ///< [station_count]
-    whirl_model_total *shafts;                        ///< [shaft_count]
+    size_t section_count, station_count, shaft_count, element_count; ///< of the arrays
+    whirl_model_section *sections;                                   ///< [section_count] shaft by shaft, along them
+    whirl_model_mass *stations;                                      ///< [station_count]
+    whirl_model_total *shafts;                                       ///< [shaft_count]
+    whirl_model_element *elements; ///< [element_count] but segments, in the order of the design
 } whirl_model;
 
 /// Finds it. Errors as whirl_rotor_new. Freed by whirl_model_free.

@@ -7,10 +7,10 @@
 #include "report_parts.h"
 
 static const figure_kind *const kinds[] = {
-    &bifurcation_figure,     &waterfall_figure, &map_figure,       &branch_figure, &curves_figure,
-    &torus_figure,           &campbell_figure,  &decrement_figure, &shapes_figure, &unbalance_figure,
-    &critical_speeds_figure, &stability_figure, &screening_figure, &orbits_figure, &point_figure,
-    &field_figure,
+    &rotor_figure,     &bifurcation_figure,     &waterfall_figure, &map_figure,       &branch_figure,
+    &curves_figure,    &torus_figure,           &campbell_figure,  &decrement_figure, &shapes_figure,
+    &unbalance_figure, &critical_speeds_figure, &stability_figure, &screening_figure, &orbits_figure,
+    &point_figure,     &field_figure,
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -18,11 +18,13 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 whirl_status figures_list(const drawing *of, figure_list *list) {
     *list = (figure_list){.count = 0};
-    for (size_t k = 0; k < KINDS; k++)
-        for (size_t t = 0; t < of->result->table_count; t++) {
+    for (size_t k = 0; k < KINDS; k++) {
+        if (kinds[k]->whole) kinds[k]->list(list, of, of->result->table_count > 0 ? of->result->tables : NULL);
+        for (size_t t = 0; t < of->result->table_count && !kinds[k]->whole; t++) {
             const whirl_table *table = &of->result->tables[t];
             if (table->count > 0 && kinds[k]->list) kinds[k]->list(list, of, table);
         }
+    }
     if (!list->failed) return whirl_ok();
     free(list->items);
     *list = (figure_list){.count = 0};
@@ -183,7 +185,8 @@ whirl_status whirl_figure_new(const whirl_result *result, const char *name, cons
     *figure = NULL;
     whirl_status status = shown_new(result, options ? options->units : NULL, &shown);
     if (status.code == WHIRL_OK && name) status = find_figure(&shown, name, &at);
-    if (status.code == WHIRL_OK && shown.list.count == 0) status = no_figure(&shown, NULL, "");
+    while (!name && at < shown.list.count && shown.list.items[at].kind->whole) at++;
+    if (status.code == WHIRL_OK && !name && at == shown.list.count) status = no_figure(&shown, NULL, "");
     if (status.code == WHIRL_OK) status = figure_make(&shown.of, &shown.list.items[at], options, figure);
     shown_free(&shown);
     return status;

@@ -50,6 +50,7 @@ struct figure_kind {
     whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
     const char *stem;  ///< what all names begin with, where they do,
     const char *study; ///< and what a case asks for to have them
+    bool whole;        ///< of the result, not of one of its tables: `list` is called once, with its first table or NULL
 };
 
 /// A number of a point in the unit that is shown, of a figure of fields, in a row of the field; and what it is called.
@@ -84,9 +85,9 @@ bool table_has(const whirl_table *table, const char *field);
 /// Whether a table has the motions of a sweep over one parameter.
 bool table_is_sweep(const drawing *of, const whirl_table *table);
 
-extern const figure_kind bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure, torus_figure,
-    campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure, stability_figure,
-    screening_figure, orbits_figure, point_figure, field_figure;
+extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
+    torus_figure, campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure,
+    stability_figure, screening_figure, orbits_figure, point_figure, field_figure;
 
 // ---------------------------------------------------------------- bifurcation
 // What a bifurcation diagram of a station shows, and what its panels share.

@@ -50,7 +50,7 @@ void list_figure(figure_list *list, const figure_place *place, const char *name,
     *added = *place;
     *own = (whirl_figure_name){.point = place->point, .station = place->station};
     char safe[sizeof added->within], whole[sizeof safe];
-    const char *const beside = name_beside(place->table);
+    const char *const beside = place->kind->whole ? "" : name_beside(place->table);
     safe_name(name, added->within, sizeof added->within);
     snprintf(whole, sizeof whole, "%.80s%s%.60s", name, *beside ? "-" : "", beside);
     safe_name(whole, safe, sizeof safe);

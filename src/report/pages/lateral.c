@@ -116,7 +116,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
     size_t left = 0;
     for (size_t i = 0; i < to->figures->count; i++) {
         const drawn_figure *what = &to->figures->items[i];
-        if (what->table != table) continue;
+        if (what->table != table || what->whole) continue;
         if (!response || scaled_watches(to->results[result], table, what->name.station))
             page_figure(to, what);
         else
@@ -214,7 +214,8 @@ static void write_stations(const page *to, const whirl_result *result, const whi
         else
             fputs("<td>on no shaft of finite elements</td>", to->stream);
         const bool known = model && s < model->station_count;
-        const whirl_model_mass own = known ? model->stations[s] : (whirl_model_mass){NAN, NAN, NAN};
+        const whirl_model_mass own =
+            known ? model->stations[s] : (whirl_model_mass){.mass = NAN, .polar = NAN, .diametral = NAN};
         html_number(to->stream, own.mass);
         html_number(to->stream, own.polar);
         html_number(to->stream, own.diametral);
@@ -287,6 +288,7 @@ static void write_machine(const page *to) {
             fputs("</p>\n", to->stream);
         }
         page_ranges(to, r);
+        page_machine(to, r);
         whirl_model model = {0};
         const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
         write_shafts(to, machine, &model);

@@ -50,9 +50,9 @@ static void write_entry(FILE *stream, const char *anchor, size_t number, const c
 static bool has_figures(const page *to, size_t result, bool diagrams) {
     bool found = false;
     for (size_t i = 0; i < to->figures->count; i++)
-        found = found ||
-                (to->figures->items[i].result == result && &to->figures->items[i] != page_main_figure(to, result) &&
-                 (to->figures->items[i].name.point < 0) == diagrams);
+        found = found || (to->figures->items[i].result == result && !to->figures->items[i].whole &&
+                          &to->figures->items[i] != page_main_figure(to, result) &&
+                          (to->figures->items[i].name.point < 0) == diagrams);
     return found;
 }
 
@@ -137,6 +137,7 @@ static void write_result(const page *to, size_t result) {
     fputs(" <span class=\"soft small\">", to->stream);
     html_text(to->stream, to->names[result]);
     fputs("</span></h2>\n", to->stream);
+    page_machine(to, result);
     page_found(to, result);
     page_figures(to, result);
     page_intervals(to, result);

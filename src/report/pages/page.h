@@ -19,6 +19,7 @@ typedef struct drawn_figure {
     const whirl_table *table; ///< whose it is
     whirl_figure_name name;
     char caption[900];
+    bool whole; ///< it is of the result, not of one of its tables
     bool drawn; ///< gnuplot made its pictures
 } drawn_figure;
 
@@ -65,7 +66,8 @@ void page_starts(const page *to, size_t result);     ///< attractors of places w
 void page_points(const page *to, size_t result);     ///< the table of points
 void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
 const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
-void page_figures(const page *to, size_t result);            ///< all but the main one
+void page_machine(const page *to, size_t result);            ///< the machine's drawing
+void page_figures(const page *to, size_t result);            ///< all but that and the main one
 void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
                                      size_t result); ///< that of its first diagram; NULL where it has none

@@ -28,11 +28,21 @@ void page_figure(const page *to, const drawn_figure *what) {
     fputs("</figcaption>\n</figure>\n", to->stream);
 }
 
+/// Whether a figure is a diagram of a result.
+static bool is_diagram(const drawn_figure *of, size_t index) {
+    return of->result == index && of->name.point < 0 && !of->whole;
+}
+
 const drawn_figure *page_main_figure(const page *to, size_t index) {
     for (size_t i = 0; i < to->figures->count; i++)
-        if (to->figures->items[i].result == index && to->figures->items[i].name.point < 0)
-            return &to->figures->items[i];
+        if (is_diagram(&to->figures->items[i], index)) return &to->figures->items[i];
     return NULL;
+}
+
+void page_machine(const page *to, size_t index) {
+    for (size_t i = 0; i < to->figures->count; i++)
+        if (to->figures->items[i].result == index && to->figures->items[i].whole)
+            page_figure(to, &to->figures->items[i]);
 }
 
 const char *page_diagrams_title(const whirl_result *result) {
@@ -43,7 +53,7 @@ void page_figures(const page *to, size_t index) {
     bool points = false, diagrams = false;
     for (size_t i = 0; i < to->figures->count; i++) {
         const drawn_figure *what = &to->figures->items[i];
-        if (what->result != index || what == page_main_figure(to, index)) continue;
+        if (what->result != index || what->whole || what == page_main_figure(to, index)) continue;
         if (what->name.point < 0) {
             if (!diagrams)
                 fprintf(to->stream, "<h3 id=\"diagrams-%zu\">%s</h3>\n<div class=\"pair\">\n", index + 1,

@@ -80,6 +80,10 @@ bool building_carries(const design_element *own) {
     return role_of(own) == ROLE_BEARING;
 }
 
+bool building_drags(const design_element *own) {
+    return role_of(own) == ROLE_DRAG;
+}
+
 static bool on_springs(const whirl_design *design) {
     return design->bearings == WHIRL_BEARINGS_SPRINGS || design->bearings == WHIRL_BEARINGS_HELD;
 }

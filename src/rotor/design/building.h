@@ -39,4 +39,7 @@ const key_value *building_value(const design_element *own, const char *key);
 /// Whether an element is a bearing, which carries the rotor, by its kind and its `role`.
 bool building_carries(const design_element *own);
 
+/// Whether an element is a seal, an impeller or a stage, likewise.
+bool building_drags(const design_element *own);
+
 #endif

@@ -1,4 +1,4 @@
-// What a design is made of: sections of its shafts, masses of its stations, sums of both.
+// What a design is made of: sections of its shafts, masses of its stations, sums of both, and its elements.
 #include "whirl/engine/model.h"
 
 #include <math.h>
@@ -70,12 +70,57 @@ static void take_pieces(const building *b, whirl_model *out) {
     }
 }
 
+/// Finds the stations of an element: those of its key `between`, or of `at` and the ring or the
+/// housing around it.
+static void model_stations(const design_element *own, size_t station[2]) {
+    static const char *const others[] = {"ring", "from"};
+    const key_value *between = building_value(own, "between"), *at = building_value(own, "at");
+    station[0] = at && at->given ? at->station[0] : WHIRL_MODEL_NONE;
+    station[1] = WHIRL_MODEL_NONE;
+    if (between && between->given) memcpy(station, between->station, sizeof between->station);
+    for (int k = 0; k < 2 && station[1] == WHIRL_MODEL_NONE; k++) {
+        const key_value *value = building_value(own, others[k]);
+        if (value && value->given) station[1] = value->station[0];
+    }
+}
+
+static whirl_model_role model_role(const design_element *own, const size_t station[2]) {
+    if (building_carries(own)) return WHIRL_ROLE_BEARING;
+    if (building_drags(own)) return WHIRL_ROLE_DRAG;
+    if (own->type->contact_gap) return WHIRL_ROLE_STATOR;
+    if (!building_value(own, "between") && !building_value(own, "from")) return WHIRL_ROLE_OTHER;
+    return station[0] == WHIRL_MODEL_NONE || station[1] == WHIRL_MODEL_NONE ? WHIRL_ROLE_SUPPORT : WHIRL_ROLE_LINK;
+}
+
+static bool is_above_zero(const key_value *value) {
+    return value && value->number > 0.0;
+}
+
+static void model_add_element(const design_element *own, whirl_model *out) {
+    whirl_model_element *next = &out->elements[out->element_count];
+    if (strcmp(own->type->group.name, "segment") == 0) return;
+    next->kind = own->type->group.name;
+    model_stations(own, next->station);
+    next->role = model_role(own, next->station);
+    out->element_count++;
+    const bool unbalances = strncmp(next->kind, "unbalance", strlen("unbalance")) == 0;
+    if ((unbalances || is_above_zero(building_value(own, "eccentricity"))) && next->station[0] < out->station_count)
+        out->stations[next->station[0]].unbalanced = true;
+}
+
+static void model_add_station(const building *b, size_t station, whirl_model *out) {
+    const assembly_station *from = &b->assembly.stations[station];
+    const key_value *values = b->design->stations[station].values;
+    whirl_model_mass *to = &out->stations[station];
+    *to = (whirl_model_mass){from->mass, from->polar, from->diametral, from->shaft, from->position, false};
+    for (size_t k = 0; k < station_group.key_count; k++)
+        if (strcmp(station_group.keys[k].name, "eccentricity") == 0) to->unbalanced = is_above_zero(&values[k]);
+}
+
 static void fill(const building *b, whirl_model *out) {
     const mesh *from = &b->mesh;
-    for (size_t s = 0; s < out->station_count; s++) {
-        const assembly_station *own = &b->assembly.stations[s];
-        out->stations[s] = (whirl_model_mass){own->mass, own->polar, own->diametral};
-    }
+    for (size_t s = 0; s < out->station_count; s++) model_add_station(b, s, out);
+    for (size_t i = 0; i < b->design->element_count; i++) model_add_element(&b->design->elements[i], out);
     take_pieces(b, out);
     for (size_t i = 0; i < from->piece_count; i++) add_piece(from, i, out);
     for (size_t n = 0; n < from->node_count; n++) {
@@ -97,7 +142,8 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
         out->sections = calloc(b.mesh.piece_count + 1, sizeof *out->sections);
         out->stations = calloc(out->station_count + 1, sizeof *out->stations);
         out->shafts = calloc(out->shaft_count + 1, sizeof *out->shafts);
-        if (out->sections && out->stations && out->shafts)
+        out->elements = calloc(design->element_count + 1, sizeof *out->elements);
+        if (out->sections && out->stations && out->shafts && out->elements)
             fill(&b, out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
@@ -111,5 +157,6 @@ void whirl_model_free(whirl_model *model) {
     free(model->sections);
     free(model->stations);
     free(model->shafts);
+    free(model->elements);
     *model = (whirl_model){0};
 }
