@@ -347,6 +347,12 @@ ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator) {
     return raise_to(&inverse, -1) && multiply(&quotient, &inverse) ? unit_new(&quotient) : NULL;
 }
 
+ut_unit *ut_scale(double factor, const ut_unit *unit) {
+    ut_unit scaled = *unit;
+    scaled.scale *= factor;
+    return unit_new(&scaled);
+}
+
 int ut_is_dimensionless(const ut_unit *unit) {
     for (size_t i = 0; i < BASE_COUNT; i++)
         if (i != RADIAN && unit->powers[i] != 0) return 0;

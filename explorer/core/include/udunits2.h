@@ -26,6 +26,7 @@ ut_unit *ut_parse(const ut_system *system, const char *text, ut_encoding encodin
 ut_unit *ut_get_dimensionless_unit_one(const ut_system *system);
 ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit);
 ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
+ut_unit *ut_scale(double factor, const ut_unit *unit);
 /// Angles are dimensionless.
 int ut_is_dimensionless(const ut_unit *unit);
 /// "0.001 m2.kg.s-3": the unit in base units. Returns the bytes that it takes, as snprintf.

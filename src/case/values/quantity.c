@@ -30,11 +30,25 @@ static bool made(bool well) {
     return well;
 }
 
-/// Units that engineers write and UDUNITS does not know.
-static void add_unit(const char *name, const char *meaning) {
-    ut_unit *unit = ut_parse(units, meaning, UT_ASCII);
-    if (unit) ut_map_name_to_unit(name, UT_ASCII, unit);
+/// A unit that engineers write and UDUNITS does not know, or not as they mean it.
+typedef struct trade_unit {
+    const char *name;
+    double factor;
+    const char *of;
+} trade_unit;
+
+/// UDUNITS takes "oz" for a fluid ounce, and rounds the avoirdupois ounce.
+static const trade_unit trade_units[] = {
+    {"deg", 1.0, "degree"},       {"cP", 1.0, "mPa.s"},       {"lbm", 1.0, "pound"},    {"oz", 0.0625, "pound"},
+    {"ozm", 0.0625, "pound"},     {"blob", 1.0, "lbf.s2/in"}, {"thou", 1e-3, "inch"},   {"reyn", 1.0, "lbf.s/in2"},
+    {"gpm", 231.0, "in3/minute"}, {"ips", 1.0, "in/s"},       {"cpm", 1.0, "1/minute"},
+};
+
+static void add_trade_unit(const trade_unit *own) {
+    ut_unit *of = ut_parse(units, own->of, UT_ASCII), *unit = of ? ut_scale(own->factor, of) : NULL;
+    if (unit) ut_map_name_to_unit(own->name, UT_ASCII, unit);
     ut_free(unit);
+    ut_free(of);
 }
 
 static bool units_ready(void) {
@@ -42,8 +56,7 @@ static bool units_ready(void) {
     ut_set_error_message_handler(ut_ignore);
     units = ut_read_xml(NULL);
     if (!made(units != NULL)) return false;
-    add_unit("deg", "degree");
-    add_unit("cP", "mPa.s");
+    for (size_t i = 0; i < sizeof trade_units / sizeof *trade_units; i++) add_trade_unit(&trade_units[i]);
     return true;
 }
 

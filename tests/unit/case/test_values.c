@@ -54,6 +54,25 @@ static void quantities_are_in_si(void **state) {
     expect_parameter("2 kg m-1", 2.0);
 }
 
+/// Units of US practice, by their definitions: the pound is 0.45359237 kg, the inch 25.4 mm, the gallon 231 cubic
+/// inches, and the ounce a sixteenth of a pound (not a fluid ounce).
+static void units_of_us_practice(void **state) {
+    const double pound = 0.45359237, inch = 0.0254, force = pound * 9.80665;
+    (void)state;
+    expect_parameter("3 lbm", 3.0 * pound);
+    expect_parameter("1 oz", pound / 16.0);
+    expect_parameter("8 ozm", pound / 2.0);
+    expect_parameter("2 oz.in", pound / 8.0 * inch);
+    expect_parameter("1 lbm.in2", pound * inch * inch);
+    expect_parameter("1 blob", force / inch);
+    expect_parameter("1 reyn", force / (inch * inch));
+    expect_parameter("5 thou", 0.005 * inch);
+    expect_parameter("12 gpm", 12.0 * 231.0 * inch * inch * inch / 60.0);
+    expect_parameter("0.2 ips", 0.2 * inch);
+    expect_parameter("3600 cpm", 60.0);
+    expect_parameter("1 lbf.s/in", force / inch);
+}
+
 static void expressions_are_in_si(void **state) {
     (void)state;
     expect_parameter("= 50*(650/0.2)^2", 528125000.0);
@@ -651,6 +670,7 @@ static void products_are_as_the_parser_has_them(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(quantities_are_in_si),
+        cmocka_unit_test(units_of_us_practice),
         cmocka_unit_test(expressions_are_in_si),
         cmocka_unit_test(rotors_follow_the_parameters),
         cmocka_unit_test(elements_stand_alone),
