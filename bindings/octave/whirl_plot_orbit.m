@@ -4,7 +4,8 @@ function handle = whirl_plot_orbit(result, varargin)
 %   POINT counts from 1, STATION is a name or a number. The case must ask for waveforms: analyze: [waveform], keep:
 %   {waveform: 20}.
 %   WHIRL_PLOT_ORBIT(RESULT, [], STATION, 'at', VALUE) draws the point whose parameter is nearest to a value in SI, as
-%   in RESULT.sweep.values, or to a text with the unit of the figure: '600 rpm'.
+%   in RESULT.sweep.values, or to a text with any unit of the parameter: '600 rpm'. A value farther beyond all points
+%   than the last step there is refused.
 %   WHIRL_PLOT_ORBIT(..., 'table', NAME) draws that table, and not the first with waveforms.
 %
 %   Gives a handle for every series of the panel (docs/figures.md).

@@ -87,6 +87,12 @@ whirl_status whirl_result_show_in(whirl_result *result, const char *units);
 /// SI.
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
 
+/// Finds the value [count] of a parameter that is nearest to one that a person tells: a number in SI, "628", or with
+/// any unit of the parameter, "6000 rpm"; values that are no numbers are left out. WHIRL_BAD_INPUT with a sentence
+/// where `told` is no such number, or lies farther beyond all values than the last step there (of a lone value: 1 %).
+whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
+                                 const char *told, size_t *index);
+
 /// What lengths in the scale of the case are multiplied by in figures, and the name of the unit that makes them so, at
 /// most `size` bytes. Sets `*over` where that is the symbol of a length which they are divided by ("x / c").
 double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over);

@@ -88,7 +88,7 @@ draw('lyapunov.png');
 
 % One point: by its number, by a value, by a text.
 for call = {@() whirl_plot_poincare(result, 5, 1), @() whirl_plot_poincare(result, [], 1, 'at', 2.53), ...
-    @() whirl_plot_poincare(result, 'at', '2.5 rad/s')}
+    @() whirl_plot_poincare(result, 'at', '2.5 rad/s'), @() whirl_plot_poincare(result, 'at', '23.873 rpm')}
   drawn = points_of(call{1}());
   section = squeeze(sweep.poincare.section(5, 1, :, 1:2));
   assert(among(drawn, section) && among(section, drawn));
@@ -221,9 +221,12 @@ wrong(@() whirl_plot_orbit(result, 1.5), 'from 1 to 9');
 wrong(@() whirl_plot_orbit(result, 3, 'dsic'), 'one of: disc');
 wrong(@() whirl_plot_orbit(result, 3, 'disc', 'at', 2), 'not by both');
 wrong(@() whirl_plot_orbit(map, 1), 'add waveform to what the case analyses');
-wrong(@() whirl_plot_poincare(result, 'at', '2 rpm'), 'unit of the figure, ''1 rad/s''');
-wrong(@() whirl_plot_poincare(result, 'at', '1.2.3 rad/s'), 'unit of the figure');
-wrong(@() whirl_plot_poincare(result, 'at', NaN), 'unit of the figure');
+wrong(@() whirl_plot_poincare(result, 'at', '1 rpm'), 'omega is ''1 rpm'', expected ');
+wrong(@() whirl_plot_poincare(result, 'at', 1e6), 'omega is ''1000000'', expected ');
+wrong(@() whirl_plot_poincare(result, 'at', '2 kg'), 'expected a unit of rad/s');
+wrong(@() whirl_plot_poincare(result, 'at', '1.2.3 rad/s'), 'expected a number');
+wrong(@() whirl_plot_poincare(result, 'at', NaN), 'expected a number');
+wrong(@() whirl_plot_poincare(result, 'at', {1}), '''at'' takes a value of the parameter');
 wrong(@() whirl_plot_poincare(result, 'at'), '''at'' has no value');
 wrong(@() whirl_plot_poincare(result, 3, 'disc', 'color', 'r'), 'argument 4 is no option, expected one of: at table');
 wrong(@() whirl_plot_poincare(result, 3, 'disc', 'table', 'map'), 'expected one of: sweep');

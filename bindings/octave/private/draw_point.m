@@ -3,7 +3,7 @@ function handle = draw_point(result, places, options, field, analysis, panel)
 %   of WHIRL_PLOT_ORBIT. The first table that has a FIELD is taken, which an ANALYSIS gives.
 result = result_of(result);
 [table, name] = table_with(result, field, analysis, options.table, ~strcmp(panel, 'section'));
-point = point_index(result, table, name, places{1}, options.at);
+point = point_index(table, places{1}, options.at);
 station = result.stations.name{station_index(result, places{2})};
-handle = draw_panel_of(result, sprintf('%s/@#%d:%s', name, point - 1, station), panel, true);
+handle = draw_panel_of(result, sprintf('%s/@%s:%s', name, point, station), panel, true);
 end

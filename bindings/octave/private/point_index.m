@@ -1,45 +1,26 @@
-function index = point_index(result, table, name, point, at)
-% POINT_INDEX  The number of a point of a table: POINT itself, or the one whose parameter is nearest to AT; without
-%   either the first. AT is a number in SI, or a text with a unit ('600 rpm').
-values = flat(table, table.values);
-index = point;
+function place = point_index(table, point, at)
+% POINT_INDEX  What the library's figures of points call a point of a table (docs/figures.md): '#2' by its number POINT,
+%   which counts from 1 here and from 0 there; '600 rpm' by AT, a value of the parameter, which is a number in SI or a
+%   text with any unit; without either the first point.
 if ~isempty(at)
     if ~isempty(point)
         error('whirl:badInput', 'a point is told by its number or by ''at'', not by both');
     end
-    [ignored, index] = min(abs(values - value_of(result, table, name, at))); %#ok<ASGLU>
-elseif isempty(point)
-    index = 1;
-end
-if ~isnumeric(index) || numel(index) ~= 1 || index < 1 || index > numel(values) || index ~= floor(index)
-    error('whirl:badInput', 'there is no such point, expected a number from 1 to %d', numel(values));
-end
-end
-
-function value = value_of(result, table, table_name, at)
-% A value of the parameter, in SI.
-name = table.attributes.parameter;
-if isempty(name)
-    error('whirl:badInput', 'nothing varies in the table ''%s'': a point is told by its number there', table_name);
-end
-[size_in_si, unit] = parameter_unit(result, name);
-at = text_of(at);
-value = NaN;
-if isnumeric(at) && numel(at) == 1 && isreal(at)
-    value = double(at);
-elseif is_text(at)
-    number = regexp(at, '^\s*[-+]?[\d.]+([eE][-+]?\d+)?', 'match', 'once');
-    given = strtrim(at(numel(number) + 1:end));
-    own = result.parameters.unit(strcmp(result.parameters.name, name));
-    if strcmp(given, unit)
-        value = str2double(number) * size_in_si;
-    elseif any(strcmp(given, own))
-        value = str2double(number);
+    place = text_of(at);
+    if isnumeric(at) && numel(at) == 1 && isreal(at)
+        place = sprintf('%.17g', at);
+    elseif ~is_text(place)
+        error('whirl:badInput', ...
+            '''at'' takes a value of the parameter: a number in SI, or a text with a unit, ''600 rpm''');
     end
+    return
 end
-if isnan(value)
-    error('whirl:badInput', ...
-        '''at'' takes a value of %s: a number in SI, or a text with the unit of the figure, ''%s''', ...
-        name, strtrim(['1 ' unit]));
+if isempty(point)
+    point = 1;
 end
+count = numel(flat(table, table.values));
+if ~isnumeric(point) || numel(point) ~= 1 || point < 1 || point > count || point ~= floor(point)
+    error('whirl:badInput', 'there is no such point, expected a number from 1 to %d', count);
+end
+place = sprintf('#%d', point - 1);
 end

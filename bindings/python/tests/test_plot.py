@@ -1,5 +1,7 @@
 """The functions of `plot` draw panels of figures: of the table, station, point and field that is asked for."""
 
+import json
+
 import numpy as np
 import pytest
 from conftest import GOOD, MAP, ROOT, command
@@ -181,13 +183,42 @@ def test_axes_may_be_logarithmic(good):
 
 
 def test_a_section_by_index_and_by_value(good):
-    for point in (2, 2.6):
-        ax = good.plot.poincare(point)
+    for point in ({"point": 2}, {"at": 2.6}, {"point": "2.6 rad/s"}, {"at": "24.83 rpm"}, {"at": "0.414 rps"}):
+        ax = good.plot.poincare(**point)
         section = good["sweep"]["poincare/section"][2, 0, :, :2]
         assert drawn_in(ax) == {tuple(pair) for pair in section}
         assert ax.get_title().startswith("omega = 2.5 rad/s, disc: ")
     with pytest.raises(whirl.BadInput, match="has no point 5, expected 0 to 4"):
         good.plot.poincare(5)
+
+
+def test_a_value_means_the_same_point_everywhere(good, good_file):
+    """The sweep goes from 1 to 4 rad/s in steps of 0.75: with a unit or in SI, to a step beyond, and no farther."""
+    sweep, opened = good["sweep"], whirl.open(good_file)
+    for told, expected in ((1, 0), (1.4, 1), ("13.4 rpm", 1), (0.26, 0), (4.74, 4), ("4.74 rad/s", 4), (2.5, 2)):
+        text = told if isinstance(told, str) else repr(float(told))
+        document = command("figure", good_file, f"@{text}", "-o", "-").stdout
+        assert json.loads(document) == good.figure_data(f"@#{expected}")
+        assert sweep.at(told) == opened["sweep"].at(told) == expected
+        assert drawn_in(good.plot.poincare(at=told)) == drawn_in(opened.plot.poincare(expected))
+    for told in (1e12, -5.0, 0.24, 4.76, "46 rpm", 3000.0):
+        with pytest.raises(whirl.BadInput, match="omega is .*expected 1 to 4 rad/s"):
+            sweep.at(told)
+        with pytest.raises(whirl.BadInput, match="omega is .*expected 1 to 4 rad/s"):
+            good.plot.poincare(at=told)
+    for told, words in (("8 kg", "expected a unit of rad/s"), ("2 Hz", "1 Hz = 60 rpm"), ("fast", "expected a number")):
+        with pytest.raises(whirl.BadInput, match=words):
+            good.plot.poincare(told)
+    for wrong, words in (({}, "one of both"), ({"point": 1, "at": 1}, "one of both"), ({"point": 1.0}, "at=1.0")):
+        with pytest.raises(whirl.BadInput, match=words):
+            good.plot.poincare(**wrong)
+
+
+def test_ranges_of_values_stand_in_the_unit_shown():
+    result = whirl.run(whirl.Case(text=GOOD.read_text().replace("1.5 rad/s", "15 rpm")), progress=False)
+    assert result["sweep"].at(1.0) == 0 and result["sweep"].at("38 rpm") == 4
+    with pytest.raises(whirl.BadInput, match=r"expected 9.549.* to 38.197.* rpm \(a number without a unit is in rad/s"):
+        result["sweep"].at(38.0)
 
 
 def test_an_orbit_passes_through_its_sections():

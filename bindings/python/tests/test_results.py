@@ -384,7 +384,7 @@ def test_errors_of_files_are_sentences(good_file, tmp_path):
             opened.save(tmp_path)
         with pytest.raises(KeyError, match="by their names"):
             opened["sweep"][5]
-        with pytest.raises(whirl.BadInput, match="near nan"):
+        with pytest.raises(whirl.BadInput, match="value is nan, expected a number"):
             opened["sweep"].at(np.nan)
         opened.save(tmp_path / "copy.h5")
     assert [path.name for path in tmp_path.iterdir()] == ["copy.h5"]

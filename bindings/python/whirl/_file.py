@@ -104,11 +104,19 @@ class FileSource:
     def facts(self):
         return {name: _word(value) for name, value in self.file["provenance"].attrs.items()}
 
-    def show_in(self, units):
-        """Refuses words that are no units; the file stays as it is."""
+    @functools.cached_property
+    def _outline(self):
         from ._memory import MemorySource
 
-        MemorySource.outline(self.path).show_in(units)
+        return MemorySource.outline(self.path)
+
+    def show_in(self, units):
+        """Chooses units for the outline and refuses words that are no units; the file stays as it is."""
+        self._outline.show_in(units)
+
+    def outline_result(self):
+        """The handle of a result without the numbers of its points, for what the library knows of the case."""
+        return self._outline.handle
 
     def tables(self):
         return {name: FileTable(self.path, self.file[name], name) for name in map(_word, self.file.attrs["tables"])}

@@ -114,6 +114,10 @@ class MemorySource:
         tables = (lib.whirl_result_table(self.handle, name.encode()) for name in self._names(TABLES))
         return sum(8 * lib.whirl_table_points(table) * _block_size(table) for table in tables)
 
+    def outline_result(self):
+        """The handle of a result that may have no numbers of points."""
+        return self.handle
+
     def library_result(self):
         """The handle of the library, for what it does with whole results."""
         return self.handle

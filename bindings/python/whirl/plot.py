@@ -13,6 +13,7 @@ import numpy as np
 
 from .errors import BadInput
 from .fields import FIELD
+from .result import value_told
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -239,46 +240,54 @@ class Plots:
 
     def poincare(
         self,
-        point: int | float,
+        point: int | str | None = None,
         table: str | None = None,
         station: str | int | None = None,
         ax: Axes | None = None,
+        *,
+        at: float | str | None = None,
         **style,
     ) -> Axes:
         """The section of a point: where the station is once a revolution.
 
-        ``point`` is an index, or the value of the parameter in SI, of which the nearest point is taken.
+        ``point`` is an index from 0; ``at`` in its place the value of the parameter, of which the nearest point is
+        taken: a number in SI, or a text with any unit, "6000 rpm". BadInput beyond the values of the table.
         """
-        return self._of_point(self._table(table, FIELD.POINCARE_SECTION), point, station, "section", ax, style)
+        return self._of_point(self._table(table, FIELD.POINCARE_SECTION), point, at, station, "section", ax, style)
 
     def orbit(
         self,
-        point: int | float,
+        point: int | str | None = None,
         table: str | None = None,
         station: str | int | None = None,
         ax: Axes | None = None,
+        *,
+        at: float | str | None = None,
         **style,
     ) -> Axes:
-        """The path of a station at a point, with a mark at every revolution where sections were taken."""
-        return self._of_point(self._table(table, FIELD.WAVEFORM_SAMPLES, True), point, station, "orbit", ax, style)
+        """The path of a station at a point, with a mark at every revolution where sections were taken; ``point`` and ``at``
+        as for :meth:`poincare`."""
+        return self._of_point(self._table(table, FIELD.WAVEFORM_SAMPLES, True), point, at, station, "orbit", ax, style)
 
     def spectrum(
         self,
-        point: int | float,
+        point: int | str | None = None,
         table: str | None = None,
         station: str | int | None = None,
         full: bool = True,
         ax: Axes | None = None,
+        *,
+        at: float | str | None = None,
         **style,
     ) -> Axes:
         """A point's spectrum over the order: forward and backward whirl; with ``full=False`` those of x and y, which
-        are there where a whole spectrum was kept, as in details."""
+        are there where a whole spectrum was kept, as in details; ``point`` and ``at`` as for :meth:`poincare`."""
         needs, panel = (FIELD.SPECTRUM_LINES, "full-spectrum") if full else (FIELD.SPECTRUM_AMPLITUDE, "spectrum")
-        return self._of_point(self._table(table, needs, True), point, station, panel, ax, style)
+        return self._of_point(self._table(table, needs, True), point, at, station, panel, ax, style)
 
-    def _of_point(self, table, point, station, panel, ax, style):
-        name = f"{table.name}/@#{_index(table, point)}:{self._station(0 if station is None else station)}"
-        return self._draw(name, panel, ax, style, titled=True)
+    def _of_point(self, table, point, at, station, panel, ax, style):
+        place = f"{table.name}/@{_point(table, point, at)}:{self._station(0 if station is None else station)}"
+        return self._draw(place, panel, ax, style, titled=True)
 
     def waterfall(
         self,
@@ -375,11 +384,17 @@ def _chosen(which, names, what):
     raise BadInput(f"there is no {what} {which!r}, expected one of: {', '.join(names) or 'none'}")
 
 
-def _index(table, point):
-    """The index of a point; a float is a value of the parameter in SI."""
+def _point(table, point, at):
+    """What the library's figures of points call one: "#3" by its index, "6000 rpm" by a value."""
+    if isinstance(point, str) and at is None:
+        point, at = None, point
+    if (point is None) == (at is None):
+        raise BadInput("a point is told by its index, or by a value of the parameter, at='6000 rpm': one of both")
+    if at is not None:
+        return value_told(at)
     count = int(np.prod(table.shape))
     if isinstance(point, (float, np.floating)):
-        return table.at(point)
-    if isinstance(point, (int, np.integer)) and 0 <= point < count:
-        return int(point)
-    raise BadInput(f"the table '{table.name}' has no point {point}, expected 0 to {count - 1}")
+        raise BadInput(f"the point is {point!r}, expected an index; a value of the parameter is at={float(point)!r}")
+    if isinstance(point, (int, np.integer)) and not isinstance(point, bool) and 0 <= point < count:
+        return f"#{int(point)}"
+    raise BadInput(f"the table '{table.name}' has no point {point!r}, expected 0 to {count - 1}")

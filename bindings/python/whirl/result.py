@@ -58,6 +58,18 @@ class Station:
     clockwise: int = 0  #: 1 where the rotor turns clockwise, from y to x
 
 
+def value_told(value: float | str) -> str:
+    """A value of a parameter as the library reads it: a number in SI, or a text with a unit."""
+    if isinstance(value, str):
+        return value
+    try:
+        return repr(float(value))
+    except (TypeError, ValueError):
+        raise errors.BadInput(
+            f"the value of a parameter is {value!r}, expected a number in SI or a text such as '6000 rpm'"
+        ) from None
+
+
 class _About:
     """What tables know of their result; they do not hold it, so that memory is free as soon as nobody does."""
 
@@ -93,6 +105,24 @@ class _About:
 
     def parameter_unit(self, name: str) -> str:
         return self.parameters[name].unit if name in self.parameters else "1"
+
+    def nearest(self, parameter: str, values: np.ndarray, told: float | str) -> int:
+        from ._library import check, ffi, lib, word_bytes
+
+        if not parameter:
+            raise errors.BadInput("nothing varies in the table: its points are told by their index")
+        index, values = ffi.new("size_t *"), np.ascontiguousarray(values, dtype=float)
+        check(
+            lib.whirl_nearest_value(
+                self._source.outline_result(),
+                word_bytes(parameter),
+                ffi.cast("double *", values.ctypes.data),
+                len(values),
+                word_bytes(value_told(told)),
+                index,
+            )
+        )
+        return index[0]
 
 
 class Result:

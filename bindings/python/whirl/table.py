@@ -226,12 +226,10 @@ class Table(Mapping):
             return self.length_scale
         return 2.0 * np.pi / self.clock if unit == "revolution" else self.clock / (2.0 * np.pi)
 
-    def at(self, value: float) -> int:
-        """Index of the point whose parameter is nearest to a value in SI."""
-        distance = np.abs(self.values.ravel() - float(value))
-        if not np.isfinite(distance).any():
-            raise errors.BadInput(f"no point of the table '{self.name}' is near {value}")
-        return int(np.nanargmin(distance))
+    def at(self, value: float | str) -> int:
+        """Index of the point whose parameter is nearest to a value: a number in SI, or a text with any unit of the
+        parameter, "6000 rpm". BadInput for a value farther beyond all points than the last step there."""
+        return self._about.nearest(self.parameter, self.values.ravel(), value)
 
     def station(self, name: str | int) -> int:
         """Index of a station by its name, or by its index."""

@@ -309,6 +309,16 @@ bool quantity_read(const char *text, const char *expected, quantity *result, cha
     return false;
 }
 
+whirl_status whirl_quantity_value(const char *text, const char *unit, double *value) {
+    char plain[LONGEST_NUMBER + SHOWN_SIZE], why[WHY_SIZE];
+    quantity read;
+    snprintf(plain, sizeof plain, "%s", text + strspn(text, " "));
+    for (size_t length = strlen(plain); length > 0 && plain[length - 1] == ' ';) plain[--length] = '\0';
+    if (!quantity_read(plain, unit, &read, why)) return whirl_fail(WHIRL_BAD_INPUT, "the value %s", why);
+    *value = read.value;
+    return whirl_ok();
+}
+
 static bool fits_unit(const char *unit_text, const char *expected, char why[WHY_SIZE]) {
     lock_take(&units_lock);
     bool fits = true;

@@ -10,6 +10,8 @@
 #include "point_panels.h"
 #include "quantities.h"
 #include "report_parts.h"
+#include "whirl/engine/case.h"
+#include "whirl/handles.h"
 
 /// An orbit is near a circle that it misses or passes by this share of its size.
 static const double NEAR = 0.35;
@@ -274,39 +276,42 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 
 // ---------------------------------------------------------------- any point: "@6000 rpm:disc", "@#12"
 
-/// The point of a table that is nearest to a value in the unit that is shown, and how far that is.
-static size_t nearest_point(const drawing *of, const whirl_table *table, double value, size_t station, double *far) {
-    const double size = whirl_shown_parameter(of->units, table->parameter).size;
-    size_t nearest = table->count;
-    *far = INFINITY;
-    for (size_t i = 0; i < table->count; i++) {
-        const double away = fabs(table->values[i] / size - value);
-        if (away < *far && is_there(table, i, station)) nearest = i, *far = away;
-    }
-    return nearest;
+/// The point of a table, among those that have something to show, whose value is nearest to the one that is told.
+static whirl_status nearest_point(const drawing *of, const whirl_table *table, const char *told, size_t station,
+                                  size_t *point) {
+    double *const values = malloc((table->count + 1) * sizeof *values);
+    if (!values) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
+    for (size_t i = 0; i < table->count; i++) values[i] = is_there(table, i, station) ? table->values[i] : (double)NAN;
+    const whirl_status status = whirl_nearest_value(of->result, table->parameter, values, table->count, told, point);
+    free(values);
+    return status;
 }
 
-static whirl_status add_nearest(figure_list *to, const drawing *of, const char *text, size_t station) {
+/// Of all tables along a parameter the one that has the nearest point. Points in detail have more to show, and stand
+/// behind those of the sweep.
+static whirl_status add_nearest(figure_list *to, const drawing *of, const char *told, size_t station) {
     const whirl_table *found = NULL;
-    size_t point = 0;
-    double best = INFINITY;
-    char *end;
-    const double value = strtod(text, &end);
-    const char *unit = end + strspn(end, " ");
+    whirl_status first = whirl_ok();
+    size_t point = 0, nearest = 0;
+    double best = INFINITY, value;
     for (size_t t = 0; t < of->result->table_count; t++) {
         const whirl_table *table = &of->result->tables[t];
-        if (!*table->parameter || table->row > 0) continue;
-        const whirl_unit shown = whirl_shown_parameter(of->units, table->parameter);
-        if (end == text || !isfinite(value) || (*unit && strcmp(unit, shown.name) != 0))
-            return whirl_fail(WHIRL_BAD_INPUT, "the value is '%.60s', expected a number%s%.60s", text,
-                              *shown.name ? " in " : "", shown.name);
-        double far;
-        const size_t nearest = nearest_point(of, table, value, station, &far);
-        // Points in detail have more to show, and stand behind those of the sweep.
-        if (nearest < table->count && far <= best) found = table, point = nearest, best = far;
+        if (!*table->parameter || table->row > 0 || table->count == 0) continue;
+        if (found && strcmp(found->parameter, table->parameter) != 0) continue;
+        const char *const unit = whirl_result_parameter_unit(of->result, table->parameter);
+        whirl_status status = nearest_point(of, table, told, station, &nearest);
+        if (status.code == WHIRL_OK) status = whirl_quantity_value(told, unit, &value);
+        if (status.code == WHIRL_NO_MEMORY) return status;
+        if (status.code != WHIRL_OK && first.code == WHIRL_OK) first = status;
+        if (status.code != WHIRL_OK || fabs(table->values[nearest] - value) > best) continue;
+        found = table;
+        point = nearest;
+        best = fabs(table->values[nearest] - value);
     }
+    if (!found && first.code != WHIRL_OK) return first;
     if (!found)
-        return whirl_fail(WHIRL_BAD_INPUT, "the result has no points along a parameter with sections or spectra");
+        return whirl_fail(WHIRL_BAD_INPUT, "no table along one parameter has points with sections or spectra: a point "
+                                           "of a map is told by its number, @#NUMBER");
     add_to_list(to, of, found, point, station);
     return whirl_ok();
 }
