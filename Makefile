@@ -141,12 +141,12 @@ $(PAPER)/%.h5: cases/%.yaml $(WHIRL)
 	$(WHIRL) run $< -o $@ $(if $(wildcard $@.journal),--resume,--force)
 
 $(PAPER)/report/report.html: $(RESULTS) cases/paper-claims.yaml $(wildcard $(BUILD)/explorer/template.html)
-	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml
+	$(WHIRL) report $(RESULTS) -o $(@D) --claims cases/paper-claims.yaml --force
 
 $(PAPER)/changes/report.html: $(PAPER)/paper-changes.h5
 $(PAPER)/map/report.html: $(PAPER)/paper-map.h5
 $(PAPER)/changes/report.html $(PAPER)/map/report.html: $(wildcard $(BUILD)/explorer/template.html)
-	$(WHIRL) report $(filter %.h5,$^) -o $(@D)
+	$(WHIRL) report $(filter %.h5,$^) -o $(@D) --force
 
 # ---------------------------------------------------------------- the explorer
 

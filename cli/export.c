@@ -19,7 +19,7 @@ static const struct argp_option options[] = {
     {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; it is made when it is not there"},
     {.name = "mat", .key = 'm', .arg = "FILE", .doc = "MAT file for MATLAB and Octave"},
     {.name = "npz", .key = 'n', .arg = "FILE", .doc = "Archive for numpy.load"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
     {0},
 };
 
@@ -63,11 +63,14 @@ static bool may_write(const char *path, const export_arguments *arguments) {
 
 static int export_csv(const export_arguments *arguments) {
     whirl_result *result = NULL;
+    char found[4096];
     const int outcome = load_result(arguments->result, &result);
     if (outcome != EXIT_DONE) return outcome;
-    const whirl_status status = whirl_result_export_csv(result, arguments->csv);
+    const bool kept = !arguments->force && whirl_result_find_csv(result, arguments->csv, found, sizeof found);
+    if (kept) complain("'%s' is there already and is kept: add --force to replace it", found);
+    const whirl_status status = kept ? whirl_ok() : whirl_result_export_csv(result, arguments->csv);
     whirl_result_free(result);
-    return complain_of(&status);
+    return kept ? EXIT_FAILED : complain_of(&status);
 }
 
 /// The file as it stands, once all but its numbers has been found to be a result.

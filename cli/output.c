@@ -81,6 +81,10 @@ bool output_is_writable(const char *path, const char *input) {
         return false;
     }
     if (!is_no_other_thing(path, input)) return false;
+    if (!whirl_result_name_fits(path)) {
+        complain("'%s' has the ending of another kind of file, expected the name of a result, such as result.h5", path);
+        return false;
+    }
     if (strlen(path) + LONGEST_ENDING > PATH_SIZE || !folder_of(path, folder)) {
         complain("the path of the result is too long");
         return false;

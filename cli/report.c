@@ -14,7 +14,7 @@ typedef struct report_arguments {
     char **results; ///< paths, borrowed from argv
     size_t count;
     const char *directory, *claims, *gnuplot, *weasyprint, *explorer, *units;
-    bool lateral, quiet;
+    bool lateral, quiet, force;
 } report_arguments;
 
 /// One result with the folder name that it gets in the report.
@@ -23,7 +23,16 @@ typedef struct entry {
     char name[WHIRL_NAME_SIZE];
 } entry;
 
-enum { KEY_CLAIMS = 256, KEY_GNUPLOT, KEY_EXPLORER, KEY_LATERAL, KEY_WEASYPRINT, KEY_UNITS, PATH_SIZE = 4096 };
+enum {
+    KEY_CLAIMS = 256,
+    KEY_GNUPLOT,
+    KEY_EXPLORER,
+    KEY_LATERAL,
+    KEY_WEASYPRINT,
+    KEY_UNITS,
+    KEY_FORCE,
+    PATH_SIZE = 4096
+};
 
 static const struct argp_option options[] = {
     {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
@@ -53,6 +62,7 @@ static const struct argp_option options[] = {
      .key = KEY_WEASYPRINT,
      .arg = "PROGRAM",
      .doc = "Make lateral.pdf with this weasyprint (default: the one on the PATH)"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
     {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
     {0},
 };
@@ -65,6 +75,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case 'q':
         arguments->quiet = true;
+        return 0;
+    case KEY_FORCE:
+        arguments->force = true;
         return 0;
     case KEY_CLAIMS:
         arguments->claims = argument;
@@ -149,8 +162,9 @@ static void tell_explorer(const report_arguments *arguments, bool built) {
 static int write_report(const report_arguments *arguments, const entry *entries, const whirl_claims *claims) {
     const whirl_result **const results = calloc(arguments->count, sizeof *results);
     const char **const names = calloc(arguments->count, sizeof *names);
-    char found[PATH_SIZE];
-    const char *explorer = arguments->explorer ? arguments->explorer : find_template(found);
+    char template[PATH_SIZE], found[PATH_SIZE];
+    const char *explorer = arguments->explorer ? arguments->explorer : find_template(template);
+    bool kept = false;
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     if (results && names) {
         for (size_t i = 0; i < arguments->count; i++) {
@@ -163,10 +177,14 @@ static int write_report(const report_arguments *arguments, const entry *entries,
                                           .units = arguments->units,
                                           .lateral = arguments->lateral,
                                           .weasyprint = arguments->weasyprint};
-        status = whirl_report_write(results, names, arguments->count, arguments->directory, &how);
+        kept = !arguments->force &&
+               whirl_report_find(names, arguments->count, arguments->directory, &how, found, sizeof found);
+        if (kept) complain("'%s' is there already and is kept: add --force to replace it", found);
+        status = kept ? whirl_ok() : whirl_report_write(results, names, arguments->count, arguments->directory, &how);
     }
     free(results);
     free(names);
+    if (kept) return EXIT_FAILED;
     if (status.code == WHIRL_OK && !arguments->quiet) {
         printf("%s/report.html\n", arguments->directory);
         tell_explorer(arguments, explorer != NULL);

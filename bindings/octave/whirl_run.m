@@ -5,8 +5,9 @@ function result = whirl_run(given_case, varargin)
 %   RESULT = WHIRL_RUN(CASE, NAME, VALUE, ...) sets parameters or keys of the case first, as the command's --set:
 %   a number or a text, WHIRL_RUN('rig.yaml', 'kappa', 12, 'omega', '600 rpm'). These names are options:
 %
-%     'output'    name of the result file to keep; one that is there is replaced. Without it there is one for figures,
+%     'output'    name of the result file to keep; one that is there is an error. Without it there is one for figures,
 %                 until eight more runs are done or the session ends
+%     'overwrite' true or false: an 'output' that is there is replaced (default: false)
 %     'threads'   number of threads (default: all cores)
 %     'progress'  true or false: what the command says is shown (default: true)
 %
@@ -21,6 +22,7 @@ if nargin < 1 || ~ischar(given_case) || mod(numel(varargin), 2) ~= 0
     error('whirl:badInput', 'whirl_run takes a case and pairs of names and values');
 end
 output = '';
+overwrite = false;
 shown = true;
 arguments = '';
 for i = 1:2:numel(varargin)
@@ -28,6 +30,8 @@ for i = 1:2:numel(varargin)
     value = text_of(varargin{i + 1});
     if strcmp(name, 'output')
         output = value;
+    elseif strcmp(name, 'overwrite')
+        overwrite = value;
     elseif strcmp(name, 'progress')
         shown = value;
     elseif strcmp(name, 'threads')
@@ -48,11 +52,14 @@ if written
     fwrite(stream, given_case);
     fclose(stream);
 end
+if ~kept || overwrite
+    arguments = [arguments ' --force'];
+end
 if ~shown
     arguments = [arguments ' --quiet'];
 end
 try
-    status = call(['run ' quoted(file_of(file)) ' --force -o ' quoted(file_of(output)) arguments], shown);
+    status = call(['run ' quoted(file_of(file)) ' -o ' quoted(file_of(output)) arguments], shown);
     result = whirl_read(output);
     if ~kept
         keep_file(output); % from which figures are drawn

@@ -49,6 +49,9 @@ whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 /// Frees a result and all that belongs to it; NULL is none.
 void whirl_result_free(whirl_result *result);
 
+/// Returns false for names of files that would pass for something else than a result: "a.csv", "a.txt", "a.yaml".
+bool whirl_result_name_fits(const char *path);
+
 /// Appends a fact; a name that is there already gets the new value.
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
 

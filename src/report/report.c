@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "figure_kinds.h"
 #include "page.h"
@@ -31,17 +32,43 @@ static void report_free(report *made) {
 }
 
 /// A folder name for every result, no two alike.
-static void name_folders(report *made, const char *const *names, size_t count) {
+static void name_folders(char (*folders)[FOLDER_NAME_SIZE], const char *const *names, size_t count) {
     for (size_t r = 0; r < count; r++) {
         char safe[FOLDER_NAME_SIZE - 24];
         safe_name(names[r], safe, sizeof safe);
-        snprintf(made->folders[r], FOLDER_NAME_SIZE, "%s", safe);
+        snprintf(folders[r], FOLDER_NAME_SIZE, "%s", safe);
         for (unsigned again = 2, taken = 1; taken; again++) {
             taken = 0;
-            for (size_t k = 0; k < r; k++) taken |= strcmp(made->folders[k], made->folders[r]) == 0;
-            if (taken) snprintf(made->folders[r], FOLDER_NAME_SIZE, "%s-%u", safe, again);
+            for (size_t k = 0; k < r; k++) taken |= strcmp(folders[k], folders[r]) == 0;
+            if (taken) snprintf(folders[r], FOLDER_NAME_SIZE, "%s-%u", safe, again);
         }
     }
+}
+
+bool whirl_report_find(const char *const *names, size_t count, const char *directory,
+                       const whirl_report_options *options, char *found, size_t size) {
+    const struct {
+        const char *name;
+        bool written;
+    } pages[] = {{"report.html", true},
+                 {"explorer.html", options && options->explorer},
+                 {"lateral.html", options && options->lateral},
+                 {"lateral.pdf", options && options->lateral}};
+    struct stat there;
+    bool is_there = false;
+    for (size_t i = 0; i < sizeof pages / sizeof *pages && !is_there; i++) {
+        snprintf(found, size, "%s/%s", directory, pages[i].name);
+        is_there = pages[i].written && lstat(found, &there) == 0;
+    }
+    // Without memory nothing is written either: whirl_report_write says so.
+    char(*folders)[FOLDER_NAME_SIZE] = calloc(count + 1, sizeof *folders);
+    if (folders) name_folders(folders, names, count);
+    for (size_t r = 0; folders && r < count && !is_there; r++) {
+        snprintf(found, size, "%s/%s", directory, folders[r]);
+        is_there = folder_holds_files(found);
+    }
+    free(folders);
+    return is_there;
 }
 
 /// A figure's data and its script in the folder of its result.
@@ -206,7 +233,7 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
     for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
         status = whirl_result_shown_units(results[r], options->units, &made.units[r]);
     if (status.code == WHIRL_OK) {
-        name_folders(&made, names, count);
+        name_folders(made.folders, names, count);
         status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);
     }
     report_free(&made);

@@ -1,3 +1,4 @@
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdlib.h>
@@ -66,6 +67,15 @@ whirl_status folder_make(const char *path) {
         part[i] = '/';
     }
     return make_one(part);
+}
+
+bool folder_holds_files(const char *path) {
+    DIR *folder = opendir(path);
+    bool holds = false;
+    for (const struct dirent *one; folder && !holds && (one = readdir(folder));)
+        holds = strcmp(one->d_name, ".") != 0 && strcmp(one->d_name, "..") != 0;
+    if (folder) closedir(folder);
+    return holds;
 }
 
 whirl_status folder_make_own(const char *path) {

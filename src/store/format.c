@@ -1,6 +1,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "items.h"
 #include "store.h"
@@ -92,4 +93,14 @@ void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count)
         first[i] = i < of->axes && of->dimensions[i] > 0 ? of->done / step % of->dimensions[i] : 0;
         count[i] = i < of->divided ? 1 : i == of->divided ? points / step : of->dimensions[i];
     }
+}
+
+bool whirl_result_name_fits(const char *path) {
+    static const char *const others[] = {"c",    "csv", "dat", "gif", "gz",   "html", "jpeg", "jpg", "json", "m",
+                                         "mat",  "md",  "npy", "npz", "pdf",  "png",  "ps",   "py",  "svg",  "tar",
+                                         "toml", "tsv", "txt", "xls", "xlsx", "xml",  "yaml", "yml", "zip"};
+    const char *const slash = strrchr(path, '/'), *const dot = strrchr(slash ? slash : path, '.');
+    for (size_t i = 0; dot && i < sizeof others / sizeof *others; i++)
+        if (strcasecmp(dot + 1, others[i]) == 0) return false;
+    return true;
 }

@@ -12,6 +12,16 @@ end
 
 good = fileread([getenv('TESTS') '/cli/good.yaml']);
 result = whirl_run(good, 'kappa', 0.1 + 0.2, 'output', 'a.h5', 'progress', false, 'threads', 1);
+% A result that is there is kept, unless it is to be replaced.
+before = dir('a.h5');
+try
+  whirl_run(good, 'output', 'a.h5', 'progress', false);
+  error('no error');
+catch problem
+  assert(~isempty(strfind(problem.message, 'is there already and is kept')), problem.message);
+end
+assert(isequal(before, dir('a.h5')));
+result = whirl_run(good, 'kappa', 0.1 + 0.2, 'output', 'a.h5', 'overwrite', true, 'progress', false, 'threads', 1);
 again = whirl_read('a.h5');
 assert(isequaln(result, again));
 assert(result.parameters.value(2), 0.1 + 0.2);

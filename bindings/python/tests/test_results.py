@@ -1,7 +1,10 @@
 """Results in memory and in files are one, and are those of the command, bit for bit."""
 
+import errno
 import gc
 import importlib.util
+import json
+import pickle
 import subprocess
 import weakref
 
@@ -10,7 +13,7 @@ import numpy as np
 import pytest
 
 import whirl
-from conftest import COMMAND
+from conftest import COMMAND, GOOD
 from whirl.fields import FIELD
 
 
@@ -375,7 +378,7 @@ def test_errors_of_files_are_sentences(good_file, tmp_path):
         opened["sweep"]
     with pytest.raises(TypeError):
         whirl.open(5)
-    with pytest.raises(whirl.BadInput, match="cannot read"):
+    with pytest.raises(whirl.BadInput, match="the name of a file has a NUL"):
         whirl.open("a\0b.h5")
     with whirl.open(good_file) as opened:
         with pytest.raises(whirl.FileFailure, match="cannot write"):
@@ -460,3 +463,88 @@ def test_a_run_that_stopped_before_a_table_holds_nothing_there(tmp_path):
     result = whirl.open(tmp_path / "case.h5")
     assert len(result["unbalance"].values) == 0
     assert result.held == [] and result.beyond == []
+
+
+WARNED = """
+whirl: 1
+parameters: {speed: 6000}
+rotor:
+  speed: = speed
+  length_scale: 1 mm
+  stations: {d: {mass: 10 kg, eccentricity: 1 um}}
+  elements:
+    - shaft: {between: [d, ground], k1: 1 MN/m}
+    - film: {at: d, clearance: 100 um, viscosity: 2 mPa.s, radius: 25 mm, length: 200 mm}
+study: {response: {}, integrate: {transient: 5, record: 5}}
+"""
+
+
+def test_warnings_of_the_library_are_shown(tmp_path):
+    case = whirl.Case(text=WARNED)
+    with pytest.warns(UserWarning, match="film.length: is 4 times the diameter") as shown:
+        result = whirl.run(case, progress=False)
+    (told,) = case.warnings
+    assert [str(one.message) for one in shown] == [told] == result.warnings and shown[0].filename == __file__
+    assert repr(result).endswith(", 1 warning>")
+    result.save(tmp_path / "a.h5")
+    for again in (whirl.open(tmp_path / "a.h5"), whirl.read(tmp_path / "a.h5")):
+        assert again.warnings == [told] and repr(again).endswith(", 1 warning>")
+
+
+def test_no_warning_where_there_is_none(good):
+    assert good.warnings == [] and "warning" not in repr(good)
+
+
+def test_copies_are_read_only(good, good_file):
+    case = whirl.Case(GOOD)
+    for copy, words in (
+        (case.parameters, "case.set"),
+        (good.parameters, "case.set"),
+        (good.facts, "facts"),
+        (good.tables, "tables"),
+        (good["sweep"].fields, "fields"),
+        (good["sweep"].options, "case.set"),
+        (whirl.open(good_file)["sweep"].options, "case.set"),
+    ):
+        before = dict(copy)
+        for change in (
+            lambda copy: copy.__setitem__("a", 1),
+            lambda copy: copy.__delitem__(next(iter(copy))),
+            lambda copy: copy.update(a=1),
+            lambda copy: copy.clear(),
+            lambda copy: copy.pop(next(iter(copy))),
+            lambda copy: copy.setdefault("a", 1),
+            lambda copy: copy.__ior__({"a": 1}),
+        ):
+            with pytest.raises(TypeError, match=f"is a copy.*{words}"):
+                change(copy)
+        assert dict(copy) == before == copy.copy() and type(copy.copy()) is dict
+    assert json.loads(json.dumps(good.facts)) == good.facts == pickle.loads(pickle.dumps(good.facts))
+
+
+def test_files_that_are_there_are_kept(good, good_file, tmp_path):
+    mine, page = tmp_path / "mine.h5", tmp_path / "template.html"
+    page.write_text("@WHIRL-RUNS@")
+    for result in (good, whirl.open(good_file), whirl.read(good_file)):
+        for write in (result.save, lambda path, **more: result.explorer(path, template=page, **more)):
+            mine.write_text("mine")
+            with pytest.raises(FileExistsError, match="is there already and is kept: overwrite=True") as caught:
+                write(mine)
+            assert isinstance(caught.value, whirl.FileFailure) and mine.read_text() == "mine"
+            write(mine, overwrite=True)
+            assert mine.read_bytes()[:4] != b"mine"
+    for name in ("a.csv", "a.TXT", "fan.json", "fan.yaml", "a.mat"):
+        with pytest.raises(whirl.BadInput, match="ending of another kind of file, expected the name of a result"):
+            good.save(tmp_path / name)
+        assert not (tmp_path / name).exists()
+    for name in ("a", "a.hdf5", "omega-1.5", "a.csv.h5"):
+        good.save(tmp_path / name)
+
+
+def test_missing_files_are_missing_files(tmp_path):
+    missing = tmp_path / "no.h5"
+    reads = (whirl.open, whirl.read, whirl.Case, whirl.run, whirl.balance, whirl.bearing)
+    for read in reads:
+        with pytest.raises(FileNotFoundError, match="^cannot read .*no.h5'?: No such file") as caught:
+            read(missing)
+        assert isinstance(caught.value, whirl.BadInput) and caught.value.errno == errno.ENOENT

@@ -15,7 +15,8 @@ if TYPE_CHECKING:
     from .balancing import Balance, balance, readings
     from .bearings import Bearing, bearing
     from .case import Case
-    from .errors import BadInput, Error, FileFailure, MissingProgram, NumericalFailure, OutOfMemory, Stopped
+    from .errors import BadInput, Error, ExistingFile, FileFailure, MissingFile, MissingProgram, NumericalFailure
+    from .errors import OutOfMemory, ReadOnlyCopy, Stopped
     from .result import Parameter, Result, Station, open, read
     from .running import run
     from .table import Field, Table
@@ -37,6 +38,9 @@ _HOMES = {
     "readings": "balancing",
     "Error": "errors",
     "BadInput": "errors",
+    "MissingFile": "errors",
+    "ReadOnlyCopy": "errors",
+    "ExistingFile": "errors",
     "OutOfMemory": "errors",
     "FileFailure": "errors",
     "NumericalFailure": "errors",

@@ -60,11 +60,13 @@ class FileSource:
     """A file of `whirl run` through h5py. It stays open; `close` closes it."""
 
     def __init__(self, path):
+        from ._library import path_bytes, require_file
+
         self.path, self.file = os.path.abspath(path), None
+        path_bytes(path)
+        require_file(path, "the result")
         try:
             self.file = h5py.File(path, "r")
-        except ValueError as failure:  # a NUL in the name
-            raise errors.BadInput(f"cannot read the result '{path!r}': {failure}") from None
         except OSError as failure:
             reason = os.strerror(failure.errno) if failure.errno else "it is no HDF5 file"
             raise errors.BadInput(f"cannot read the result '{self.path}': {reason}") from None

@@ -118,6 +118,7 @@ whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *num
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
 whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
                                  const char *log, char **json);
+bool whirl_result_name_fits(const char *path);
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
                                  const char *told, size_t *index);
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);

@@ -1,5 +1,6 @@
 """libwhirl through cffi: the library is found and opened, and its failures become exceptions."""
 
+import errno
 import os
 from pathlib import Path
 
@@ -82,6 +83,18 @@ def path_bytes(path):
     if b"\0" in data:
         raise errors.BadInput(f"the name of a file has a NUL in it: {path!r}")
     return data
+
+
+def keep_file(path, overwrite):
+    """Refuses to replace a file, unless that is asked for."""
+    if not overwrite and os.path.lexists(path) and not os.path.isdir(path):
+        raise errors.ExistingFile(f"'{os.fspath(path)}' is there already and is kept: overwrite=True replaces it")
+
+
+def require_file(path, what):
+    """Refuses the name of a file that is not there, in the words of the system."""
+    if not os.path.lexists(path):
+        raise errors.MissingFile(f"cannot read {what} '{os.fspath(path)}': {os.strerror(errno.ENOENT)}")
 
 
 check(lib.whirl_version_check(*_OLDEST))

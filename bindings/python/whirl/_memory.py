@@ -3,7 +3,20 @@
 import numpy as np
 
 from . import errors
-from ._library import CONTACTS, FACTS, PARAMETERS, STATIONS, TABLES, check, ffi, lib, path_bytes, text, word_bytes
+from ._library import (
+    CONTACTS,
+    FACTS,
+    PARAMETERS,
+    STATIONS,
+    TABLES,
+    check,
+    ffi,
+    lib,
+    path_bytes,
+    require_file,
+    text,
+    word_bytes,
+)
 
 _STATION_NUMBERS = ("clearance", "gap", "position")
 _STATION_WHOLES = ("x", "y", "vx", "vy", "shaft", "along_y", "clockwise")
@@ -40,8 +53,9 @@ class MemorySource:
     @classmethod
     def read(cls, path):
         """All of a file, checked by the library before a number of it is believed."""
-        out = ffi.new("whirl_result **")
-        check(lib.whirl_result_read(path_bytes(path), out))
+        out, name = ffi.new("whirl_result **"), path_bytes(path)
+        require_file(path, "the result")
+        check(lib.whirl_result_read(name, out))
         return cls(out[0])
 
     @classmethod

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from . import errors
-from ._library import BAD_INPUT, check, ffi, lib, path_bytes, text, word_bytes
+from ._library import BAD_INPUT, check, ffi, lib, path_bytes, require_file, text, word_bytes
 
 if TYPE_CHECKING:
     from .result import Parameter, Result
@@ -82,6 +82,8 @@ def _document(source, key, name):
     its name in messages."""
     if not isinstance(source, Mapping):
         name = name or str(source)
+        path_bytes(source)
+        require_file(source, "the file")
         try:
             return Path(source).read_bytes(), name
         except (OSError, ValueError) as failure:
@@ -142,12 +144,12 @@ class Case:
                 raise errors.BadInput("the dict of a case holds itself") from None
         elif source is not None:
             name = name or str(source)
+            path_bytes(source)
+            require_file(source, "the case")
             try:
                 text = Path(source).read_bytes()
             except OSError as failure:
                 raise errors.BadInput(f"cannot read the case {name}: {failure.strerror}") from None
-            except ValueError as failure:  # a NUL in the name
-                raise errors.BadInput(f"cannot read the case {name!r}: {failure}") from None
         if not isinstance(text, (str, bytes, bytearray)):
             raise TypeError(f"the text of a case is {text!r}, expected a str")
         self._handle = self._check(_encoded(text), name or "case.yaml")
@@ -174,8 +176,13 @@ class Case:
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """The parameters by their names, with the values that a run would use."""
+        """The parameters by their names, with the values that a run would use: a copy, :meth:`set` changes them."""
         return self.outline().parameters
+
+    @property
+    def warnings(self) -> list[str]:
+        """What ``whirl check`` warns of: values that a law is not for or that no machine has."""
+        return self.outline().warnings
 
     def set(self, name: str, value: str | float) -> Case:
         """Sets a parameter, or a key of the case by its path, as ``--set NAME=VALUE`` of the command does.

@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Sequence
 
-__all__ = ["Error", "BadInput", "OutOfMemory", "FileFailure", "NumericalFailure", "Stopped", "MissingProgram"]
+__all__ = [
+    "Error",
+    "BadInput",
+    "MissingFile",
+    "ReadOnlyCopy",
+    "OutOfMemory",
+    "FileFailure",
+    "ExistingFile",
+    "NumericalFailure",
+    "Stopped",
+    "MissingProgram",
+]
 
 
 class Error(Exception):
@@ -25,12 +37,38 @@ class BadInput(Error, ValueError):
         self.problems = list(problems)
 
 
+class MissingFile(BadInput, FileNotFoundError):
+    """A case, a result or another file that was to be read is not there."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.errno = errno.ENOENT
+
+    def __str__(self) -> str:
+        return self.args[0]
+
+
+class ReadOnlyCopy(Error, TypeError):
+    """A dict that is a copy (``case.parameters``, ``result.facts``) was to be changed, which would change nothing."""
+
+
 class OutOfMemory(Error, MemoryError):
     """The library could not allocate what it needs."""
 
 
 class FileFailure(Error, OSError):
     """A file could not be read or written."""
+
+
+class ExistingFile(FileFailure, FileExistsError):
+    """A file that is there would be replaced; it is kept."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.errno = errno.EEXIST
+
+    def __str__(self) -> str:
+        return self.args[0]
 
 
 class NumericalFailure(Error, ArithmeticError):

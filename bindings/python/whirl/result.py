@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import ItemsView, Iterator, KeysView, ValuesView
@@ -15,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import errors
+from ._readonly import ReadOnly
 from .fields import FIELD
 from .table import Table
 
@@ -80,7 +82,8 @@ class _About:
 
     @cached_property
     def parameters(self) -> dict[str, Parameter]:
-        return {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
+        named = {name: Parameter(name, *rest) for name, *rest in self._source.parameters()}
+        return ReadOnly(named, "case.set(name, value) sets a parameter of a case")
 
     @cached_property
     def stations(self) -> list[Station]:
@@ -92,7 +95,7 @@ class _About:
 
     @cached_property
     def facts(self) -> dict[str, str]:
-        return self._source.facts()
+        return ReadOnly(self._source.facts(), "facts are what a result says of its run")
 
     @property
     def clock(self) -> float:
@@ -175,6 +178,13 @@ class Result:
                 yield name, np.asarray(table[field]).reshape(len(table.values), -1)
 
     @property
+    def warnings(self) -> list[str]:
+        """What the library warns of, as ``whirl check`` and ``whirl run`` do: values of the case that a law is not for
+        or that no machine has, ranges without extent. :func:`whirl.run` shows them as ``UserWarning`` too."""
+        names = sorted((name for name in self.facts if re.fullmatch(r"warning \d+", name)), key=lambda n: int(n[8:]))
+        return [self.facts[name] for name in names]
+
+    @property
     def beyond(self) -> list[str]:
         """The ranges of laws that points of tables have left: which, and how far they went. Field "ranges/left" of a
         table tells how many a point has left, "ranges/reached" what each came to and where its range ends."""
@@ -227,7 +237,8 @@ class Result:
     @cached_property
     def tables(self) -> dict[str, Table]:
         """The tables by their names, such as "sweep", "map", "branch"."""
-        return {name: Table(self._about, table) for name, table in self._source.tables().items()}
+        tables = {name: Table(self._about, table) for name, table in self._source.tables().items()}
+        return ReadOnly(tables, "tables are those of the result")
 
     @property
     def case(self) -> Case:
@@ -365,8 +376,20 @@ class Result:
                 self._whole.show_in(self._units)
         return self._whole.handle
 
-    def save(self, path: str | os.PathLike) -> None:
-        """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half."""
+    def save(self, path: str | os.PathLike, *, overwrite: bool = False) -> None:
+        """Writes the result as the file that `whirl run` writes: to another name first, so that none is left half.
+
+        A file that is there is kept and FileFailure raised (also a FileExistsError), unless ``overwrite`` is True.
+        BadInput for a name with the ending of another kind of file, "a.csv".
+        """
+        from ._library import keep_file, lib, path_bytes
+
+        if not lib.whirl_result_name_fits(path_bytes(path)):
+            raise errors.BadInput(
+                f"'{os.fspath(path)}' has the ending of another kind of file, expected the name of a result, such as "
+                "result.h5"
+            )
+        keep_file(path, overwrite)
         self._source.write(path)
 
     def __reduce__(self):
@@ -382,7 +405,13 @@ class Result:
     def __exit__(self, *_exception: object) -> None:
         self.close()
 
-    def explorer(self, path: str | os.PathLike | None = None, template: str | os.PathLike | None = None) -> str | None:
+    def explorer(
+        self,
+        path: str | os.PathLike | None = None,
+        template: str | os.PathLike | None = None,
+        *,
+        overwrite: bool = False,
+    ) -> str | None:
         """The explorer: a page that shows the result and computes on in the browser.
 
         Parameters
@@ -391,9 +420,13 @@ class Result:
             The page to write; without it its text is returned.
         template : path, optional
             The explorer's template; that of the package or of the system where it is not given.
+        overwrite : bool
+            Whether a page that is there is replaced; without it that is a FileFailure (also a FileExistsError).
         """
-        from ._library import check, ffi, lib, path_bytes
+        from ._library import check, ffi, keep_file, lib, path_bytes
 
+        if path is not None:
+            keep_file(path, overwrite)
         template = template or find_template()
         if template is None:
             raise errors.BadInput(
@@ -429,12 +462,15 @@ class Result:
         )
         return (
             f"<p><b>{html.escape(self.title or self.case_name)}</b>{' (partial)' if self.partial else ''}</p>"
+            f"{''.join(f'<p>Warning: {html.escape(words)}</p>' for words in self.warnings)}"
             f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
         )
 
     def __repr__(self) -> str:
         tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
-        return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}>"
+        count = len(self.warnings)
+        told = f", {count} warning{'s' if count > 1 else ''}" if count else ""
+        return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{told}>"
 
 
 _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their file

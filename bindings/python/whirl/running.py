@@ -240,6 +240,7 @@ def run(
     Returns
     -------
     Result
+        What the library warns of is shown as ``UserWarning``, and stands in ``result.warnings``.
 
     Raises
     ------
@@ -288,6 +289,8 @@ def compute(
         lib.whirl_job_stop(job)  # where a handler raises before this was said
         if bar:
             bar.close()
+    for words in result.warnings:
+        warnings.warn(words, stacklevel=3)
     if result.partial:
         warnings.warn(f"{work.outcome['message']}: the result is partial", stacklevel=3)
     return result

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import errors
+from ._readonly import ReadOnly
 from .fields import FIELD
 
 if TYPE_CHECKING:
@@ -85,7 +86,8 @@ class Table(Mapping):
     @cached_property
     def fields(self) -> dict[str, Field]:
         """The fields by their names, in the order of the file."""
-        return {about["name"]: Field(**about) for about in self._source.fields()}
+        fields = {about["name"]: Field(**about) for about in self._source.fields()}
+        return ReadOnly(fields, "fields are those of the result")
 
     @cached_property
     def values(self) -> np.ndarray:
@@ -172,7 +174,7 @@ class Table(Mapping):
     @cached_property
     def options(self) -> dict:
         """Method, tolerances, revolutions and all else that says how the points were computed."""
-        return self._source.options()
+        return ReadOnly(self._source.options(), "case.set('integrate.rtol', ...) sets an option of a case")
 
     def _field(self, name):
         if not isinstance(name, str):

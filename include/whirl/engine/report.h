@@ -27,6 +27,11 @@ typedef struct whirl_report_options {
     const char *weasyprint; ///< program that makes the PDF of it; NULL: "weasyprint" on the PATH
 } whirl_report_options;
 
+/// Returns true where a report would replace a page, or files in the folder of a result, and writes the path of the
+/// first one in at most `size` bytes. Arguments as of whirl_report_write.
+bool whirl_report_find(const char *const *names, size_t count, const char *directory,
+                       const whirl_report_options *options, char *found, size_t size);
+
 /// Writes DIR/report.html, DIR/explorer.html (all results in one page that computes on), and for every result
 /// DIR/NAME/ with figures (PNG, PDF), their gnuplot scripts and data. `names` [count] become folder names.
 /// WHIRL_MISSING_PROGRAM when gnuplot is not there: scripts and data are written all the same; or when weasyprint is

@@ -325,6 +325,9 @@ bool whirl_result_same_study(const whirl_result *earlier, const whirl_result *la
 /// and one file a field that has rows. Units stand in the headings.
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path);
 
+/// Returns true where the export would replace a file, and writes the path of the first one in at most `size` bytes.
+bool whirl_result_find_csv(const whirl_result *result, const char *path, char *found, size_t size);
+
 /// Writes the result file `result` as a MAT file of version 5, compressed, which MATLAB and Octave load: a variable for
 /// every group of the result file (docs/result-file.md), its numbers to the bit. `path` appears whole or not at all,
 /// and replaces what is there. WHIRL_BAD_INPUT where `result` is damaged, WHIRL_IO_ERROR where either file fails or a

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "whirl/engine/shown.h"
 #include "words.h"
@@ -320,46 +321,90 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
 
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
-/// One file DIR/name.csv, whole or not at all.
-static whirl_status export_file(const char *folder, const char *name, write_fn write, const whirl_result *result,
-                                const whirl_table *table, const whirl_field *field) {
-    char path[ATOMIC_PATH_SIZE];
+/// What stands in a file of an export, DIR/name.csv.
+typedef struct csv_file {
+    write_fn write;
+    const whirl_result *result;
+    const whirl_table *table;
+    const whirl_field *field;
+} csv_file;
+
+/// What is done with the files of an export: they are written, or looked for.
+typedef struct csv_visitor {
+    const char *folder;
+    const whirl_result *result;
+    whirl_status (*visit)(void *context, const csv_file *file, const char *path);
+    void *context;
+} csv_visitor;
+
+/// Writes the file, whole or not at all.
+static whirl_status csv_write(void *context, const csv_file *file, const char *path) {
     atomic_file out;
-    if (snprintf(path, sizeof path, "%s/%s.csv", folder, name) >= (int)sizeof path)
-        return whirl_fail(WHIRL_IO_ERROR, "cannot write %s.csv: the path is too long", name);
+    (void)context;
     const whirl_status status = atomic_file_open(&out, path);
     if (status.code != WHIRL_OK) return status;
-    write(out.stream, result, table, field);
+    file->write(out.stream, file->result, file->table, file->field);
     return atomic_file_commit(&out);
 }
 
-static whirl_status export_table(const char *folder, const whirl_result *result, const whirl_table *table) {
-    whirl_status status = export_file(folder, table->name, write_points, result, table, NULL);
+/// Notes the path, in a text that is empty before, where something is there already.
+static whirl_status csv_look(void *context, const csv_file *file, const char *path) {
+    struct stat there;
+    char *const found = context;
+    (void)file;
+    if (!*found && lstat(path, &there) == 0) snprintf(found, ATOMIC_PATH_SIZE, "%s", path);
+    return whirl_ok();
+}
+
+static whirl_status csv_visit(const csv_visitor *by, const char *name, write_fn write, const whirl_table *table,
+                              const whirl_field *field) {
+    const csv_file file = {write, by->result, table, field};
+    char path[ATOMIC_PATH_SIZE];
+    if (snprintf(path, sizeof path, "%s/%s.csv", by->folder, name) >= (int)sizeof path)
+        return whirl_fail(WHIRL_IO_ERROR, "cannot write %s.csv: the path is too long", name);
+    return by->visit(by->context, &file, path);
+}
+
+static whirl_status csv_visit_table(const csv_visitor *by, const whirl_table *table) {
+    whirl_status status = csv_visit(by, table->name, write_points, table, NULL);
     const whirl_layout *layout = &table->layout;
     char attractors[WHIRL_NAME_SIZE + 16];
     snprintf(attractors, sizeof attractors, "%s-attractors", table->name);
-    if (table->starts > 1 && status.code == WHIRL_OK)
-        status = export_file(folder, attractors, write_attractors, result, table, NULL);
+    if (table->starts > 1 && status.code == WHIRL_OK) status = csv_visit(by, attractors, write_attractors, table, NULL);
     for (size_t i = 0; i < layout->field_count && status.code == WHIRL_OK; ++i) {
         const whirl_field *field = &layout->fields[i];
         char name[2 * WHIRL_NAME_SIZE + 8];
         if (field->rows == 1) continue;
         snprintf(name, sizeof name, "%s-%s", table->name, field->name);
         for (char *slash = name; (slash = strchr(slash, '/'));) *slash = '-';
-        status = export_file(folder, name, write_rows, result, table, field);
+        status = csv_visit(by, name, write_rows, table, field);
+    }
+    return status;
+}
+
+/// All files of an export, in order.
+static whirl_status csv_visit_all(const csv_visitor *by) {
+    whirl_status status = csv_visit(by, "parameters", write_parameters, NULL, NULL);
+    if (status.code == WHIRL_OK) status = csv_visit(by, "options", write_options, NULL, NULL);
+    for (size_t i = 0; i < by->result->table_count && status.code == WHIRL_OK; ++i) {
+        const char *name = by->result->tables[i].name;
+        if (!format_is_name(name, 0) || format_reserved(name))
+            return whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", name);
+        status = csv_visit_table(by, &by->result->tables[i]);
     }
     return status;
 }
 
 whirl_status whirl_result_export_csv(const whirl_result *result, const char *path) {
-    whirl_status status = atomic_folder(path);
-    if (status.code == WHIRL_OK) status = export_file(path, "parameters", write_parameters, result, NULL, NULL);
-    if (status.code == WHIRL_OK) status = export_file(path, "options", write_options, result, NULL, NULL);
-    for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; ++i) {
-        const char *name = result->tables[i].name;
-        if (!format_is_name(name, 0) || format_reserved(name))
-            return whirl_fail(WHIRL_BAD_INPUT, "'%s' cannot name a table", name);
-        status = export_table(path, result, &result->tables[i]);
-    }
-    return status;
+    const csv_visitor writer = {path, result, csv_write, NULL};
+    const whirl_status status = atomic_folder(path);
+    return status.code == WHIRL_OK ? csv_visit_all(&writer) : status;
+}
+
+bool whirl_result_find_csv(const whirl_result *result, const char *path, char *found, size_t size) {
+    char first[ATOMIC_PATH_SIZE] = "";
+    const csv_visitor looker = {path, result, csv_look, first};
+    csv_visit_all(&looker); // what cannot be named cannot be written either, and is said there
+    snprintf(found, size, "%s", first);
+    return *first != '\0';
 }

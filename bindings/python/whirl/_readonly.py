@@ -1,0 +1,30 @@
+"""Dictionaries that are copies of what the library has, and so are not to be written to."""
+
+from . import errors
+
+
+class ReadOnly(dict):
+    """A dict that refuses to be changed, and says what changes the original. Copies of it are plain dicts."""
+
+    def __init__(self, items, advice):
+        super().__init__(items)
+        self._advice = advice
+
+    def _refuse(self, *_arguments, **_more):
+        raise errors.ReadOnlyCopy(f"this dict is a copy, and changing it would change nothing: {self._advice}")
+
+    __setitem__ = __delitem__ = __ior__ = _refuse
+    update = setdefault = pop = popitem = clear = _refuse
+
+    def __reduce__(self):
+        return dict, (dict(self),)
+
+    def __copy__(self):
+        return dict(self)
+
+    copy = __copy__
+
+    def __deepcopy__(self, memo):
+        from copy import deepcopy
+
+        return deepcopy(dict(self), memo)
