@@ -41,6 +41,9 @@ for i = 1:2:numel(varargin)
     end
 end
 kept = ~isempty(output);
+if kept && ~overwrite && exist(file_of(output), 'file') == 2
+    error('whirl:badInput', '''%s'' is there already and is kept: ''overwrite'', true replaces it', output);
+end
 if ~kept
     output = [tempname() '.h5'];
 end

@@ -18,7 +18,7 @@ try
   whirl_run(good, 'output', 'a.h5', 'progress', false);
   error('no error');
 catch problem
-  assert(~isempty(strfind(problem.message, 'is there already and is kept')), problem.message);
+  assert(~isempty(strfind(problem.message, 'is kept: ''overwrite'', true replaces it')), problem.message);
 end
 assert(isequal(before, dir('a.h5')));
 result = whirl_run(good, 'kappa', 0.1 + 0.2, 'output', 'a.h5', 'overwrite', true, 'progress', false, 'threads', 1);
