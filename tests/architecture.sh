@@ -120,7 +120,7 @@ system_only_in fcntl.h $files $process base/room.c
 system_only_in sys/stat.h $files rotor/pads/tables.c report/render/gnuplot.c
 # shellcheck disable=SC2086
 system_only_in unistd.h $files $process rotor/pads/tables.c store/journal/underway.c store/hdf5/h5driver.c base/room.c
-system_only_in dirent.h store/journal/underway.c
+system_only_in dirent.h store/journal/underway.c report/report_file.c
 system_only_in sys/file.h store/journal/journal_file.c
 system_only_in sys/wait.h $process
 system_only_in sys/mman.h base/room.c

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "figure_kinds.h"
 #include "page.h"
@@ -54,11 +53,10 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
                  {"explorer.html", options && options->explorer},
                  {"lateral.html", options && options->lateral},
                  {"lateral.pdf", options && options->lateral}};
-    struct stat there;
     bool is_there = false;
     for (size_t i = 0; i < sizeof pages / sizeof *pages && !is_there; i++) {
         snprintf(found, size, "%s/%s", directory, pages[i].name);
-        is_there = pages[i].written && lstat(found, &there) == 0;
+        is_there = pages[i].written && report_file_there(found);
     }
     // Without memory nothing is written either: whirl_report_write says so.
     char(*folders)[FOLDER_NAME_SIZE] = calloc(count + 1, sizeof *folders);

@@ -69,6 +69,11 @@ whirl_status folder_make(const char *path) {
     return make_one(part);
 }
 
+bool report_file_there(const char *path) {
+    struct stat there;
+    return lstat(path, &there) == 0;
+}
+
 bool folder_holds_files(const char *path) {
     DIR *folder = opendir(path);
     bool holds = false;

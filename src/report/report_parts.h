@@ -195,6 +195,9 @@ void report_file_drop(report_file *file);
 /// Makes a folder and those above it; one that is there already is fine.
 whirl_status folder_make(const char *path);
 
+/// Whether anything is there by this name, a link that leads nowhere, too.
+bool report_file_there(const char *path);
+
 /// Whether a folder is there and has anything in it.
 bool folder_holds_files(const char *path);
 

@@ -96,6 +96,11 @@ void atomic_file_discard(atomic_file *out) {
     unlink(out->temporary);
 }
 
+bool atomic_file_there(const char *path) {
+    struct stat there;
+    return lstat(path, &there) == 0;
+}
+
 whirl_status atomic_folder(const char *path) {
     char folder[ATOMIC_PATH_SIZE];
     struct stat found;

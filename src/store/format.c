@@ -1,7 +1,7 @@
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "items.h"
 #include "store.h"
@@ -95,12 +95,18 @@ void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count)
     }
 }
 
+/// Whether an ending is this one, whatever its letters' case.
+static bool format_is_ending(const char *ending, const char *lower) {
+    while (*lower && tolower((unsigned char)*ending) == *lower) ending++, lower++;
+    return !*lower && !*ending;
+}
+
 bool whirl_result_name_fits(const char *path) {
     static const char *const others[] = {"c",    "csv", "dat", "gif", "gz",   "html", "jpeg", "jpg", "json", "m",
                                          "mat",  "md",  "npy", "npz", "pdf",  "png",  "ps",   "py",  "svg",  "tar",
                                          "toml", "tsv", "txt", "xls", "xlsx", "xml",  "yaml", "yml", "zip"};
     const char *const slash = strrchr(path, '/'), *const dot = strrchr(slash ? slash : path, '.');
     for (size_t i = 0; dot && i < sizeof others / sizeof *others; i++)
-        if (strcasecmp(dot + 1, others[i]) == 0) return false;
+        if (format_is_ending(dot + 1, others[i])) return false;
     return true;
 }

@@ -31,6 +31,9 @@ whirl_status atomic_file_commit(atomic_file *out);
 /// Removes what was written.
 void atomic_file_discard(atomic_file *out);
 
+/// Whether anything is there by this name, a link that leads nowhere, too.
+bool atomic_file_there(const char *path);
+
 /// Makes a folder, and those above it that are missing. Well when it is there.
 whirl_status atomic_folder(const char *path);
 

@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "whirl/engine/shown.h"
 #include "words.h"
@@ -349,10 +348,9 @@ static whirl_status csv_write(void *context, const csv_file *file, const char *p
 
 /// Notes the path, in a text that is empty before, where something is there already.
 static whirl_status csv_look(void *context, const csv_file *file, const char *path) {
-    struct stat there;
     char *const found = context;
     (void)file;
-    if (!*found && lstat(path, &there) == 0) snprintf(found, ATOMIC_PATH_SIZE, "%s", path);
+    if (!*found && atomic_file_there(path)) snprintf(found, ATOMIC_PATH_SIZE, "%s", path);
     return whirl_ok();
 }
 
