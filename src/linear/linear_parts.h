@@ -28,6 +28,8 @@ typedef struct mean_system {
     double *slope; ///< [dimension]
     double *unit;  ///< [count][dimension]
     double *rows;  ///< [count][dimension]
+    /// Values of time that do not change; 0 for those that do.
+    double steady[WHIRL_MAX_FORCING];
 } mean_system;
 
 /// Makes one in one block, *block, to be freed by free. WHIRL_BAD_INPUT for a system without a Jacobian.

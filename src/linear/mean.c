@@ -10,6 +10,25 @@ static bool turns(const whirl_system *system, size_t coordinate) {
     return system->turns && system->turns[coordinate] != 0.0;
 }
 
+enum { LOOKS = 5 };
+
+/// Instants without any symmetry between them.
+static double look_at(const whirl_system *system, int look) {
+    return system->period * (0.07 + 0.19 * look);
+}
+
+/// The mean of the values of time: that of one that stays as it is, as of a rotor that stands still; else 0.
+static void find_steady(mean_system *m) {
+    double forcing[WHIRL_MAX_FORCING];
+    if (m->system->forcing_count == 0) return;
+    m->system->forcing(m->system->model, look_at(m->system, 0), m->steady);
+    for (int look = 1; look < LOOKS; look++) {
+        m->system->forcing(m->system->model, look_at(m->system, look), forcing);
+        for (size_t i = 0; i < m->system->forcing_count; i++)
+            if (forcing[i] != m->steady[i]) m->steady[i] = 0.0;
+    }
+}
+
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block) {
     const size_t d = system->dimension;
     *block = NULL;
@@ -31,6 +50,7 @@ whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block
         else
             m->kept[m->count++] = i;
     for (size_t i = 0; i < m->count; i++) m->unit[i * d + m->kept[i]] = 1.0;
+    find_steady(m);
     return whirl_ok();
 }
 
@@ -44,11 +64,10 @@ static double at_phase(mean_system *m, const double *x, int sample) {
 }
 
 void mean_slope(mean_system *m, const double *x, double *slope) {
-    static const double off[WHIRL_MAX_FORCING] = {0};
     memset(slope, 0, m->count * sizeof *slope);
     for (int sample = 0; sample < m->samples; sample++) {
         const double t = at_phase(m, x, sample);
-        m->system->rhs(m->system->model, t, off, m->state, m->slope);
+        m->system->rhs(m->system->model, t, m->steady, m->state, m->slope);
         for (size_t i = 0; i < m->count; i++) slope[i] += m->slope[m->kept[i]] / m->samples;
     }
 }
@@ -73,25 +92,21 @@ static void add_jacobian(mean_system *m, double t, const double *forcing, const 
 }
 
 void mean_jacobian(mean_system *m, const double *x, double *jacobian) {
-    static const double off[WHIRL_MAX_FORCING] = {0};
     memset(jacobian, 0, m->count * m->count * sizeof *jacobian);
     for (int sample = 0; sample < m->samples; sample++) {
         const double t = at_phase(m, x, sample);
-        add_jacobian(m, t, off, m->state, 1.0 / m->samples, jacobian);
+        add_jacobian(m, t, m->steady, m->state, 1.0 / m->samples, jacobian);
     }
 }
 
 bool mean_is_modulated(mean_system *m, const double *x, double *jacobian) {
-    enum { LOOKS = 5 };
-    static const double off[WHIRL_MAX_FORCING] = {0};
     const whirl_system *system = m->system;
     const size_t d = system->dimension, n = m->count;
     double forcing[WHIRL_MAX_FORCING];
     memset(jacobian, 0, n * n * sizeof *jacobian);
-    add_jacobian(m, 0.0, off, x, 1.0, jacobian);
+    add_jacobian(m, 0.0, m->steady, x, 1.0, jacobian);
     for (int look = 0; look < LOOKS; look++) {
-        // Times without any symmetry between them.
-        const double t = system->period * (0.07 + 0.19 * look);
+        const double t = look_at(system, look);
         if (system->forcing_count > 0) system->forcing(system->model, t, forcing);
         system->tangent(system->model, t, forcing, x, NULL, n, m->unit, m->rows);
         for (size_t i = 0; i < n; i++)

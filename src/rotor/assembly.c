@@ -5,10 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+/// Turn of a shaft that stands still: so slow that what goes with the speed is lost in rounding, and not 0, by which
+/// the laws of films divide.
+static const double slowest = 0x1p-60;
+
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
     *to = (assembly){.speed = fabs(speed), .length = length, .station_count = station_count};
     to->clock = to->speed > 0.0 ? to->speed : 1.0;
-    to->turn = speed < 0.0 ? -1.0 : 1.0;
+    to->pace = to->speed > 0.0 ? to->speed : slowest * to->clock;
+    to->turn = copysign(to->pace / to->clock, speed);
     to->stations = calloc(station_count, sizeof *to->stations);
     to->numbers = calloc(station_count, sizeof *to->numbers);
     to->inertia = calloc(AXES * station_count, sizeof *to->inertia);
@@ -34,6 +39,10 @@ void assembly_clear(assembly *to) {
 
 double assembly_spin(const assembly *of) {
     return copysign(of->speed, of->turn);
+}
+
+bool assembly_stands(const assembly *of) {
+    return of->speed == 0.0 && !of->phased;
 }
 
 // ---------------------------------------------------------------- coordinates
@@ -194,7 +203,8 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass) {
 
 void assembly_forcing(assembly *to, size_t row, size_t value, double force) {
     if (row == NO_COORDINATE) return;
-    assembly_term(to, (linear_term){row, SOURCE_FORCING, value, force / assembly_force_scale(to, row)});
+    const double share = assembly_stands(to) ? 0.0 : force / assembly_force_scale(to, row);
+    assembly_term(to, (linear_term){row, SOURCE_FORCING, value, share});
 }
 
 void assembly_turning(assembly *to, size_t x, size_t y, double force, double angle) {
@@ -225,7 +235,7 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;
     }
-    const double acceleration = moment / (inertia_of(at) * to->length);
+    const double acceleration = assembly_stands(to) ? 0.0 : moment / (inertia_of(at) * to->length);
     to->numbers[at->place][STATION_UNBALANCE_COS] += acceleration * cos(angle);
     to->numbers[at->place][STATION_UNBALANCE_SIN] += acceleration * sin(angle);
 }

@@ -87,7 +87,8 @@ typedef struct assembly_station {
 typedef struct assembly {
     double speed, length;              ///< of the shaft, rad/s, whichever way it turns; length scale, m
     double clock;                      ///< rad/s of the phase that sections are taken by: tau = clock t
-    double turn;                       ///< speed/clock, below 0 where the shaft turns clockwise, from y to x
+    double pace;                       ///< the speed for laws of surfaces that slide: never 0
+    double turn;                       ///< pace/clock, below 0 where the shaft turns clockwise, from y to x
     bool phased;                       ///< the shaft's phase is a state: what turns with it are terms alone
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
@@ -113,12 +114,17 @@ typedef struct assembly {
 } assembly;
 
 /// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. speed:
-/// below 0 clockwise. The unit of time of a rotor that stands still is a second.
+/// below 0 (or -0.0) clockwise. The unit of time of a rotor that stands still is a second. Its laws have the limits
+/// that they have at speeds ever nearer to 0: `pace` and `turn` are those of a shaft that turns once in 2e11 years.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
 
 /// The shaft's speed, rad/s, below 0 clockwise.
 double assembly_spin(const assembly *of);
+
+/// True where the shaft stands still at its angle of t = 0. Stiffness that turns with it (flats, cracks) stays at that
+/// angle; forces that turn with it count with their mean over a turn, 0.
+bool assembly_stands(const assembly *of);
 
 /// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as they are.
 /// WHIRL_BAD_INPUT for a station without mass.
@@ -159,7 +165,7 @@ void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 /// Adds a term as it stands, scaled.
 void assembly_term(assembly *to, linear_term term);
 
-/// Adds a force (N or N m) times a value of time to the coordinate.
+/// Adds a force (N or N m) times a value of time to the coordinate; none where the shaft stands still.
 void assembly_forcing(assembly *to, size_t row, size_t value, double force);
 
 /// Adds a force on a pair of coordinates that turns with the shaft, from `angle` (rad) at tau = 0.

@@ -12,7 +12,9 @@
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< N/m, of all stages
-    double way; ///< -1: what turns with the shaft turns by -tau; with a phase that is a state this is in its slope
+    /// -1: what turns with the shaft turns by -tau; with a phase that is a state this is in its slope. 0: it stands
+    /// still.
+    double way;
     char keyphasor[WHIRL_NAME_SIZE + 16]; ///< what sections are taken by; "": the shaft
     /// Row of the shaft's phase among the rates where it is a state, whose slope is the last number; else 0.
     size_t phase;

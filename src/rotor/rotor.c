@@ -13,7 +13,7 @@
 /// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
 /// coordinates come in this order.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
-    if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn < 0.0) return false;
+    if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn != 1.0) return false;
 #define FIND(name, NAME)                                                                                               \
     if (name##_find(&b->assembly, b->elements, b->element_count, order, out->law)) {                                   \
         out->structure = INSTANCE_##NAME;                                                                              \
@@ -291,7 +291,7 @@ static whirl_rotor *finish(building *b) {
     if (!rotor) return NULL;
     lay_out(rotor, (char *)rotor, b);
     rotor->speed = b->assembly.speed;
-    rotor->way = !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
+    rotor->way = assembly_stands(&b->assembly) ? 0.0 : !b->keyphasor && b->assembly.turn < 0.0 ? -1.0 : 1.0;
     rotor->clock = b->assembly.clock;
     rotor->length = b->design->length;
     rotor->cross_coupling = b->assembly.cross_coupling;

@@ -103,7 +103,7 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     const size_t d = system->dimension, probes = system->probe_count;
     bool any = false;
     for (size_t p = 0; p < probes; p++) any = any || system->probes[p].clearance > 0.0;
-    if (!any || point->speed == 0.0) return whirl_ok();
+    if (!any) return whirl_ok();
     double *x = calloc(d + 4 * probes + 1, sizeof *x), *at = x ? x + d : NULL, *force = x ? at + 2 * probes : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for films at rest");
     memcpy(x, point->start, d * sizeof *x);
@@ -121,7 +121,6 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
 /// those that have neither there.
 static whirl_status fill_coefficients(const whirl_resting *point, const block_view *view) {
     const size_t probes = point->system->probe_count;
-    if (point->speed == 0.0) return whirl_ok();
     double *numbers = malloc((8 * probes + 1) * sizeof *numbers);
     if (!numbers) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
     const whirl_status status = whirl_bearings_at(point, point->speed, numbers);

@@ -121,7 +121,7 @@ static whirl_status add_inertia(building *b) {
         b->keyphasor = own;
         b->assembly.phased = true;
         b->assembly.clock = rate;
-        b->assembly.turn = design->speed / rate;
+        b->assembly.turn = copysign(b->assembly.pace, design->speed) / rate;
     }
     return status;
 }

@@ -199,10 +199,12 @@ void ISA(machine_forcing)(const void *model, size_t stride, size_t vectors, cons
     const vec *time = t;
     vec *out = forcing;
     const vec way = v_set(((const whirl_rotor *)model)->way);
+    const vec_mask stands = v_less(v_abs(way), v_set(0.5));
     for (size_t k = 0; k < vectors; k++) {
         vec s, c;
         v_sincos(time[k], &s, &c);
         s = v_mul(way, s);
+        c = v_select(stands, v_set(1.0), c);
         out[COS_TAU * stride + k] = c;
         out[SIN_TAU * stride + k] = s;
         out[COS_2TAU * stride + k] = v_mul(v_sub(c, s), v_add(c, s));

@@ -118,8 +118,7 @@ static const double least_damper = 3e-4, soonest = 0.1;
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
     const double inertia = values[PADS_INERTIA].number, clock = to->clock, radius = values[PADS_RADIUS].number;
     if (inertia == 0.0) {
-        // A shaft that stands still has films without force, in which pads stay where they are.
-        const double over = strength > 0.0 ? values[PADS_CLEARANCE].number / (radius * radius * strength) : 0.0;
+        const double over = values[PADS_CLEARANCE].number / (radius * radius * strength);
         number[PADS_TILT_FORCE] = 1.0;
         number[PADS_TILT_SPRING] = values[PADS_SPRING].number * over;
         number[PADS_TILT_DAMPER] = fmax(values[PADS_DAMPER].number * clock * over,
@@ -167,8 +166,8 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     const double reynolds = reynolds_of(values, speed);
     const bool light = tilting && values[PADS_INERTIA].number == 0.0;
     bearing.reynolds = bearing.turbulence == WHIRL_LAMINAR ? 0.0 : nearest_table(reynolds);
-    const double strength =
-        strength_of(values, viscosity, speed) * to_the_table(values, reynolds, nearest_table(reynolds));
+    const double strength = strength_of(values, viscosity, fabs(ratio * to->pace)) *
+                            to_the_table(values, reynolds, nearest_table(reynolds));
     out->law = (int)bearing.count;
     out->states = !tilting ? 0 : light ? bearing.count : 2 * bearing.count;
     out->number[PADS_OVER_CLEARANCE] = to->length / values[PADS_CLEARANCE].number;

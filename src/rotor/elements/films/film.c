@@ -110,7 +110,7 @@ static turbulent_factors factors_of(const key_value *values, double speed) {
     return turbulent_resistance((whirl_turbulence)values[TURBULENCE].choice, reynolds_of(values, speed));
 }
 
-static whirl_status load_scale(const key_value *values, double speed, double *load) {
+static whirl_status load_scale(const key_value *values, const assembly *to, double *load) {
     const oil own = oil_of(values);
     const bool viscous = oil_given(&own);
     double viscosity = 0.0;
@@ -122,13 +122,16 @@ static whirl_status load_scale(const key_value *values, double speed, double *lo
         return whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected viscosity, density, "
                                            "radius and length");
     *load = values[LOAD].number;
+    if (values[LOAD].given && to->speed == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "has a load F0 in proportion to the speed, and the rotor stands still, "
+                                           "expected viscosity, radius and length, or a speed above 0");
     if (values[LOAD].given) return whirl_ok();
     if (!viscous || !values[RADIUS].given || !values[LENGTH].given)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "has no complete film strength, expected load, or viscosity, radius and length");
     const whirl_status status = oil_viscosity(&own, &viscosity);
     const double length = values[LENGTH].number, clearance = values[CLEARANCE].number;
-    *load = viscosity * speed * values[RADIUS].number * length * length * length / (4.0 * clearance * clearance);
+    *load = viscosity * to->pace * values[RADIUS].number * length * length * length / (4.0 * clearance * clearance);
     return status;
 }
 
@@ -152,7 +155,7 @@ static void build_finite(const key_value *values, const assembly *to, const turb
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     double load = 0.0;
     turning turns = {1.0, 1.0};
-    whirl_status status = load_scale(values, to->speed, &load);
+    whirl_status status = load_scale(values, to, &load);
     out->law = values[LAW].choice == FINITE ? FILM_OF_FINITE_LENGTH : 0;
     if (status.code == WHIRL_OK && out->law && values[LOAD].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");

@@ -72,15 +72,15 @@ static void gibbons(const key_value *values, double torque, double out[6]) {
     out[1] = (out[2] + out[4]) / z;
 }
 
-/// c_0, then c_n cos(n phase) and -c_n sin(n phase); clockwise tau runs backward.
-static int fill_orders(const key_value *values, double phase, double *number) {
+/// c_0, then c_n cos(n phase) and -c_n sin(n phase), 0 of a shaft that stands still; clockwise tau runs backward.
+static int fill_orders(const key_value *values, double phase, bool stands, double *number) {
     const key_value *orders = &values[ORDERS];
     const size_t count = orders->count > 0 ? orders->count : 1;
     const double *part = orders->count > 0 ? orders->list : &orders->number;
     number[0] = part[0];
     for (size_t n = 1; n < count; n++) {
-        number[2 * n - 1] = part[n] * cos((double)n * phase);
-        number[2 * n] = -part[n] * sin((double)n * phase);
+        number[2 * n - 1] = stands ? 0.0 : part[n] * cos((double)n * phase);
+        number[2 * n] = stands ? 0.0 : -part[n] * sin((double)n * phase);
     }
     return (int)count - 1;
 }
@@ -95,7 +95,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     double *force = out->number + REACTION_FORCES;
     const double way = copysign(1.0, to->turn);
     gibbons(values, way * values[TORQUE].number, force);
-    out->law = fill_orders(values, way * values[PHASE].number, out->number + REACTION_PARTS);
+    out->law = fill_orders(values, way * values[PHASE].number, assembly_stands(to), out->number + REACTION_PARTS);
     // The kernel's part goes to the second places against its sign.
     const double on[KERNEL_PORTS] = {force[0], force[1], -force[3], force[2], force[0], force[1], force[5], -force[4]};
     generic_scale(out, to, 1.0);

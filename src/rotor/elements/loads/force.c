@@ -76,12 +76,12 @@ static whirl_status check(const key_value *values) {
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
-    const double per_hertz = 6.283185307179586476925 / to->speed;
+    const double per_hertz = 6.283185307179586476925 / to->pace;
     const double rate = values[FREQUENCY].given ? values[FREQUENCY].number * per_hertz : values[RATIO].number;
     whirl_status status = check(values);
     if (status.code == WHIRL_OK) status = find_ports(values, to, out);
     if (status.code != WHIRL_OK) return status;
-    if (rate > HARMONIC_FASTEST)
+    if (rate > HARMONIC_FASTEST && !assembly_stands(to))
         return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the shaft, expected at most %g times", rate,
                           HARMONIC_FASTEST);
     harmonic_force(out, to, values[MOMENT].given ? values[MOMENT].number : values[AMPLITUDE].number,

@@ -20,8 +20,8 @@ static const whirl_key keys[KEY_COUNT] = {
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double moment = values[MOMENT].number, angle = values[ANGLE].number;
-    const double ratio = values[SPEED].given ? values[SPEED].number / to->speed : values[RATIO].number;
-    const double speed = ratio * to->speed;
+    const double ratio = values[SPEED].given ? values[SPEED].number / to->pace : values[RATIO].number;
+    const double speed = ratio * to->pace;
     out->lumped = !values[RATIO].given && !values[SPEED].given;
     if (out->lumped) {
         assembly_unbalance(to, values[AT].station[0], moment, angle);
@@ -29,7 +29,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     if (values[RATIO].given && values[SPEED].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has both ratio and speed, expected one of them");
-    if (!(fabs(ratio) <= HARMONIC_FASTEST))
+    if (!(fabs(ratio) <= HARMONIC_FASTEST) && !assembly_stands(to))
         return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the rotor, expected at most %g times", fabs(ratio),
                           HARMONIC_FASTEST);
     if (values[KEYPHASOR].choice && ratio == 0.0)
