@@ -12,7 +12,9 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "support_study.h"
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/ensemble.h"
 #include "whirl/engine/rotor.h"
 
 static const double pi = 3.14159265358979323846;
@@ -132,6 +134,101 @@ static void restitution(void **unused) {
                               : 0.25);
         whirl_integrator_free(integrator);
         whirl_rotor_free(rotor);
+    }
+}
+
+// ---------------------------------------------------------------- time in contact
+
+/// Share of a revolution of `time` s in which a mass that flies into a stator touches it.
+static double share_of(const whirl_setting *contact, size_t count, double speed, double time, const char *method,
+                       double rtol) {
+    const double rate = 2.0 * pi / time, state[4] = {0.999, 0.0, speed / (1e-3 * rate), 0.0};
+    whirl_rotor *rotor = make(rate, 1e-3, contact, count, 0.0);
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_ensemble *lanes;
+    double share = 0.0;
+    snprintf(options.method, sizeof options.method, "%s", method);
+    options.rtol = rtol;
+    require_ok(whirl_ensemble_new(whirl_rotor_system(rotor), &options, 1, &lanes));
+    require_ok(whirl_ensemble_load(lanes, 0, whirl_rotor_system(rotor), state));
+    whirl_ensemble_revolve(lanes, 1, &(whirl_ensemble_observe){.extremes = true});
+    whirl_ensemble_read(lanes, 0, &(whirl_ensemble_seen){.contact_share = &share});
+    whirl_ensemble_free(lanes);
+    whirl_rotor_free(rotor);
+    return share / options.steps_per_revolution;
+}
+
+/// Half a period of a spring; the times of the impacts above. Whatever the tolerance, by which steps are longer.
+static void impacts_last(void **unused) {
+    static const char *const by[] = {"dop853", "rodas5p"};
+    static const double rtol[] = {1e-5, 1e-9};
+    const whirl_setting spring[] = {{"at", 0.0, "mass"},
+                                    {"gap", 1e-3, NULL},
+                                    {"stiffness", pi * pi / 4e-6, NULL},
+                                    {"power", 1.0, NULL},
+                                    {"law", 0.0, "hertz"}};
+    const whirl_setting lossy[] = {{"at", 0.0, "mass"},
+                                   {"gap", 1e-3, NULL},
+                                   {"stiffness", 1e8, NULL},
+                                   {"loss", 1.0, NULL},
+                                   {"law", 0.0, "hunt_crossley"}};
+    (void)unused;
+    for (int m = 0; m < 2; m++)
+        for (int t = 0; t < 2; t++) {
+            check_within("contact-share", words("a spring hit for 2 ms of 6 ms, by %s at rtol %g", by[m], rtol[t]),
+                         1.0 / 3.0, share_of(spring, COUNT_OF(spring), 0.2, 6e-3, by[m], rtol[t]), 30.0 * rtol[t]);
+            check_within("contact-share", words("chi = 1, v = 1: of 4 ms, by %s at rtol %g", by[m], rtol[t]),
+                         2.19300804849e-3 / 4e-3, share_of(lossy, COUNT_OF(lossy), 1.0, 4e-3, by[m], rtol[t]),
+                         30.0 * rtol[t] + 1e-9);
+        }
+}
+
+/// Share, and times that contact began, of a rotor that strikes its stator, which moves, once a revolution.
+static double struck_share(const char *stator, const char *method, double rtol, double *number) {
+    char text[2048];
+    snprintf(text, sizeof text,
+             "whirl: 1\nrotor:\n  speed: 150 rad/s\n  length_scale: 1 mm\n  stations:\n"
+             "    disc: {mass: 20 kg, damping: 1800 N.s/m, eccentricity: 0.5 mm}\n"
+             "    stator: {mass: 5 kg, damping: 2000 N.s/m}\n  elements:\n"
+             "    - spring: {between: [disc, ground], stiffness: 500 kN/m}\n"
+             "    - spring: {between: [stator, ground], stiffness: 5 MN/m}\n    - gravity: {}\n    - %s\n"
+             "study:\n  response: {}\n  integrate: {method: %s, rtol: %g, atol: 1e-12, steps_per_revolution: 4096, "
+             "transient: 40, record: 4}\n  analyze: [rub]\n",
+             stator, method, rtol);
+    whirl_result *result = result_of_text(text);
+    const double share = table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_SHARE, 0);
+    *number = table_number(&result->tables[0], 0, WHIRL_FIELD_RUB_NUMBER, 0);
+    whirl_result_free(result);
+    return share;
+}
+
+/// Adaptive methods, which count steps, against instants of RK4: to an instant at every end of a contact.
+static void steps_count_as_instants(void **unused) {
+    static const char *const stators[][2] = {
+        {"hunt_crossley",
+         "contact: {at: disc, gap: 0.3 mm, stiffness: 2e7, power: 1, law: hunt_crossley, loss: 0.2 s/m}"},
+        {"lankarani_nikravesh in a stator that moves",
+         "contact: {at: disc, from: stator, gap: 0.3 mm, stiffness: 1e9, law: lankarani_nikravesh, restitution: 0.9, "
+         "impact_speed: 50 mm/s}"},
+        {"hertz over an arc, with friction",
+         "contact: {at: disc, gap: 0.3 mm, stiffness: 1e9, friction: 0.05, radius: 50 mm, arc: 200 deg, "
+         "arc_middle: -90 deg}"},
+        {"a damped rub", "rub: {at: disc, gap: 0.3 mm, stiffness: 20 MN/m, damping: 900 N.s/m, friction: 0.05}"},
+        {"four blades", "blade_rub: {at: disc, from: stator, blades: 4, radius: 0.3 m, gap: 0.3 mm, stiffness: 2e6}"}};
+    (void)unused;
+    for (size_t s = 0; s < COUNT_OF(stators); s++) {
+        static const char *const by[] = {"dop853", "rodas5p", "dop853"};
+        static const double rtol[] = {1e-9, 1e-9, 1e-6};
+        const char *name = stators[s][0], *stator = stators[s][1];
+        double number, own;
+        const double share = struck_share(stator, "rk4", 1e-9, &number), ends = 2.0 * number / (4.0 * 4096.0);
+        check_holds("contact-share", words("%s: strikes and leaves", name), share > 0.01 && share < 0.99);
+        for (int m = 0; m < 3; m++) {
+            const double got = struck_share(stator, by[m], rtol[m], &own);
+            check_within("contact-share", words("%s by %s, rtol %g, against rk4", name, by[m], rtol[m]), share, got,
+                         ends);
+            check_within("contact-share", words("%s by %s: contacts", name, by[m]), number, own, 0.0);
+        }
     }
 }
 
@@ -389,9 +486,9 @@ static void as_a_rub(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(impacts),     cmocka_unit_test(powers),
-                                       cmocka_unit_test(restitution), cmocka_unit_test(constant_sliding),
-                                       cmocka_unit_test(stick_slip),  cmocka_unit_test(derivatives),
-                                       cmocka_unit_test(as_a_rub)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(impacts),    cmocka_unit_test(impacts_last), cmocka_unit_test(steps_count_as_instants),
+        cmocka_unit_test(powers),     cmocka_unit_test(restitution),  cmocka_unit_test(constant_sliding),
+        cmocka_unit_test(stick_slip), cmocka_unit_test(derivatives),  cmocka_unit_test(as_a_rub)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
