@@ -34,35 +34,100 @@ static void take_forcing(mean_system *m, const double *x, double *out) {
     }
 }
 
-/// (i w - J) X = F.
-static bool solve(mean_system *m, const double *x, double *matrix, double *side) {
-    const size_t n = m->count;
-    double *jacobian = matrix + 2 * n * n;
-    mean_jacobian(m, x, jacobian);
+/// Equations (i w - J) X = F, for the forcing and for each of its numbers alone.
+typedef struct response_parts {
+    size_t n, count;
+    double *jacobian, *matrix; ///< [n][n], [n][n][2]
+    double *side;              ///< [1 + count][n][2] F, then its numbers; after that X
+    double *block;             ///< all of these numbers
+} response_parts;
+
+static bool parts_new(size_t n, const double *forcing, response_parts *p) {
+    *p = (response_parts){.n = n};
+    for (size_t i = 0; i < n; i++) p->count += forcing[2 * i] != 0.0 || forcing[2 * i + 1] != 0.0;
+    p->block = calloc(3 * n * n + 2 * n * (1 + p->count) + 1, sizeof *p->block);
+    if (!p->block) return false;
+    p->jacobian = p->block;
+    p->matrix = p->jacobian + n * n;
+    p->side = p->matrix + 2 * n * n;
+    memcpy(p->side, forcing, 2 * n * sizeof *forcing);
+    for (size_t i = 0, part = 0; i < n; i++)
+        if (forcing[2 * i] != 0.0 || forcing[2 * i + 1] != 0.0)
+            memcpy(p->side + 2 * (++part * n + i), forcing + 2 * i, 2 * sizeof *forcing);
+    return true;
+}
+
+static bool parts_solve(mean_system *m, const double *x, response_parts *p) {
+    const size_t n = p->n;
+    mean_jacobian(m, x, p->jacobian);
     for (size_t i = 0; i < n * n; i++) {
-        matrix[2 * i] = -jacobian[i];
-        matrix[2 * i + 1] = i % (n + 1) == 0 ? two_pi / m->system->period : 0.0;
+        p->matrix[2 * i] = -p->jacobian[i];
+        p->matrix[2 * i + 1] = i % (n + 1) == 0 ? two_pi / m->system->period : 0.0;
     }
-    return matrix_solve_complex(n, matrix, 1, side);
+    return matrix_solve_complex(n, p->matrix, 1 + p->count, p->side);
+}
+
+/// A part of what it is a sum of, or of the largest response, below which a response is rounding: nothing excites the
+/// station, or it is a node.
+static const double nothing = 1e-10;
+
+static double size_of(const double *number) {
+    return hypot(number[0], number[1]);
+}
+
+/// The response in all coordinates, without what is left where responses to single numbers of the forcing cancel.
+static void take_sums(const mean_system *m, const response_parts *p, double *response) {
+    memset(response, 0, 2 * m->system->dimension * sizeof *response);
+    for (size_t i = 0; i < p->n; i++) {
+        double sizes = 0.0;
+        for (size_t part = 1; part <= p->count; part++) sizes += size_of(p->side + 2 * (part * p->n + i));
+        if (size_of(p->side + 2 * i) > nothing * sizes)
+            memcpy(response + 2 * m->kept[i], p->side + 2 * i, 2 * sizeof *response);
+    }
+}
+
+/// Sets displacements and rates of stations to 0 that are rounding beside the largest.
+static void drop_rounding(const whirl_system *system, double *response) {
+    double largest[2] = {0.0, 0.0};
+    for (int pass = 0; pass < 2; pass++)
+        for (size_t p = 0; p < system->probe_count; p++) {
+            const whirl_probe *probe = &system->probes[p];
+            const size_t places[] = {probe->x, probe->y, probe->vx, probe->vy};
+            for (size_t i = 0; i < 4; i++) {
+                double *own = response + 2 * places[i];
+                if (pass == 0) largest[i / 2] = fmax(largest[i / 2], size_of(own));
+                if (pass == 1 && size_of(own) <= nothing * largest[i / 2]) own[0] = own[1] = 0.0;
+            }
+        }
+}
+
+/// The motion about x where coefficients do not turn with the shaft.
+static whirl_status respond_at(mean_system *m, const double *x, double *forcing, double *response) {
+    response_parts parts;
+    take_forcing(m, x, forcing);
+    if (!parts_new(m->count, forcing, &parts))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", m->system->dimension);
+    const bool bounded = parts_solve(m, x, &parts);
+    if (bounded) take_sums(m, &parts, response);
+    free(parts.block);
+    if (bounded) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "the response is beyond all bounds: the machine turns at a critical speed "
+                                       "without damping, or a free motion is driven");
 }
 
 static whirl_status respond(mean_system *m, double *rest, double *response, double *work) {
     const size_t n = m->count, d = m->system->dimension;
-    double *side = work + 3 * n * n, period;
+    double *side = work + n * n, period;
     whirl_status status = rest_find(m, rest);
     if (status.code != WHIRL_OK) return status;
     if (mean_is_modulated(m, rest, work)) {
         status = periodic_find(m, rest, true, work, &period);
         if (status.code == WHIRL_OK) status = periodic_harmonic(m, rest, side, response);
         if (status.code == WHIRL_OK) memcpy(rest, side, d * sizeof *rest);
-        return status;
+    } else {
+        status = respond_at(m, rest, side, response);
     }
-    take_forcing(m, rest, side);
-    if (!solve(m, rest, work, side))
-        return whirl_fail(WHIRL_BAD_INPUT, "the response is beyond all bounds: the machine turns at a critical speed "
-                                           "without damping, or a free motion is driven");
-    memset(response, 0, 2 * d * sizeof *response);
-    for (size_t i = 0; i < n; i++) memcpy(response + 2 * m->kept[i], side + 2 * i, 2 * sizeof *side);
+    if (status.code == WHIRL_OK) drop_rounding(m->system, response);
     return status;
 }
 
@@ -85,7 +150,7 @@ whirl_status whirl_forced_response(const whirl_system *system, const double *sta
     void *block;
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
-    double *work = calloc(3 * mean.count * mean.count + 2 * system->dimension + 1, sizeof *work);
+    double *work = calloc(mean.count * mean.count + 2 * system->dimension + 1, sizeof *work);
     memcpy(rest, start, system->dimension * sizeof *rest);
     status = work ? respond(&mean, rest, response, work)
                   : whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", system->dimension);

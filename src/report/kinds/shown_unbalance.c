@@ -81,6 +81,10 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
             largest = axes[0];
             where = point;
         }
+        if (largest == 0.0) {
+            fprintf(out, "  %s: no response\n", result->stations[station].name);
+            continue;
+        }
         fprintf(out, "  %s: largest response %.4g %s %s", result->stations[station].name,
                 units->amplitude * largest * whirl_result_length_scale(result, table, where) / length.size, length.name,
                 units->amplitude_name);
