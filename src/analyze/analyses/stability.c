@@ -1,6 +1,7 @@
 // Stability by logarithmic decrements: over the cross coupling of stages with bearings alone (Level I of API 617), and
 // with seals and impellers station by station and all together (Level II).
 #include <math.h>
+#include <stdlib.h>
 
 #include "analysis.h"
 #include "bracket.h"
@@ -38,7 +39,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [LIMIT] =
         {WHIRL_FIELD_STABILITY_LIMIT, "N/m",
          "cross coupling of all stages, each in proportion, at which the decrement is 0, Q_0 (0: it is below without "
-         "any; missing: at no less than 1000 times the anticipated one)",
+         "any; missing: at no less than 1000 times the anticipated one, or without stages)",
          WHIRL_PER_POINT, 1, NULL},
     [BASIC] = {WHIRL_FIELD_STABILITY_BASIC, "1", "logarithmic decrement with bearings alone", WHIRL_PER_POINT, 1, NULL},
     [DECREMENT] = {WHIRL_FIELD_STABILITY_DECREMENT, "1", "logarithmic decrement with bearings and stages",
@@ -64,9 +65,19 @@ static const field_plan fields[FIELD_COUNT] = {
               NULL},
 };
 
+/// The modes that decide with bearings alone, which are followed from there to every other machine: chosen anew they
+/// would be others where seals and stages turn directions of whirl over.
+typedef struct deciding {
+    whirl_modes *modes; ///< with bearings alone
+    bool *any;          ///< [modes->count] whether it is one that decides
+    size_t *partner;    ///< [modes->count] what it has become
+    double clock;
+} deciding;
+
 /// A machine whose decrement is asked for.
 typedef struct probing {
     const whirl_resting *point;
+    deciding from;
     double frequency; ///< of the mode at the last one
     double anticipated;
 } probing;
@@ -75,35 +86,51 @@ static double frequency_of(const whirl_mode *mode, double clock) {
     return clock * mode->imaginary;
 }
 
-/// Whether a mode goes round so far forward (1 to -1) and its damping ratio is below `damped`.
-static bool counts(const whirl_mode *mode, double direction, double damped) {
-    return mode->direction > direction && 0.0 - mode->real < damped * hypot(mode->real, mode->imaginary);
+static double decrement_of(const whirl_mode *mode) {
+    return 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
 }
 
-/// The least logarithmic decrement of the modes that count up to the speed, or to the first of them where that is
-/// faster; NaN where there are none.
-static double least_decrement(const whirl_modes *modes, double clock, double speed, double direction, double damped,
-                              double *frequency) {
-    double first = INFINITY, best = NAN;
+/// The frequency up to which modes decide: the speed, or that of the first mode where that is faster.
+static double highest_of(const whirl_modes *modes, const bool *any, double clock, double speed) {
+    double first = INFINITY;
     for (size_t i = 0; i < modes->count; i++)
-        if (counts(&modes->modes[i], direction, damped)) first = fmin(first, frequency_of(&modes->modes[i], clock));
+        if (any[i]) first = fmin(first, frequency_of(&modes->modes[i], clock));
+    return isfinite(first) ? fmax(speed, first) : speed;
+}
+
+/// Chooses modes that do not clearly go backward and are damped so little that they are seen; where there are none,
+/// however much they are damped. Of two planes that hardly act on each other the direction of either mode is a matter
+/// of chance, to and fro more than round: both decide.
+static void choose(const whirl_modes *modes, double clock, double speed, bool *any) {
+    static const double backward = -0.3, damped[] = {0.8, INFINITY};
+    bool found = false;
+    for (size_t round = 0; round < 2 && !found; round++) {
+        for (size_t i = 0; i < modes->count; i++) {
+            const whirl_mode *mode = &modes->modes[i];
+            any[i] =
+                mode->direction > backward && 0.0 - mode->real < damped[round] * hypot(mode->real, mode->imaginary);
+        }
+        const double highest = highest_of(modes, any, clock, speed);
+        for (size_t i = 0; i < modes->count; i++) {
+            any[i] = any[i] && frequency_of(&modes->modes[i], clock) <= highest;
+            found = found || any[i];
+        }
+    }
+}
+
+/// The least decrement of the modes [count] that decide, and of those up to the highest of these that grow; NaN where
+/// there are none. *frequency is that of the mode.
+static double least_decrement(const whirl_modes *modes, const bool *any, double clock, double speed,
+                              double *frequency) {
+    const double highest = highest_of(modes, any, clock, speed);
+    double best = NAN;
     for (size_t i = 0; i < modes->count; i++) {
         const whirl_mode *mode = &modes->modes[i];
-        const double own = 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
-        if (!counts(mode, direction, damped) || frequency_of(mode, clock) > fmax(speed, first) || own >= best) continue;
-        best = own;
+        const bool grows = mode->real > 0.0 && frequency_of(mode, clock) <= highest;
+        if ((!any[i] && !grows) || decrement_of(mode) >= best) continue;
+        best = decrement_of(mode);
         *frequency = frequency_of(mode, clock);
     }
-    return best;
-}
-
-/// That of modes that go forward, and are damped so little that they are seen; where there are none, of those that do
-/// not go backward, then of all that do not, however much they are damped.
-static double decrement_of(const whirl_modes *modes, double clock, double speed, double *frequency) {
-    static const struct { double direction, damped; } rounds[] = {{0.05, 0.8}, {-0.05, 0.8}, {-0.05, INFINITY}};
-    double best = NAN;
-    for (size_t r = 0; r < sizeof rounds / sizeof *rounds && isnan(best); r++)
-        best = least_decrement(modes, clock, speed, rounds[r].direction, rounds[r].damped, frequency);
     return best;
 }
 
@@ -119,19 +146,71 @@ static whirl_status at_frequency(const void *context, double frequency, whirl_ma
     return own->point->at_frequency(own->point->context, frequency, own->variant, own->value, machine);
 }
 
-static whirl_status probe(probing *p, whirl_variant variant, double value, double *decrement) {
-    const asked own = {p->point, variant, value};
-    whirl_machine machine = {.system = NULL};
-    whirl_modes *modes = NULL;
-    whirl_status status = p->point->at_speed(p->point->context, 0.0, variant, value, &machine);
-    if (status.code == WHIRL_OK) status = whirl_modes_of(&machine, &(whirl_whirling){at_frequency, &own}, &modes);
-    if (status.code == WHIRL_OK) {
-        *decrement = decrement_of(modes, machine.clock, machine.speed, &p->frequency);
-        if (variant == WHIRL_WITH_STAGES) p->anticipated = machine.cross_coupling;
+/// Marks in any [modes->count] what the modes that decide have become.
+static whirl_status follow(const deciding *from, const whirl_modes *modes, double clock, bool *any) {
+    const whirl_status status = whirl_modes_match(from->modes, modes, from->clock / clock, from->partner, NULL);
+    for (size_t i = 0; i < from->modes->count && status.code == WHIRL_OK; i++)
+        if (from->any[i] && from->partner[i] < modes->count) any[from->partner[i]] = true;
+    return status;
+}
+
+/// The decrement of modes, which are followed from those with bearings alone; chosen anew where none of these is there.
+static whirl_status tell(probing *p, const whirl_machine *machine, const whirl_modes *modes, double *decrement) {
+    const bool known = p->from.modes && p->from.modes->dimension == modes->dimension;
+    bool *any = calloc(modes->count + 1, sizeof *any);
+    whirl_status status = any ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+    if (any && known) status = follow(&p->from, modes, machine->clock, any);
+    if (status.code == WHIRL_OK)
+        *decrement = least_decrement(modes, any, machine->clock, machine->speed, &p->frequency);
+    if (status.code == WHIRL_OK && isnan(*decrement)) {
+        choose(modes, machine->clock, machine->speed, any);
+        *decrement = least_decrement(modes, any, machine->clock, machine->speed, &p->frequency);
     }
+    free(any);
+    return status;
+}
+
+static whirl_status modes_of(const probing *p, whirl_variant variant, double value, whirl_machine *machine,
+                             whirl_modes **modes) {
+    const asked own = {p->point, variant, value};
+    *machine = (whirl_machine){.system = NULL};
+    *modes = NULL;
+    const whirl_status status = p->point->at_speed(p->point->context, 0.0, variant, value, machine);
+    if (status.code != WHIRL_OK) return status;
+    return whirl_modes_of(machine, &(whirl_whirling){at_frequency, &own}, modes);
+}
+
+static whirl_status probe(probing *p, whirl_variant variant, double value, double *decrement) {
+    whirl_machine machine;
+    whirl_modes *modes;
+    whirl_status status = modes_of(p, variant, value, &machine, &modes);
+    if (status.code == WHIRL_OK) status = tell(p, &machine, modes, decrement);
+    if (status.code == WHIRL_OK && variant == WHIRL_WITH_STAGES) p->anticipated = machine.cross_coupling;
     whirl_modes_free(modes);
     if (machine.release) machine.release(machine.owner);
     return status;
+}
+
+/// Chooses the modes that decide with bearings alone, to be let go by forget.
+static whirl_status begin(probing *p) {
+    deciding *from = &p->from;
+    whirl_machine machine;
+    whirl_status status = modes_of(p, WHIRL_WITH_STAGES, 0.0, &machine, &from->modes);
+    if (status.code == WHIRL_OK) {
+        from->clock = machine.clock;
+        from->any = calloc(from->modes->count + 1, sizeof *from->any);
+        from->partner = calloc(from->modes->count + 1, sizeof *from->partner);
+        if (!from->any || !from->partner) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
+    }
+    if (status.code == WHIRL_OK) choose(from->modes, machine.clock, machine.speed, from->any);
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+static void forget(probing *p) {
+    whirl_modes_free(p->from.modes);
+    free(p->from.any);
+    free(p->from.partner);
 }
 
 /// A decrement, or that of a mode that hardly swings where there is none that could grow: all are overdamped, or go
@@ -254,13 +333,15 @@ static whirl_status fill_screening(const whirl_resting *point, double density, c
 static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
     probing p = {.point = point};
     double basic = NAN, anticipated = NAN, complete = NAN, limit = NAN;
-    whirl_status status = probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
+    whirl_status status = begin(&p);
+    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
     if (status.code == WHIRL_OK) status = fill_screening(point, options->gas_density, view);
     if (status.code == WHIRL_OK) status = probe(&p, WHIRL_AS_GIVEN, 0.0, &complete);
     if (status.code == WHIRL_OK) status = fill_parts(&p, basic, view);
     if (status.code == WHIRL_OK && p.anticipated > 0.0) status = find_limit(&p, basic, &limit);
     if (status.code == WHIRL_OK && p.anticipated > 0.0) status = fill_curve(&p, limit, view);
     if (status.code == WHIRL_OK) status = probe(&p, WHIRL_WITH_STAGES, 1.0, &anticipated);
+    forget(&p);
     *view_numbers(view, SPEED, 0) = point->speed;
     *view_numbers(view, ANTICIPATED, 0) = p.anticipated;
     *view_numbers(view, LIMIT, 0) = limit * p.anticipated;

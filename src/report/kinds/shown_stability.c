@@ -83,6 +83,8 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
                 limit, limit / anticipated);
     else if (anticipated > 0.0)
         fprintf(out, "    cross coupling: anticipated %.6g N/m, no limit below 1000 times as much\n", anticipated);
+    else
+        fputs("    cross coupling: none is anticipated without stages, so that no limit is found\n", out);
     print_screening(out, table, point);
     for (size_t station = 0; station < result->station_count; station++) {
         const double *own = whirl_table_field(table, point, WHIRL_FIELD_STABILITY_PART, station);
