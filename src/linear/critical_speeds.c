@@ -16,24 +16,12 @@ typedef struct matrices {
 
 // ---------------------------------------------------------------- the matrices
 
-/// The coordinate whose derivative by time coordinate `row` is, n where it is none.
-static size_t rate_of(const double *jacobian, size_t n, size_t row) {
-    size_t found = n;
-    for (size_t k = 0; k < n; k++) {
-        const double number = jacobian[row * n + k];
-        if (number == 0.0) continue;
-        if (found < n || number != 1.0) return n;
-        found = k;
-    }
-    return found == row ? n : found;
-}
-
 /// Of a Jacobian [n][n] by the system's time, whose unit is 1/clock.
 static whirl_status split(const double *jacobian, size_t n, const size_t *kept, double clock, matrices *out) {
     size_t *places = calloc(2 * n + 1, sizeof *places), *rates = places ? places + n : NULL, count = 0;
     if (!places) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     for (size_t i = 0; i < n; i++) {
-        const size_t rate = rate_of(jacobian, n, i);
+        const size_t rate = mean_rate_of(jacobian, n, i);
         if (rate == n) continue;
         places[count] = i;
         rates[count++] = rate;

@@ -48,13 +48,39 @@ void mean_jacobian(mean_system *m, const double *x, double *jacobian);
 /// [count][count] is workspace.
 bool mean_is_modulated(mean_system *m, const double *x, double *jacobian);
 
+/// The coordinate that is the rate of coordinate `row` by a Jacobian [n][n]; n where `row` is no place.
+size_t mean_rate_of(const double *jacobian, size_t n, size_t row);
+
+// ---------------------------------------------------------------- free motions
+// Zeros of a Jacobian: what nothing holds, and what nothing brings to a stop.
+
+/// How coordinates were replaced by what they move beside free shapes.
+typedef struct free_step free_step;
+
+/// Takes all zero eigenvalues out of a matrix [n][n], which becomes one [left][left] of the other eigenvalues, to
+/// rounding. A zero is known by its null vector, not by its size: an elimination leaves nothing but the rounding of
+/// what was subtracted. `displaced`: independent null vectors in which a coordinate moves that is a place, place [n].
+/// *first, NULL where there is no zero, is to be freed by free_motions_end. False without memory.
+bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *left, size_t *displaced,
+                           free_step **first);
+
+/// The eigenvector [left][2] at the front of vector [n][2], whose eigenvalue is not 0, becomes that of the matrix
+/// [n][n], of Euclidean length 1. room [n][2].
+void free_motions_put_back(const free_step *first, double real, double imaginary, double *vector, double *room);
+
+/// Frees them; NULL is none.
+void free_motions_end(free_step *first);
+
 // ---------------------------------------------------------------- modes
 // Room for modes, and those about a state that is known.
 
 /// For `count` modes and as many real eigenvalues, none of which are there yet; NULL without memory.
 whirl_modes *modes_allocate(size_t dimension, size_t count);
 
-/// whirl_modes_new, or (held) about a state that is taken for the equilibrium as it is.
+/// Puts overdamped modes behind the others, without a change of the order among either.
+whirl_status modes_put_overdamped_last(whirl_modes *modes);
+
+/// The modes by rising imaginary part, or (held) about a state that is taken for the equilibrium as it is.
 whirl_status modes_about(const whirl_system *system, const double *start, bool held, whirl_modes **out);
 
 // ---------------------------------------------------------------- periodic

@@ -6,28 +6,77 @@
 
 #include "linear_parts.h"
 #include "matrix.h"
+#include "numerics.h"
 
-/// A closed loop, and room for its equations.
+/// A closed loop in coordinates in which its Jacobian has nothing below the first subdiagonal, so that a frequency
+/// takes n^2 operations (Laub 1981), and room for its equations.
 typedef struct closed_loop {
-    const mean_system *mean;
-    const double *jacobian; ///< [count][count]
-    double *input, *sensed; ///< [count]
-    double *matrix, *side;  ///< [count][count][2], [count][2]
+    size_t n;
+    const double *jacobian; ///< [n][n]
+    double *input, *sensed; ///< [n]
+    double *matrix, *side;  ///< [n][n][2], [n][2]
 } closed_loop;
+
+/// a -= factor b of complex numbers [count][2].
+static void subtract(double *a, const double *factor, const double *b, size_t count) {
+    for (size_t k = 0; k < count; k++) {
+        a[2 * k] -= factor[0] * b[2 * k] - factor[1] * b[2 * k + 1];
+        a[2 * k + 1] -= factor[0] * b[2 * k + 1] + factor[1] * b[2 * k];
+    }
+}
+
+/// a / b, which is not 0.
+static void divide(const double *a, const double *b, double *out) {
+    const double square = b[0] * b[0] + b[1] * b[1];
+    const double real = (a[0] * b[0] + a[1] * b[1]) / square;
+    out[1] = (a[1] * b[0] - a[0] * b[1]) / square;
+    out[0] = real;
+}
+
+/// Solves matrix x = side by elimination with exchange of neighbouring rows; side becomes x. False where a pivot
+/// vanishes.
+static bool solve_hessenberg(size_t n, double *matrix, double *side) {
+    for (size_t i = 0; i < n; i++) {
+        double *own = matrix + 2 * (i * n + i), *below = own + 2 * n, factor[2];
+        if (i + 1 < n && hypot(below[0], below[1]) > hypot(own[0], own[1])) {
+            for (size_t k = 0; k < 2 * (n - i); k++) {
+                const double moved = own[k];
+                own[k] = below[k];
+                below[k] = moved;
+            }
+            for (size_t c = 0; c < 2; c++) {
+                const double moved = side[2 * i + c];
+                side[2 * i + c] = side[2 * i + 2 + c];
+                side[2 * i + 2 + c] = moved;
+            }
+        }
+        if (own[0] == 0.0 && own[1] == 0.0) return false;
+        if (i + 1 == n || (below[0] == 0.0 && below[1] == 0.0)) continue;
+        divide(below, own, factor);
+        subtract(below, factor, own, n - i);
+        subtract(side + 2 * i + 2, factor, side + 2 * i, 1);
+    }
+    for (size_t i = n; i-- > 0;) {
+        const double *row = matrix + 2 * i * n;
+        for (size_t k = i + 1; k < n; k++) subtract(side + 2 * i, row + 2 * k, side + 2 * k, 1);
+        divide(side + 2 * i, row + 2 * i, side + 2 * i);
+    }
+    return true;
+}
 
 /// The modulus of S at w; NaN where the equations are singular.
 static double sensitivity(const closed_loop *of, double w) {
-    const size_t n = of->mean->count;
+    const size_t n = of->n;
     double real = 1.0, imaginary = 0.0;
-    for (size_t i = 0; i < n * n; i++) {
-        of->matrix[2 * i] = -of->jacobian[i];
-        of->matrix[2 * i + 1] = i % (n + 1) == 0 ? w : 0.0;
-    }
     for (size_t i = 0; i < n; i++) {
+        for (size_t k = i > 0 ? i - 1 : 0; k < n; k++) {
+            of->matrix[2 * (i * n + k)] = -of->jacobian[i * n + k];
+            of->matrix[2 * (i * n + k) + 1] = i == k ? w : 0.0;
+        }
         of->side[2 * i] = of->input[i];
         of->side[2 * i + 1] = 0.0;
     }
-    if (!matrix_solve_complex(n, of->matrix, 1, of->side)) return (double)NAN;
+    if (!solve_hessenberg(n, of->matrix, of->side)) return (double)NAN;
     for (size_t i = 0; i < n; i++) {
         real += of->sensed[i] * of->side[2 * i];
         imaginary += of->sensed[i] * of->side[2 * i + 1];
@@ -64,8 +113,8 @@ static int by_size(const void *a, const void *b) {
 
 enum { EVEN = 240, AROUND = 9 };
 
-/// Frequencies to look at, rising: evenly over the logarithm around those of all eigenvalues, and closely around each
-/// mode's.
+/// Frequencies to look at, rising: evenly over the logarithm around those of all eigenvalues, and closely around that
+/// of each mode that may make a peak.
 static size_t frequencies(const whirl_modes *modes, double *out) {
     double low = INFINITY, high = 0.0;
     size_t count = 0;
@@ -76,7 +125,7 @@ static size_t frequencies(const whirl_modes *modes, double *out) {
         if (!(size > 0.0)) continue;
         low = fmin(low, size);
         high = fmax(high, size);
-        for (int k = 0; wave && k < AROUND; k++)
+        for (int k = 0; wave && !whirl_mode_is_overdamped(mode) && k < AROUND; k++)
             out[count++] = fabs(mode->imaginary + 0.5 * mode->real * (k - AROUND / 2));
     }
     if (!(high > 0.0)) return 0;
@@ -97,23 +146,37 @@ static void search(const closed_loop *of, const double *w, size_t count, whirl_s
     }
 }
 
-static void search_loops(mean_system *m, const whirl_modes *modes, double *numbers, whirl_sensitivity_peak *out) {
+/// transposed [n][n] times the vector [n], into out.
+static void turn(size_t n, const double *matrix, const double *vector, double *out) {
+    memset(out, 0, n * sizeof *out);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < n; k++) out[k] += matrix[i * n + k] * vector[i];
+}
+
+static whirl_status search_loops(mean_system *m, const whirl_modes *modes, double *numbers,
+                                 whirl_sensitivity_peak *out) {
     const size_t n = m->count, d = m->system->dimension;
-    double *jacobian = numbers, *input = jacobian + n * n, *sensed = input + d, *matrix = sensed + d;
-    double *side = matrix + 2 * n * n, *w = side + 2 * n;
-    const closed_loop of = {m, jacobian, input, sensed, matrix, side};
+    double *jacobian = numbers, *turned = jacobian + n * n, *input = turned + n * n, *sensed = input + d;
+    double *scale = sensed + d, *own = scale + n, *matrix = own + 2 * n, *side = matrix + 2 * n * n, *w = side + 2 * n;
+    const closed_loop of = {n, jacobian, own, own + n, matrix, side};
     const size_t count = frequencies(modes, w);
     mean_jacobian(m, modes->rest, jacobian);
+    matrix_balance(n, jacobian, scale);
+    if (!matrix_hessenberg(n, jacobian, turned))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sensitivity of %zu coordinates", n);
     for (size_t k = 0; k < m->system->loop_count; k++) {
         const double peak = out->peak;
         m->system->loop(m->system->model, modes->rest, k, input, sensed);
         for (size_t i = 0; i < n; i++) {
-            input[i] = input[m->kept[i]]; // rising, so that none is overwritten before it is read
-            sensed[i] = sensed[m->kept[i]];
+            input[i] = input[m->kept[i]] / scale[i]; // rising, so that none is overwritten before it is read
+            sensed[i] = sensed[m->kept[i]] * scale[i];
         }
+        turn(n, turned, input, of.input);
+        turn(n, turned, sensed, of.sensed);
         search(&of, w, count, out);
         if (out->peak > peak) out->loop = k;
     }
+    return whirl_ok();
 }
 
 whirl_status whirl_loops_peak(const whirl_system *system, const whirl_modes *modes, whirl_sensitivity_peak *out) {
@@ -124,10 +187,10 @@ whirl_status whirl_loops_peak(const whirl_system *system, const whirl_modes *mod
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
     const size_t n = mean.count, d = system->dimension;
-    double *numbers = calloc(3 * n * n + 2 * n + 2 * d + EVEN + AROUND * modes->count, sizeof *numbers);
+    double *numbers = calloc(4 * n * n + 5 * n + 2 * d + EVEN + AROUND * modes->count, sizeof *numbers);
     out->peak = 0.0;
     if (numbers)
-        search_loops(&mean, modes, numbers, out);
+        status = search_loops(&mean, modes, numbers, out);
     else
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the sensitivity of %zu coordinates", n);
     if (!(out->peak > 0.0)) out->peak = (double)NAN;

@@ -117,3 +117,14 @@ bool mean_is_modulated(mean_system *m, const double *x, double *jacobian) {
     }
     return false;
 }
+
+size_t mean_rate_of(const double *jacobian, size_t n, size_t row) {
+    size_t found = n;
+    for (size_t k = 0; k < n; k++) {
+        const double number = jacobian[row * n + k];
+        if (number == 0.0) continue;
+        if (found < n || number != 1.0) return n;
+        found = k;
+    }
+    return found == row ? n : found;
+}

@@ -9,8 +9,11 @@
 #include "matrix.h"
 #include "numerics.h"
 
-/// Eigenvalues below this part of the largest are zero but for rounding: a free motion's pair is off by its root.
-static const double zero_part = 1e-7;
+/// Real and imaginary parts below this part of an eigenvalue are rounding.
+static const double rounding = 1e-13;
+
+/// An imaginary part below this part of an eigenvalue is what rounding makes of two equal real ones.
+static const double split = 1e-7;
 
 /// An eigenvalue of the matrix, as an exponent, and its place.
 typedef struct root {
@@ -57,25 +60,28 @@ whirl_modes *modes_allocate(size_t dimension, size_t count) {
     return modes;
 }
 
-/// Those with a frequency apart from those without; of a pair the positive one. Free motions are left out.
-static whirl_modes *sort_out(const mean_system *m, root *roots, double period, const double *vectors) {
+/// Takes real parts for 0 that are no more than rounding, of the eigenvalue and of the matrix, noise [count].
+static void drop_rounding(root *roots, size_t count, const double *noise) {
+    for (size_t i = 0; i < count; i++)
+        if (fabs(roots[i].real) <= fmax(rounding * fabs(roots[i].imaginary), 16.0 * noise[i])) roots[i].real = 0.0;
+}
+
+/// Roots with a frequency apart from those without, of a pair the positive one. vectors [count][n][2] are theirs.
+static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, double period, const double *vectors) {
     const size_t n = m->count, d = m->system->dimension;
     size_t waves = 0, reals = 0;
-    double largest = 0.0;
     root *other = roots + n;
     whirl_modes *modes = modes_allocate(d, n);
     if (!modes) return NULL;
-    for (size_t i = 0; i < n; i++) largest = fmax(largest, hypot(roots[i].real, roots[i].imaginary));
-    const double zero = period > 0.0 ? 1e-9 : zero_part * largest;
     modes->growth = -(double)INFINITY;
-    for (size_t i = 0; i < n; i++) {
-        const bool free_motion = period == 0.0 && hypot(roots[i].real, roots[i].imaginary) <= zero;
-        if (free_motion) continue;
-        modes->growth = fmax(modes->growth, roots[i].real);
-        if (roots[i].imaginary > zero)
-            roots[waves++] = roots[i];
-        else if (roots[i].imaginary >= -zero)
-            other[reals++] = roots[i];
+    for (size_t i = 0; i < count; i++) {
+        const root own = roots[i];
+        const double least = period > 0.0 ? 1e-9 : split * hypot(own.real, own.imaginary);
+        modes->growth = fmax(modes->growth, own.real);
+        if (own.imaginary > least)
+            roots[waves++] = own;
+        else if (own.imaginary >= -least)
+            other[reals++] = own;
     }
     qsort(roots, waves, sizeof *roots, by_imaginary);
     qsort(other, reals, sizeof *other, by_real);
@@ -91,45 +97,163 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, double period, c
     return modes;
 }
 
+bool whirl_mode_is_overdamped(const whirl_mode *mode) {
+    return 0.0 - mode->real > WHIRL_OVERDAMPED_RATIO * hypot(mode->real, mode->imaginary);
+}
+
+whirl_status modes_put_overdamped_last(whirl_modes *modes) {
+    const size_t d = modes->dimension, size = sizeof(whirl_mode) + 2 * d * sizeof(double);
+    size_t seen = 0, behind = 0;
+    char *room = malloc(modes->count * size + 1);
+    if (!room) return whirl_fail(WHIRL_NO_MEMORY, "no memory to sort %zu modes", modes->count);
+    whirl_mode *last = (whirl_mode *)room;
+    double *shapes = (double *)(last + modes->count);
+    for (size_t i = 0; i < modes->count; i++) {
+        const bool overdamped = whirl_mode_is_overdamped(&modes->modes[i]);
+        whirl_mode *to = overdamped ? &last[behind] : &modes->modes[seen];
+        double *shape = overdamped ? shapes + 2 * d * behind : modes->vectors + 2 * d * seen;
+        *to = modes->modes[i];
+        memmove(shape, modes->vectors + 2 * d * i, 2 * d * sizeof *shape);
+        *(overdamped ? &behind : &seen) += 1;
+    }
+    memcpy(modes->modes + seen, last, behind * sizeof *last);
+    memcpy(modes->vectors + 2 * d * seen, shapes, 2 * d * behind * sizeof *shapes);
+    free(room);
+    return whirl_ok();
+}
+
 // ---------------------------------------------------------------- solving
 
-/// How many independent displacements no force answers: what the rank of the Jacobian [n][n] lacks, in coordinates of
-/// like sizes. Each has the eigenvalue 0 twice, as a place and as a rate, or, with damping, once. The Jacobian is lost;
-/// work [n]. False without memory.
-static bool count_free(size_t n, double *jacobian, double *work, size_t *count) {
-    size_t rank;
-    memset(work, 0, n * sizeof *work);
-    matrix_balance(n, jacobian, NULL);
-    if (!matrix_solve_shortest(n, jacobian, zero_part, work, &rank)) return false;
-    *count = n - rank;
+/// What matrices and roots of a system need.
+typedef struct solving {
+    double *real, *imaginary, *noise; ///< [n]
+    double *vectors, *room, *copy;    ///< [n][n][2], [n][2], [n][n]
+    double *block;                    ///< all of these numbers
+    root *roots;                      ///< [2n]
+    bool *place;                      ///< [n] coordinates that have a rate; all where none has
+} solving;
+
+static bool solving_begin(size_t n, solving *s) {
+    s->block = calloc(5 * n + 3 * n * n + 1, sizeof *s->block);
+    s->roots = calloc(2 * n + 1, sizeof *s->roots);
+    s->place = calloc(n + 1, sizeof *s->place);
+    if (!s->block || !s->roots || !s->place) return false;
+    s->real = s->block;
+    s->imaginary = s->real + n;
+    s->noise = s->imaginary + n;
+    s->room = s->noise + n;
+    s->vectors = s->room + 2 * n;
+    s->copy = s->vectors + 2 * n * n;
     return true;
 }
 
-/// Of the Jacobian, or of the monodromy matrix over a period > 0.
+static void solving_end(solving *s) {
+    free(s->block);
+    free(s->roots);
+    free(s->place);
+}
+
+static void find_places(size_t n, const double *jacobian, bool *place) {
+    bool any = false;
+    for (size_t i = 0; i < n; i++) any = (place[i] = mean_rate_of(jacobian, n, i) < n) || any;
+    for (size_t i = 0; i < n && !any; i++) place[i] = true;
+}
+
+/// Vectors [left][left][2] of what is left of a matrix become those of all of it, [left][n][2].
+static void put_back(size_t n, size_t left, const free_step *zeros, solving *s) {
+    for (size_t i = left; i-- > 0 && left < n;) {
+        double *to = s->vectors + 2 * n * i;
+        memmove(to, s->vectors + 2 * left * i, 2 * left * sizeof *to);
+        free_motions_put_back(zeros, s->real[i], s->imaginary[i], to, s->room);
+    }
+}
+
+/// A root and its modulus.
+typedef struct sized {
+    double size;
+    size_t place;
+} sized;
+
+static int by_size(const void *a, const void *b) {
+    const sized *p = a, *q = b;
+    if (p->size != q->size) return p->size < q->size ? -1 : 1;
+    return p->place < q->place ? -1 : p->place > q->place;
+}
+
+/// Sorts roots by modulus, the slowest first; how many of them are slower than `most`, both of a pair or none.
+static size_t sort_slowest(size_t n, const double *real, const double *imaginary, double most, sized *order) {
+    size_t count = 0;
+    for (size_t i = 0; i < n; i++) order[i] = (sized){hypot(real[i], imaginary[i]), i};
+    qsort(order, n, sizeof *order, by_size);
+    while (count < n && order[count].size <= most) count++;
+    if (count > 0 && count < n && order[count].size <= order[count - 1].size * (1.0 + 1e-12)) count++;
+    return count;
+}
+
+/// Finds roots that are hardly more than rounding of the matrix [n][n], s->copy, as the largest of its inverse, and
+/// puts them in their places; but for those with hardly any damping, whose real parts rounding of the matrix itself
+/// decides. False without memory; a matrix without an inverse keeps its roots.
+static bool sharpen_slowest(size_t n, solving *s) {
+    static const double near_rounding = 1e4;
+    double *numbers = calloc(n * n + 3 * n + 1, sizeof *numbers);
+    sized *order = calloc(2 * n + 1, sizeof *order), *inverted = order ? order + n : NULL;
+    if (!numbers || !order) {
+        free(numbers);
+        free(order);
+        return false;
+    }
+    double *matrix = s->copy, *scale = numbers + n * n, *real = scale + n, *imaginary = real + n, least = INFINITY;
+    for (size_t i = 0; i < n; i++) least = fmin(least, s->noise[i]);
+    const size_t slow = sort_slowest(n, s->real, s->imaginary, near_rounding * least, order);
+    matrix_balance(n, matrix, scale);
+    for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
+    errno = 0;
+    bool good = slow > 0 && matrix_solve(n, matrix, n, numbers);
+    for (size_t i = 0; i < n && good; i++) // right-hand sides stand row by row
+        for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
+    good = good && matrix_eigen(n, matrix, real, imaginary, NULL);
+    if (good) sort_slowest(n, real, imaginary, 0.0, inverted);
+    for (size_t i = 0; i < slow && good; i++) {
+        const size_t from = inverted[n - 1 - i].place, to = order[i].place;
+        const double square = real[from] * real[from] + imaginary[from] * imaginary[from];
+        if (!(fabs(real[from]) > 0.01 * fabs(imaginary[from]))) continue;
+        s->real[to] = real[from] / square;
+        s->imaginary[to] = (0.0 - imaginary[from]) / square;
+        s->noise[to] = 0.0;
+    }
+    free(numbers);
+    free(order);
+    return good || errno != ENOMEM;
+}
+
+/// Of the Jacobian, or of the monodromy matrix over a period > 0; free motions are left out of the former.
 static whirl_status solve(const mean_system *m, double *matrix, double period, const double *rest, whirl_modes **out) {
     const size_t n = m->count;
-    double *numbers = calloc(2 * n + 3 * n * n + 1, sizeof *numbers);
-    root *roots = calloc(2 * n + 1, sizeof *roots);
-    double *real = numbers, *imaginary = numbers ? numbers + n : NULL,
-           *copy = numbers ? numbers + 2 * n * (n + 1) : NULL;
-    const bool room = numbers && roots;
-    if (room) memcpy(copy, matrix, n * n * sizeof *copy);
+    size_t left = n, displaced = 0;
+    free_step *zeros = NULL;
+    solving s = {.block = NULL};
+    bool room = solving_begin(n, &s), solved = room;
+    if (room && period == 0.0) {
+        find_places(n, matrix, s.place);
+        room = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
+    }
+    if (solved) memcpy(s.copy, matrix, left * left * sizeof *matrix);
     errno = 0;
-    const bool solved = room && matrix_eigen(n, matrix, real, imaginary, numbers + 2 * n);
-    for (size_t i = 0; i < n && solved; i++) {
-        if (period > 0.0) take_logarithm(&real[i], &imaginary[i], period);
-        roots[i] = (root){real[i], imaginary[i], i};
+    solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
+    if (solved && period == 0.0) room = solved = sharpen_slowest(left, &s);
+    if (solved) put_back(n, left, zeros, &s);
+    for (size_t i = 0; i < left && solved; i++) {
+        if (period > 0.0) take_logarithm(&s.real[i], &s.imaginary[i], period);
+        s.roots[i] = (root){s.real[i], s.imaginary[i], i};
     }
-    whirl_modes *modes = solved ? sort_out(m, roots, period, numbers + 2 * n) : NULL;
-    // All but free motions are sorted out.
-    const bool frees = modes && 2 * modes->count + modes->real_count < n;
-    if (frees && !count_free(n, copy, real, &modes->free)) {
-        whirl_modes_free(modes);
-        modes = NULL;
+    if (solved && period == 0.0) drop_rounding(s.roots, left, s.noise);
+    whirl_modes *modes = solved ? sort_out(m, s.roots, left, period, s.vectors) : NULL;
+    if (modes) {
+        modes->free = displaced;
+        memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
     }
-    if (modes) memcpy(modes->rest, rest, m->system->dimension * sizeof *rest);
-    free(numbers);
-    free(roots);
+    free_motions_end(zeros);
+    solving_end(&s);
     *out = modes;
     if (room && !solved && errno != ENOMEM)
         return whirl_fail(WHIRL_BAD_INPUT, "the eigenvalues of the Jacobian where the machine rests were not found");
@@ -169,7 +293,12 @@ whirl_status modes_about(const whirl_system *system, const double *start, bool h
 }
 
 whirl_status whirl_modes_new(const whirl_system *system, const double *start, whirl_modes **out) {
-    return modes_about(system, start, false, out);
+    whirl_status status = modes_about(system, start, false, out);
+    if (status.code == WHIRL_OK) status = modes_put_overdamped_last(*out);
+    if (status.code == WHIRL_OK) return status;
+    whirl_modes_free(*out);
+    *out = NULL;
+    return status;
 }
 
 void whirl_modes_free(whirl_modes *modes) {

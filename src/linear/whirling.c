@@ -173,6 +173,7 @@ whirl_status whirl_modes_of(const whirl_machine *machine, const whirl_whirling *
         modes->growth = NAN;
         take_first(&first, modes);
         status = take_all(others, zeros, count, modes);
+        if (status.code == WHIRL_OK) status = modes_put_overdamped_last(modes);
     }
     look_end(&first);
     free(zeros);

@@ -60,6 +60,8 @@ export const CRITICAL_TEXT: Readonly<Record<Critical['kind'], string>> = {
 const KINDS = [undefined, 'critical', 'onset', 'recovery'] as const;
 /// What rounding leaves of no damping, over the frequency.
 export const ROUNDING = 1e-10;
+/// Modes with a larger damping ratio are on no curve (WHIRL_OVERDAMPED_RATIO).
+export const OVERDAMPED = 0.9;
 type Six = [number, number, number, number, number, number];
 const RADIAN = Math.PI / 180;
 
@@ -170,9 +172,7 @@ export class AtRest {
 
   /// 1: a mode grows, -1: all die out, 0: they do neither but for rounding.
   growing(point: number): number {
-    const stability = this.stability(point);
-    const fastest = largestOf(this.modes(point).map(({ frequency }) => frequency));
-    return Math.abs(stability) > ROUNDING * fastest ? Math.sign(stability) : 0;
+    return Math.sign(this.stability(point));
   }
 
   /// Frequencies are known but for multiples of it, rad/s; NaN where they are known.
@@ -227,6 +227,7 @@ export class AtRest {
     const curves = new Map<number | Place, Place[]>();
     for (const point of this.order)
       this.modes(point).forEach((mode, index) => {
+        if (mode.ratio > OVERDAMPED) return;
         const place = { point, index, mode };
         const key = Number.isNaN(mode.line) ? place : mode.line;
         const curve = curves.get(key);

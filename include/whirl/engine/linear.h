@@ -39,6 +39,12 @@ typedef struct whirl_mode {
     double direction;
 } whirl_mode;
 
+/// Modes with a larger damping ratio are overdamped: nobody sees them swing, and they have no name.
+#define WHIRL_OVERDAMPED_RATIO 0.9
+
+/// Returns true for a mode that dies out within less than a turn: a damping ratio above WHIRL_OVERDAMPED_RATIO.
+bool whirl_mode_is_overdamped(const whirl_mode *mode);
+
 /// Modes about an equilibrium, or of a periodic motion.
 typedef struct whirl_modes {
     /// 0, or the period of coefficients that turn with the shaft: then lambda is a Floquet exponent, whose imaginary
@@ -46,11 +52,13 @@ typedef struct whirl_modes {
     double period;
     size_t dimension, count, real_count; ///< of the state, of the modes, of the real eigenvalues
     double *rest;                        ///< [dimension] the equilibrium, or where the periodic motion is at t = 0
-    whirl_mode *modes;                   ///< [count] by rising imaginary part
+    whirl_mode *modes;                   ///< [count] by rising imaginary part, overdamped ones behind the others
     double *vectors; ///< [count][dimension][2] their shapes, real and imaginary parts; 0 of what turns on and on
     double *reals;   ///< [real_count] eigenvalues without frequency, of overdamped motions, largest first
-    double growth;   ///< the largest real part of all but free motions: stable below 0
-    size_t free;     ///< rigid-body modes: independent shapes that nothing holds, whose eigenvalues are 0
+    /// The largest real part of all eigenvalues but zeros of what nothing holds: stable below 0, undamped at 0. A real
+    /// part that is no more than rounding is 0.
+    double growth;
+    size_t free; ///< rigid-body modes: independent displacements that nothing holds, whose eigenvalues are 0
 } whirl_modes;
 
 /// The modes of a system, whose search for an equilibrium begins at start [dimension]. WHIRL_BAD_INPUT where none is

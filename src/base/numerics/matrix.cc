@@ -17,6 +17,7 @@
 #include <Eigen/QR>
 #include <cerrno>
 #include <cmath>
+#include <limits>
 
 #include "numerics.h"
 
@@ -96,7 +97,29 @@ void write_vector(const Eigen::VectorXcd &v, double *out) {
     }
 }
 
-bool eigen(Index n, double *a, double *real, double *imaginary, double *vectors) {
+/// How far rounding moves eigenvalues: by the norm of the matrix times the length of the row of the inverse of all
+/// vectors (Golub, Van Loan 2013, 7.2.2). Equal for all that swing fast, or do not swing freely.
+void write_rounding(const RowMajor &balanced, const Eigen::EigenSolver<MatrixXd> &solver, double *rounding) {
+    static const double fast = 1e-3, free = 0.01;
+    const Index n = balanced.rows();
+    const double one = std::numeric_limits<double>::epsilon() * balanced.norm();
+    const double fastest = solver.eigenvalues().cwiseAbs().maxCoeff();
+    bool any = false;
+    const auto slow = [&](Index i) {
+        const std::complex<double> value = solver.eigenvalues()(i);
+        return std::abs(value.imag()) < fast * fastest && std::abs(value.real()) < free * std::abs(value.imag());
+    };
+    for (Index i = 0; i < n; i++) {
+        rounding[i] = one;
+        any = any || slow(i);
+    }
+    if (!any) return;
+    const Eigen::MatrixXcd inverse = solver.eigenvectors().partialPivLu().inverse();
+    for (Index i = 0; i < n; i++)
+        if (slow(i)) rounding[i] = one * inverse.row(i).norm();
+}
+
+bool eigen(Index n, double *a, double *real, double *imaginary, double *vectors, double *rounding) {
     VectorXd scale(n);
     Rows rows(a, n, n);
     if (!rows.allFinite()) return false;
@@ -105,6 +128,7 @@ bool eigen(Index n, double *a, double *real, double *imaginary, double *vectors)
     if (solver.info() != Eigen::Success) return false;
     Eigen::Map<VectorXd>(real, n) = solver.eigenvalues().real();
     Eigen::Map<VectorXd>(imaginary, n) = solver.eigenvalues().imag();
+    if (rounding != nullptr) write_rounding(rows, solver, rounding);
     if (vectors == nullptr) return true;
     const Eigen::MatrixXcd found = solver.eigenvectors();
     for (Index i = 0; i < n; i++) write_vector(scale.asDiagonal() * found.col(i), vectors + 2 * n * i);
@@ -151,7 +175,22 @@ bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *
 }
 
 bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors) {
-    return n == 0 || attempt([&] { return eigen(index_of(n), a, real, imaginary, vectors); });
+    return matrix_eigen_rounding(n, a, real, imaginary, vectors, nullptr);
+}
+
+bool matrix_eigen_rounding(size_t n, double *a, double *real, double *imaginary, double *vectors, double *rounding) {
+    return n == 0 || attempt([&] { return eigen(index_of(n), a, real, imaginary, vectors, rounding); });
+}
+
+bool matrix_hessenberg(size_t n, double *a, double *q) {
+    return n == 0 || attempt([&] {
+               Rows rows(a, index_of(n), index_of(n));
+               if (!rows.allFinite()) return false;
+               const Eigen::HessenbergDecomposition<MatrixXd> parts(rows);
+               Rows(q, index_of(n), index_of(n)) = parts.matrixQ();
+               rows = parts.matrixH();
+               return rows.allFinite();
+           });
 }
 
 bool matrix_solve(size_t n, const double *a, size_t count, double *b) {

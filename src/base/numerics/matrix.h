@@ -28,6 +28,11 @@ bool matrix_symmetric_modes(size_t n, const double *k, const double *m, double *
 /// without memory.
 bool matrix_eigen(size_t n, double *a, double *real, double *imaginary, double *vectors);
 
+/// ... and how far rounding may have moved each, rounding [n], or NULL: the norm of the balanced matrix times the least
+/// number that is seen beside 1, and, of slow ones with hardly any damping, times the condition of the eigenvalue
+/// (Golub, Van Loan 2013, 7.2.2). vectors are wanted then.
+bool matrix_eigen_rounding(size_t n, double *a, double *real, double *imaginary, double *vectors, double *rounding);
+
 /// Solves A x = b for `count` right-hand sides, b [count][n], by elimination with row exchanges; b becomes x. False
 /// where a pivot vanishes.
 bool matrix_solve(size_t n, const double *a, size_t count, double *b);
@@ -43,6 +48,10 @@ bool matrix_solve_definite(size_t n, const double *a, size_t count, double *b);
 /// below `tolerance` times the largest (complete orthogonal decomposition). One right-hand side b [n]. Returns the rank
 /// in `rank`, where not NULL.
 bool matrix_solve_shortest(size_t n, const double *a, double tolerance, double *b, size_t *rank);
+
+/// a [n][n] becomes h with a = q h q', nothing below the first subdiagonal of h and q [n][n] orthogonal (Householder's
+/// reflections: Golub, Van Loan 2013, 7.4.3).
+bool matrix_hessenberg(size_t n, double *a, double *q);
 
 /// a = q r [n][n] with orthonormal columns q and r upper triangular, no number on its diagonal negative (Householder's
 /// reflections: Golub, Van Loan 2013, 5.2). a and q may be one.

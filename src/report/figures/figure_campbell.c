@@ -53,7 +53,7 @@ static double top_of(const view *v) {
             fastest = fmax(fastest, fabs(whirl_table_number(v->table, point, WHIRL_FIELD_MODES_SPEED, 0)));
     for (size_t point = 0; point < v->table->count; point++) {
         const double *frequency = frequencies_of(v, point);
-        for (size_t i = 0; frequency && i < modes_of(v); i++) {
+        for (size_t i = 0; frequency && i < modes_of(v) && !mode_is_overdamped(v->table, point, i); i++) {
             highest = fmax(highest, frequency[i]);
             lowest = fmin(lowest, frequency[i]);
             if (frequency[i] <= 2.0 * fastest) near = fmax(near, frequency[i]);
@@ -73,7 +73,7 @@ static span damping_of(const view *v, const char *field, double most) {
         for (size_t point = 0; point < v->table->count; point++) {
             const double *frequency = frequencies_of(v, point);
             const double *damping = whirl_table_field(v->table, point, field, 0);
-            for (size_t i = 0; frequency && i < modes_of(v); i++) {
+            for (size_t i = 0; frequency && i < modes_of(v) && !mode_is_overdamped(v->table, point, i); i++) {
                 if (!(frequency[i] <= v->top * v->unit.size)) continue;
                 if (pass == 0) least = fmin(least, damping[i]);
                 if (pass == 1 && damping[i] <= fmax(most, 1.5 * least)) span_widen(&shown, damping[i]);
@@ -98,6 +98,7 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
             for (size_t i = 0; frequency && i < modes_of(v) && isfinite(frequency[i]); i++) {
                 const int way = units_way(direction[i]);
                 const size_t own = way > 0 ? 0 : way < 0 ? 1 : 2;
+                if (mode_is_overdamped(v->table, point, i)) break; // the others stand before
                 if (own != d || height_of(v, WHIRL_FIELD_MODES_FREQUENCY, point, i) > v->top) continue;
                 const double x = v->table->values[point] / v->size, y = height_of(v, field, point, i);
                 series_add(figure, dots, x, y);

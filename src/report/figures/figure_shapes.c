@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
+#include "shown_kinds.h"
 
 enum { SHAPES = 6 };
 
@@ -131,7 +132,9 @@ static size_t count_modes(const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     const double *frequency = whirl_table_field(table, table->count - 1, WHIRL_FIELD_MODES_FREQUENCY, 0);
     size_t count = 0;
-    while (frequency && count < field->rows && count < SHAPES && isfinite(frequency[count])) count++;
+    while (frequency && count < field->rows && count < SHAPES && isfinite(frequency[count]) &&
+           !mode_is_overdamped(table, table->count - 1, count))
+        count++;
     return whirl_table_done(table, table->count - 1) ? count : 0;
 }
 

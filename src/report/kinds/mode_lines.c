@@ -4,17 +4,20 @@
 #include <stdlib.h>
 
 #include "shown_kinds.h"
+#include "whirl/engine/analyze.h"
 
 /// Where a line was seen last, by which its name goes.
 typedef struct line_end {
     size_t line, point;
     double frequency;
-    int way; ///< units_way
+    int way;   ///< units_way
+    bool seen; ///< a mode of it swings anywhere
 } line_end;
 
-/// Those that go on to the last point first, by rising frequency.
+/// Those that are seen first, of these those that go on to the last point, by rising frequency.
 static int by_end(const void *a, const void *b) {
     const line_end *p = a, *q = b;
+    if (p->seen != q->seen) return p->seen ? -1 : 1;
     if (p->point != q->point) return p->point > q->point ? -1 : 1;
     if (p->frequency != q->frequency) return p->frequency < q->frequency ? -1 : 1;
     return p->line < q->line ? -1 : p->line > q->line;
@@ -42,18 +45,35 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
             if (!whirl_table_done(table, point) || !isfinite(frequency[i]) || folds) continue;
             if (follow && before[i] >= 1.0 && before[i] <= (double)modes)
                 own[i] = out->line[(point - 1) * modes + (size_t)before[i] - 1];
-            if (own[i] == SIZE_MAX) own[i] = out->count++;
-            ends[own[i]] = (line_end){own[i], point, frequency[i], units_way(direction[i])};
+            if (own[i] == SIZE_MAX) {
+                own[i] = out->count++;
+                ends[own[i]].line = own[i];
+            }
+            if (!mode_is_overdamped(table, point, i))
+                ends[own[i]] = (line_end){own[i], point, frequency[i], units_way(direction[i]), true};
         }
     }
 }
 
-static void name_lines(mode_lines *out, line_end *ends) {
+/// Names the lines on which a mode swings anywhere, and takes overdamped modes off theirs.
+static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends) {
     static const char letters[] = {'B', 'M', 'F'};
     unsigned counts[3] = {0, 0, 0};
+    size_t seen = 0;
+    for (size_t line = 0; line < out->count; line++) ends[line].line = ends[line].seen ? seen++ : SIZE_MAX;
+    for (size_t i = 0; i < table->count * out->modes; i++)
+        if (out->line[i] != SIZE_MAX)
+            out->line[i] =
+                mode_is_overdamped(table, i / out->modes, i % out->modes) ? SIZE_MAX : ends[out->line[i]].line;
     qsort(ends, out->count, sizeof *ends, by_end);
-    for (size_t i = 0; i < out->count; i++)
+    out->count = seen;
+    for (size_t i = 0; i < seen; i++)
         snprintf(out->names[ends[i].line], MODE_NAME, "%u%c", ++counts[ends[i].way + 1], letters[ends[i].way + 1]);
+}
+
+bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode) {
+    const double *ratio = whirl_table_field(table, point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
+    return ratio && ratio[mode] > WHIRL_OVERDAMPED_RATIO;
 }
 
 bool mode_lines_of(const whirl_table *table, mode_lines *out) {
@@ -71,7 +91,7 @@ bool mode_lines_of(const whirl_table *table, mode_lines *out) {
     out->names = calloc(most, sizeof *out->names);
     if (ends && out->line && out->names) {
         follow(table, out, ends);
-        name_lines(out, ends);
+        name_lines(table, out, ends);
     }
     free(ends);
     if (out->count == 0) mode_lines_free(out);

@@ -36,11 +36,14 @@ void shown_kind_about(const page *to, const shown_kind *kind);
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics;
 
+/// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
+bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);
+
 // ---------------------------------------------------------------- mode_lines
 // Modes followed from point to point along a parameter, each with a name.
 
 /// "2F": the second of those that go forward where they were seen last, by rising frequency; B: backward, M: mixed, to
-/// and fro. Those that go on to the last point count first.
+/// and fro. Those that go on to the last point count first. Overdamped modes have no name and are on no line.
 enum { MODE_NAME = 24 };
 
 typedef struct mode_lines {

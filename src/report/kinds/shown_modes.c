@@ -21,23 +21,22 @@ static const char *way_of(double direction) {
 
 // ---------------------------------------------------------------- the summary
 
-/// The peak of loops of control, and the zone that it is in.
+/// The peak of loops of control, and the zone that it is in; an unstable machine is in none.
 static void print_sensitivity(FILE *out, const whirl_table *table, size_t point) {
     const double peak = whirl_table_number(table, point, WHIRL_FIELD_MODES_SENSITIVITY, 0);
     const double frequency = whirl_table_number(table, point, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY, 0);
     const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
-    if (isfinite(peak))
-        fprintf(out, "  peak sensitivity of the loops of control %.7g at %.6g Hz: zone %c of ISO 14839-3\n", peak,
-                frequency / 6.283185307179586, zone);
+    if (!isfinite(peak)) return;
+    fprintf(out, "  peak sensitivity of the loops of control %.7g at %.6g Hz: ", peak, frequency / 6.283185307179586);
+    if (shown_modes_growing(table, point) > 0)
+        fputs("no zone of ISO 14839-3, as the machine is unstable\n", out);
+    else
+        fprintf(out, "zone %c of ISO 14839-3\n", zone);
 }
 
 int shown_modes_growing(const whirl_table *table, size_t point) {
     const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
-    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_FREQUENCY);
-    const double *frequency = whirl_table_field(table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
-    double fastest = 0.0;
-    for (size_t i = 0; field && frequency && i < field->rows; i++) fastest = fmax(fastest, frequency[i]);
-    return fabs(stability) <= rounding * fastest ? 0 : stability > 0.0 ? 1 : -1;
+    return (stability > 0.0) - (stability < 0.0);
 }
 
 /// Whether a point is stable, which stands first as reports leave out what is long, and its lowest modes, a line each:

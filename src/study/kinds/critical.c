@@ -86,14 +86,9 @@ typedef struct search {
     whirl_critical at;           ///< at the last value tried
 } search;
 
-/// How far the machine is from the threshold, 1/s. What rounding leaves of no damping at all counts as stable.
+/// How far the machine is from the threshold, 1/s.
 static double growth_of(const resting_machine *r) {
-    const whirl_modes *modes = r->modes;
-    double size = 0.0;
-    for (size_t i = 0; i < modes->count; i++)
-        if (modes->modes[i].real == modes->growth) size = hypot(modes->modes[i].real, modes->modes[i].imaginary);
-    const double fastest = modes->count > 0 ? modes->modes[modes->count - 1].imaginary : 0.0;
-    return r->machine.clock * (modes->growth - 1e-10 * size - 1e-13 * fastest);
+    return r->machine.clock * r->modes->growth;
 }
 
 /// The mode that decides stability.
@@ -179,7 +174,8 @@ static int by_value(const void *a, const void *b) {
     return p->direction < q->direction ? -1 : p->direction > q->direction;
 }
 
-/// *lost: whether a mode that meets the speed could not be followed to where it does.
+/// Overdamped modes have no critical speed. *lost: whether a mode that meets the speed could not be followed to where
+/// it does.
 static whirl_status locate_speeds(search *s, const resting_machine *to, const size_t *partner, whirl_critical *found,
                                   size_t most, size_t *count, bool *lost) {
     const resting_machine *from = s->from;
@@ -196,7 +192,7 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
             status = close_in(s, from->value, fa, to->value, fb, &good);
         s->at.kind = WHIRL_CRITICAL_SPEED;
         *lost = *lost || !good;
-        if (good && status.code == WHIRL_OK) add(found, most, count, &s->at);
+        if (good && status.code == WHIRL_OK && s->at.ratio <= WHIRL_OVERDAMPED_RATIO) add(found, most, count, &s->at);
     }
     return status;
 }
