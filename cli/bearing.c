@@ -12,12 +12,12 @@
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
 
-enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MOST_THREADS = 1024 };
+enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_OVER, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MOST_THREADS = 1024 };
 
 typedef struct bearing_arguments {
     const char *path, *csv, *table, *station, *output, *figure, *gnuplot;
     int threads;
-    bool json, force, quiet;
+    bool json, force, quiet, over_frequency;
 } bearing_arguments;
 
 static const struct argp_option options[] = {
@@ -27,6 +27,10 @@ static const struct argp_option options[] = {
      .key = KEY_TABLE,
      .arg = "FILE",
      .doc = "Write the coefficients over the speed as an element `bearing` for the list of elements of a case"},
+    {.name = "over-frequency",
+     .key = KEY_OVER,
+     .doc = "With --table, of pads that tilt: coefficients over the frequency of whirl, too, from 0 to the highest "
+            "speed; without it they are those of one whirl ratio, for synchronous responses"},
     {.name = "at", .key = KEY_AT, .arg = "STATION", .doc = "The station of that element; default: journal"},
     {.name = "output", .key = 'o', .arg = "FILE", .doc = "Write a figure: FILE.png, .pdf, .svg or .json"},
     {.name = "figure", .key = KEY_FIGURE, .arg = "NAME", .doc = "Which: curves (default), sommerfeld or locus"},
@@ -54,6 +58,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case KEY_TABLE:
         arguments->table = argument;
         return 0;
+    case KEY_OVER:
+        arguments->over_frequency = true;
+        return 0;
     case KEY_AT:
         arguments->station = argument;
         return 0;
@@ -75,6 +82,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->path, "FILE.yaml");
+        if (arguments->over_frequency && !arguments->table)
+            bad_argument(state, "--over-frequency needs --table, the file of the element");
         if (arguments->figure && !arguments->output) bad_argument(state, "--figure needs -o, the file of the figure");
         return 0;
     default:
@@ -93,14 +102,14 @@ static bool may_write(const bearing_arguments *arguments) {
 }
 
 /// Writes one file; `station`: of an element, or NULL for CSV.
-static int write_file(const whirl_bearing_table *table, const char *path, const char *station) {
+static int write_file(const whirl_bearing_table *table, const char *path, const char *station, bool over_frequency) {
     FILE *stream = fopen(path, "w");
     if (!stream) {
         complain("'%s' cannot be written", path);
         return EXIT_FAILED;
     }
-    const whirl_status status =
-        station ? whirl_bearing_write_element(table, station, stream) : whirl_bearing_write_csv(table, stream);
+    const whirl_status status = station ? whirl_bearing_write_element(table, station, over_frequency, stream)
+                                        : whirl_bearing_write_csv(table, stream);
     const bool closed = fclose(stream) == 0;
     if (status.code != WHIRL_OK || !closed) remove(path);
     if (status.code != WHIRL_OK) return complain_of(&status);
@@ -124,9 +133,10 @@ static int write_all(const whirl_bearing_table *table, const bearing_arguments *
         arguments->json ? whirl_bearing_write_json(table, stdout) : whirl_bearing_write_summary(table, stdout);
     if (status.code != WHIRL_OK) return complain_of(&status);
     outcome = finish_output();
-    if (outcome == EXIT_DONE && arguments->csv) outcome = write_file(table, arguments->csv, NULL);
+    if (outcome == EXIT_DONE && arguments->csv) outcome = write_file(table, arguments->csv, NULL, false);
     if (outcome == EXIT_DONE && arguments->table)
-        outcome = write_file(table, arguments->table, arguments->station ? arguments->station : "journal");
+        outcome = write_file(table, arguments->table, arguments->station ? arguments->station : "journal",
+                             arguments->over_frequency);
     if (outcome == EXIT_DONE && arguments->output) outcome = write_figure(table, arguments);
     return outcome;
 }

@@ -85,7 +85,7 @@ _whirl_options() {
     export) echo '--csv= --mat= --npz= --force --help' ;;
     check) echo '--set= --help' ;;
     balance) echo '--json --help' ;;
-    bearing) echo '-o --output= --json --csv= --table= --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
+    bearing) echo '-o --output= --json --csv= --table= --over-frequency --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
     describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac

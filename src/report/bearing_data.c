@@ -243,25 +243,76 @@ static whirl_status check_table(const whirl_bearing_table *table) {
     return whirl_ok();
 }
 
-whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const char *station, FILE *out) {
-    static const char *const names[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
-    const whirl_bearing *of = table->bearing;
-    const whirl_status status = check_table(table);
-    if (status.code != WHIRL_OK) return status;
-    fprintf(out, "    # %s bearing by `whirl bearing`%s; SI, in rad/s, N/m and N s/m\n    - bearing:\n        at: %s\n",
-            of->kind, of->pads.tilting ? ", pads following at one whirl ratio" : "", station);
-    if (table->count > 1) {
-        fputs("        speeds: [", out);
-        for (size_t i = 0; i < table->count; i++)
-            put_number(out, table->points[i].speed, i + 1 < table->count ? ", " : "]\n");
+/// Frequencies of whirl from 0 to the highest speed, all speeds among them, so that synchronous coefficients are those
+/// that were computed: out [WHIRL_MAX_LIST], rising.
+static size_t frequencies_of(const whirl_bearing_table *table, double *out) {
+    enum { EVEN = 12 };
+    const double top = table->points[table->count - 1].speed;
+    const size_t even = table->count + EVEN <= WHIRL_MAX_LIST ? EVEN : WHIRL_MAX_LIST - table->count;
+    size_t count = 0, next = 0;
+    for (size_t i = 0; i < even; i++) {
+        const double frequency = top * (double)i / (double)EVEN;
+        for (; next < table->count && table->points[next].speed <= frequency; next++)
+            out[count++] = table->points[next].speed;
+        if (count == 0 || frequency > out[count - 1] * 1.001) out[count++] = frequency;
     }
+    for (; next < table->count; next++) out[count++] = table->points[next].speed;
+    return count;
+}
+
+static void put_list(FILE *out, const char *name, const double *numbers, size_t count) {
+    fprintf(out, "        %s: [", name);
+    for (size_t i = 0; i < count; i++) put_number(out, numbers[i], i + 1 < count ? ", " : "]\n");
+}
+
+/// Coefficient k of all speeds, a list over the frequencies each.
+static void put_sheet(FILE *out, const whirl_bearing_table *table, const double *frequencies, size_t count, int k) {
+    for (size_t i = 0; i < table->count; i++) {
+        const whirl_bearing_point *point = &table->points[i];
+        fputs(i > 0 ? ",\n              [" : table->count > 1 ? "[[" : "[", out);
+        for (size_t f = 0; f < count; f++) {
+            double all[2][2][2];
+            whirl_bearing_reduced(table->bearing, point, frequencies[f] / point->speed, all);
+            put_number(out, all[k / 4][k / 2 % 2][k % 2], f + 1 < count ? ", " : "]");
+        }
+    }
+    fputs(table->count > 1 ? "]\n" : "\n", out);
+}
+
+static void put_coefficients(FILE *out, const whirl_bearing_table *table, bool over_frequency) {
+    static const char *const names[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
+    double frequencies[WHIRL_MAX_LIST], speeds[WHIRL_MAX_LIST];
+    const size_t count = over_frequency ? frequencies_of(table, frequencies) : 0;
+    for (size_t i = 0; i < table->count; i++) speeds[i] = table->points[i].speed;
+    if (table->count > 1) put_list(out, "speeds", speeds, table->count);
+    if (count > 0) put_list(out, "frequencies", frequencies, count);
     for (int k = 0; k < 8; k++) {
-        fprintf(out, "        %s: %s", names[k], table->count > 1 ? "[" : "");
-        for (size_t i = 0; i < table->count; i++)
+        fprintf(out, "        %s: %s", names[k], count == 0 && table->count > 1 ? "[" : "");
+        if (count > 0) put_sheet(out, table, frequencies, count, k);
+        for (size_t i = 0; i < table->count && count == 0; i++)
             put_number(out, table->points[i].reduced[0][k / 4][k / 2 % 2][k % 2],
                        i + 1 < table->count ? ", "
                        : i > 0              ? "]\n"
                                             : "\n");
+    }
+}
+
+whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const char *station, bool over_frequency,
+                                         FILE *out) {
+    const whirl_bearing *of = table->bearing;
+    const whirl_status status = check_table(table);
+    if (status.code != WHIRL_OK) return status;
+    const bool over = over_frequency && of->pads.tilting;
+    fprintf(out, "    # %s bearing by `whirl bearing`%s; SI, in rad/s, N/m and N s/m\n    - bearing:\n        at: %s\n",
+            of->kind,
+            over               ? ", over the frequency of whirl"
+            : of->pads.tilting ? ", pads following at one whirl ratio"
+                               : "",
+            station);
+    put_coefficients(out, table, over);
+    if (of->pads.tilting && !over) {
+        fputs("        whirl_ratio: ", out);
+        put_number(out, of->ratios[0], "\n");
     }
     return ferror(out) ? whirl_fail(WHIRL_IO_ERROR, "an element of a bearing cannot be written") : whirl_ok();
 }

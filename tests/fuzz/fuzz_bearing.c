@@ -23,7 +23,7 @@ static void write_all(const whirl_bearing_table *table) {
     whirl_bearing_write_summary(table, nowhere);
     whirl_bearing_write_json(table, nowhere);
     whirl_bearing_write_csv(table, nowhere);
-    const whirl_status element = whirl_bearing_write_element(table, "journal", nowhere);
+    const whirl_status element = whirl_bearing_write_element(table, "journal", true, nowhere);
     require(element.code == WHIRL_OK || element.message[0] != '\0');
     for (int k = 0; k < 3; k++) {
         if (whirl_bearing_figure(table, (const char *const[]){"curves", "sommerfeld", "locus"}[k], &figure).code ==

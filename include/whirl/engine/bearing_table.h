@@ -135,9 +135,16 @@ whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, FILE *st
 whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *stream);
 
 /// Writes the coefficients at the first whirl ratio over the speed as an element `bearing` at a station, to be put into
-/// the list of elements of a case. WHIRL_BAD_INPUT with a sentence where points are not of one load a speed, speeds do
-/// not rise or are more than a list may have, or a point has no solution.
-whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const char *station, FILE *stream);
+/// the list of elements of a case; with `over_frequency` those of pads that tilt over the speed and the frequency of
+/// whirl, from 0 to the highest speed. WHIRL_BAD_INPUT with a sentence where points are not of one load a speed, speeds
+/// do not rise or are more than a list may have, or a point has no solution.
+whirl_status whirl_bearing_write_element(const whirl_bearing_table *table, const char *station, bool over_frequency,
+                                         FILE *stream);
+
+/// Reduced coefficients of a point at any whirl ratio, [0: stiffness, 1: damping], N/m and N s/m; of fixed pads those
+/// of the point.
+void whirl_bearing_reduced(const whirl_bearing *bearing, const whirl_bearing_point *point, double ratio,
+                           double out[2][2][2]);
 
 /// Makes a figure: "curves" over the speed or, where there is one, over the load (NULL stands for it, too),
 /// "sommerfeld", the same without dimensions over the Sommerfeld number, or "locus", the places of the journal in the

@@ -177,8 +177,19 @@ static double heating_of(const whirl_bearing *of, const whirl_bearing_point *poi
     return power_of(of, point, state) / (of->density * of->specific_heat * flow_of(of, point, state));
 }
 
+void whirl_bearing_reduced(const whirl_bearing *of, const whirl_bearing_point *point, double ratio,
+                           double out[2][2][2]) {
+    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
+    const double inertia = of->inertia * c * speed * speed / (unit * r * r);
+    const whirl_pads pads = pads_of(of, point);
+    double k[2][2], d[2][2];
+    whirl_pads_reduced(&pads, &point->state, ratio, inertia, k, d);
+    scale(k[0], unit / c, out[0][0]);
+    scale(d[0], unit / (c * speed), out[1][0]);
+}
+
 /// What is told of a state without dimensions.
-static void give_dimensions(const whirl_bearing *of, const whirl_pads *pads, whirl_bearing_point *point) {
+static void give_dimensions(const whirl_bearing *of, whirl_bearing_point *point) {
     const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
     const whirl_pads_state *state = &point->state;
     point->eccentricity = c * hypot(state->at[0], state->at[1]);
@@ -191,13 +202,7 @@ static void give_dimensions(const whirl_bearing *of, const whirl_pads *pads, whi
     if (of->heated) point->outlet = of->temperature + of->heat_share * point->heating;
     scale(state->stiffness[0], unit / c, point->stiffness[0]);
     scale(state->damping[0], unit / (c * speed), point->damping[0]);
-    for (size_t i = 0; i < of->ratio_count; i++) {
-        const double inertia = of->inertia * c * speed * speed / (unit * r * r);
-        double k[2][2], d[2][2];
-        whirl_pads_reduced(pads, state, of->ratios[i], inertia, k, d);
-        scale(k[0], unit / c, point->reduced[i][0][0]);
-        scale(d[0], unit / (c * speed), point->reduced[i][1][0]);
-    }
+    for (size_t i = 0; i < of->ratio_count; i++) whirl_bearing_reduced(of, point, of->ratios[i], point->reduced[i]);
     for (size_t i = 0; i < of->pads.count; i++) {
         point->tilt[i] = state->tilt[i] * c / r;
         point->yield[i] = state->yield[i] * c;
@@ -286,7 +291,7 @@ static whirl_status compute(const whirl_bearing *of, whirl_bearing_point *point)
     point->found = status.code == WHIRL_OK;
     snprintf(point->failure, sizeof point->failure, "%s", status.message);
     if (status.code == WHIRL_NO_MEMORY || !point->found) return status;
-    give_dimensions(of, &pads, point);
+    give_dimensions(of, point);
     estimate_error(of, &pads, point);
     remark_point(of, point);
     return status;

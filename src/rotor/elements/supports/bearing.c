@@ -58,6 +58,7 @@ enum {
     ROLE,
     POLES,
     FIT_ERROR,
+    WHIRL_RATIO,
     KEY_COUNT
 };
 
@@ -104,6 +105,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [FIT_ERROR] = NUMBER_KEY("fit_error", "", "1", DEFAULT("0.02"), WHIRL_POSITIVE,
                              "part by which that function may differ from the table, up to half way between its "
                              "frequencies; else motions in time are refused"),
+    [WHIRL_RATIO] = NUMBER_KEY("whirl_ratio", "", "1", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                               "frequency of whirl over the speed that the coefficients are of, where pads that tilt "
+                               "follow at it; whirl warns that others have others"),
 };
 
 /// The block of one kind, by `add`, between two places.
@@ -443,6 +447,17 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return status;
 }
 
+static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+    (void)speed;
+    if (values[WHIRL_RATIO].given && !values[FREQUENCIES].given)
+        doubt_value(
+            to, keys[WHIRL_RATIO].name,
+            "is %g: pads that tilt follow otherwise at other frequencies, so that modes, thresholds of "
+            "stability and motions with another frequency than %g times the speed are those of another bearing; "
+            "whirl bearing --table --over-frequency writes coefficients for all, and tilting_pad has them",
+            values[WHIRL_RATIO].number, values[WHIRL_RATIO].number);
+}
+
 /// Poles of a pair: "-120 +- 400i" or "-30, -900".
 static void tell_poles(const double *pair, double clock, char *text, size_t size) {
     const double w = clock * pair[PAIR_W], half = 0.5 * clock * pair[PAIR_G], square = half * half - w * w;
@@ -482,5 +497,6 @@ const element_type bearing_element = {
     .build = build,
     .carries = true,
     .note = note,
+    .doubt = doubt,
 };
 #endif
