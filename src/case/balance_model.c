@@ -76,8 +76,8 @@ static whirl_status respond(const consulting *c, double speed, responses *out) {
     whirl_status status = whirl_ok();
     for (size_t p = 0; p < c->balance->plane_count && status.code == WHIRL_OK; p++)
         status = respond_to(c, speed, p, out);
-    if (status.code == WHIRL_BAD_INPUT)
-        status = whirl_fail(status.code, "the model at %.6g rpm: %.300s", speed * 60.0 / two_pi, status.message);
+    if (status.code == WHIRL_BAD_INPUT || status.code == WHIRL_NUMERICAL_FAILURE)
+        status = whirl_fail(WHIRL_BAD_INPUT, "the model at %.6g rpm: %.300s", speed * 60.0 / two_pi, status.message);
     return status;
 }
 

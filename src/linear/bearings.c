@@ -1,23 +1,90 @@
-// The coefficients of bearings: derivatives of their forces.
+// The coefficients of bearings: derivatives of their forces. What moves within them (pads that tilt, rings,
+// controllers) follows the journal at the frequency of the shaft: it is condensed.
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "lanes.h"
 #include "linear_parts.h"
+#include "matrix.h"
+
+/// A machine of bearings alone, linear about where it rests, and what moves within the bearings.
+typedef struct inner_states {
+    const mean_system *mean;
+    const double *jacobian; ///< [count][count]
+    double frequency;       ///< of the whirl, by the system's time
+    size_t count;           ///< states of bearings that nothing else settles
+    size_t *place;          ///< [count] among the mean's coordinates
+    double *matrix;         ///< [count][count][2] i frequency - their own Jacobian
+    double *side;           ///< [4][count][2] how they follow x, y, vx, vy
+} inner_states;
+
+/// Index of a coordinate among those of the mean.
+static size_t place_of(const mean_system *m, size_t coordinate) {
+    size_t i = 0;
+    while (i < m->count && m->kept[i] != coordinate) i++;
+    return i;
+}
+
+/// How states follow a unit of each of four columns: (i w - J_ss) s = J_sc.
+static bool follow(const inner_states *s, const size_t column[4]) {
+    const size_t n = s->mean->count, count = s->count;
+    for (size_t i = 0; i < count; i++) {
+        for (size_t k = 0; k < count; k++) {
+            s->matrix[2 * (i * count + k)] = -s->jacobian[s->place[i] * n + s->place[k]];
+            s->matrix[2 * (i * count + k) + 1] = i == k ? s->frequency : 0.0;
+        }
+        for (size_t c = 0; c < 4; c++) {
+            s->side[2 * (c * count + i)] = s->jacobian[s->place[i] * n + column[c]];
+            s->side[2 * (c * count + i) + 1] = 0.0;
+        }
+    }
+    return count == 0 || matrix_solve_complex(count, s->matrix, 4, s->side);
+}
 
 /// Of a station of 1 kg: the forces on it are its accelerations.
-static void take(const mean_system *m, const double *jacobian, double clock, const whirl_probe *probe, double *out) {
-    const size_t columns[] = {probe->x, probe->y, probe->vx, probe->vy};
-    size_t place[4] = {0};
-    for (size_t i = 0; i < m->count; i++)
-        for (size_t c = 0; c < 4; c++)
-            if (m->kept[i] == columns[c]) place[c] = i;
+static bool take(const inner_states *s, double clock, const whirl_probe *probe, double *out) {
+    const mean_system *m = s->mean;
+    const size_t n = m->count, row[] = {place_of(m, probe->vx), place_of(m, probe->vy)};
+    const size_t column[] = {place_of(m, probe->x), place_of(m, probe->y), row[0], row[1]};
+    if (!follow(s, column)) return false;
     for (size_t r = 0; r < 2; r++)
         for (size_t c = 0; c < 2; c++) {
-            const double *row = jacobian + place[2 + r] * m->count;
-            out[2 * r + c] = -clock * clock * row[place[c]];
-            out[4 + 2 * r + c] = -clock * row[place[2 + c]];
+            const double *force = s->jacobian + row[r] * n;
+            // By the place and by the velocity, i w times which is that by the place, too.
+            double by[2] = {force[column[c]], force[column[2 + c]]};
+            for (size_t i = 0; i < s->count; i++) {
+                const double *still = s->side + 2 * (c * s->count + i),
+                             *moving = s->side + 2 * ((2 + c) * s->count + i);
+                by[0] += force[s->place[i]] * (still[0] - s->frequency * moving[1]);
+                by[1] += force[s->place[i]] * (still[1] / s->frequency + moving[0]);
+            }
+            out[2 * r + c] = -clock * clock * by[0];
+            out[4 + 2 * r + c] = -clock * by[1];
         }
+    return true;
+}
+
+/// Stations of 1 kg have no other states than those of bearings behind their places and velocities.
+static void find_states(const mean_system *m, inner_states *s) {
+    for (size_t i = 0; i < m->count && m->system->lanes; i++)
+        if (m->kept[i] >= 2 * m->system->lanes->degrees) s->place[s->count++] = i;
+}
+
+static void take_all(const whirl_machine *alone, mean_system *m, double *work, size_t *place, double *out) {
+    const whirl_system *system = alone->system;
+    const double speed = fabs(alone->speed) / alone->clock;
+    inner_states s = {.mean = m, .jacobian = work, .place = place, .frequency = speed > 0.0 ? speed : 1e-6};
+    mean_leave_idle(m, work);
+    const size_t n = m->count, d = system->dimension;
+    s.jacobian = work + d;
+    s.matrix = work + d + n * n;
+    s.side = s.matrix + 2 * n * n;
+    mean_jacobian(m, work, work + d);
+    find_states(m, &s);
+    for (size_t p = 0; p < system->probe_count; p++)
+        if (!take(&s, alone->clock, &system->probes[p], out + 8 * p))
+            for (size_t i = 0; i < 8; i++) out[8 * p + i] = (double)NAN;
 }
 
 whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double *x, double *coefficients) {
@@ -26,16 +93,18 @@ whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double
     void *block;
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
-    double *jacobian = malloc((mean.count * mean.count + 1) * sizeof *jacobian);
-    if (!jacobian)
+    const size_t d = system->dimension;
+    double *work = calloc(d + 3 * d * d + 8 * d + 1, sizeof *work);
+    size_t *place = calloc(d + 1, sizeof *place);
+    if (work && place) {
+        memcpy(work, x, d * sizeof *x);
+        mean_settle(&mean, work);
+        take_all(alone, &mean, work, place, coefficients);
+    } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of %zu stations", system->probe_count);
-    if (status.code == WHIRL_OK) mean_jacobian(&mean, x, jacobian);
-    // A bearing with states of its own has no coefficients that hold at every frequency.
-    const bool simple = !system->lanes || mean.count <= 2 * system->lanes->degrees;
-    for (size_t i = 0; i < 8 * system->probe_count && !simple; i++) coefficients[i] = (double)NAN;
-    for (size_t p = 0; p < system->probe_count && status.code == WHIRL_OK && simple; p++)
-        take(&mean, jacobian, alone->clock, &system->probes[p], coefficients + 8 * p);
-    free(jacobian);
+    }
+    free(work);
+    free(place);
     free(block);
     return status;
 }

@@ -36,20 +36,42 @@ static double norm_of(const double *numbers, size_t count) {
     return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
 }
 
-static double residual(search *s, const double *x) {
+/// Forces on coordinates that have a balance of their own are 0: these follow the others.
+static void leave_settled(const mean_system *m, double *f) {
+    for (size_t i = 0; i < m->count; i++)
+        if (m->settled[m->kept[i]] != WHIRL_NOT_SETTLED) f[i] = 0.0;
+}
+
+/// Of x with coordinates settled that have a balance of their own.
+static double residual(search *s, double *x) {
     const size_t n = s->mean->count;
+    if (!mean_settle(s->mean, x)) return (double)INFINITY;
     mean_slope(s->mean, x, s->f);
+    leave_settled(s->mean, s->f);
     for (size_t i = 0; i < n; i++) s->f[i] -= (1.0 - s->share) * s->load[i];
     return norm_of(s->f, n);
 }
 
-/// The step to where the linearised system vanishes; the shortest one where free motions leave a choice.
-static bool find_step(search *s, const double *x) {
+/// Holds what is idle where it is: nothing says where it goes.
+static void hold_idle(const mean_system *m, double *jacobian) {
+    const size_t n = m->count;
+    for (size_t i = 0; i < n; i++) {
+        if (m->settled[m->kept[i]] != WHIRL_IDLE) continue;
+        for (size_t k = 0; k < n; k++) jacobian[i * n + k] = jacobian[k * n + i] = 0.0;
+        jacobian[i * n + i] = 1.0;
+    }
+}
+
+/// The step to where the linearised system vanishes; the shortest one where free motions leave a choice. *leads: it
+/// gets there.
+static bool find_step(search *s, const double *x, bool *leads) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
+    hold_idle(s->mean, s->jacobian);
     for (size_t i = 0; i < n; i++) s->step[i] = -s->f[i];
     const double reach = 1e6 * (1.0 + size_of(x, s->mean->system->dimension));
-    if (matrix_solve(n, s->jacobian, 1, s->step) && size_of(s->step, n) < reach) return true;
+    *leads = matrix_solve(n, s->jacobian, 1, s->step) && size_of(s->step, n) < reach;
+    if (*leads) return true;
     for (size_t i = 0; i < n; i++) s->step[i] = -s->f[i];
     return matrix_solve_shortest(n, s->jacobian, free_direction, s->step, NULL);
 }
@@ -57,6 +79,31 @@ static bool find_step(search *s, const double *x) {
 static void go(const search *s, const double *x, double part, double *to) {
     memcpy(to, x, s->mean->system->dimension * sizeof *to);
     for (size_t i = 0; i < s->mean->count; i++) to[s->mean->kept[i]] += part * s->step[i];
+}
+
+/// Whether f at x is what rounding leaves of forces that balance each other: at places beside x f differs from its
+/// linear form by as much. The Jacobian is that at x.
+static bool is_rounding(search *s, const double *x) {
+    static const double beside[][2] = {
+        {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
+    const size_t n = s->mean->count, d = s->mean->system->dimension;
+    const double scale = 1.0 + size_of(x, d), norm = norm_of(s->f, n);
+    double noise = 0.0;
+    memcpy(s->step, s->f, n * sizeof *s->step);
+    for (size_t k = 0; k < sizeof beside / sizeof *beside; k++) {
+        double square = 0.0;
+        memcpy(s->trial, x, d * sizeof *x);
+        for (size_t i = 0; i < n; i++) s->trial[s->mean->kept[i]] += beside[k][i % 2] * scale;
+        if (!isfinite(residual(s, s->trial))) return false;
+        for (size_t i = 0; i < n; i++) {
+            double change = s->f[i] - s->step[i];
+            for (size_t c = 0; c < n; c++)
+                change -= s->jacobian[i * n + c] * (s->trial[s->mean->kept[c]] - x[s->mean->kept[c]]);
+            square += change * change;
+        }
+        noise = fmax(noise, sqrt(square));
+    }
+    return norm <= 10.0 * noise;
 }
 
 /// A step, halved until the residual falls; false where it does not.
@@ -82,17 +129,18 @@ static bool solve(search *s, double *x) {
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     double norm = residual(s, x);
     for (int k = 0; k < MOST_STEPS && isfinite(norm); k++) {
+        bool leads;
         if (norm == 0.0) return true;
-        if (!find_step(s, x)) return false;
+        if (!find_step(s, x, &leads)) return false;
         const double length = size_of(s->step, n), size = size_of(x, d);
         // Quadratic convergence: after a step this short nothing but rounding is left, unless the step leads nowhere.
         if (length <= 1e-9 * size + 1e-14) {
             go(s, x, 1.0, s->trial);
             const double next = residual(s, s->trial);
             if (next <= norm) memcpy(x, s->trial, d * sizeof *x);
-            return fmin(next, norm) <= 1e-7 * size_of(s->load, n) + 1e-12;
+            return leads || fmin(next, norm) <= 1e-7 * size_of(s->load, n) + 1e-12;
         }
-        if (!take_step(s, x, &norm)) return false;
+        if (!take_step(s, x, &norm)) return is_rounding(s, x);
     }
     return false;
 }
@@ -131,12 +179,14 @@ static void leave_centres(const mean_system *m, const double *load, double *x) {
         }
         const double size = hypot(force[0], force[1]);
         if (!(size > 0.0) || !isfinite(size)) continue;
-        x[probe->x] += away * probe->clearance * quarter * (force[0] - force[1]) / size;
-        x[probe->y] += away * probe->clearance * quarter * (force[0] + force[1]) / size;
+        const double way = whirl_probe_way(probe);
+        x[probe->x] += away * probe->clearance * quarter * (force[0] - way * force[1]) / size;
+        x[probe->y] += away * probe->clearance * quarter * (way * force[0] + force[1]) / size;
     }
 }
 
-whirl_status rest_find(mean_system *m, double *x) {
+/// rest_find, and the share of the load that the place of rest was followed up to.
+static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
     double *block = calloc(3 * n + n * n + 2 * d + 1, sizeof *block);
     if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the equilibrium of %zu coordinates", d);
@@ -148,19 +198,40 @@ whirl_status rest_find(mean_system *m, double *x) {
                 .trial = block + 3 * n + n * n};
     mean_slope(m, x, s.load);
     leave_centres(m, s.load, x);
+    bool starts = mean_settle(m, x);
     mean_slope(m, x, s.load);
-    const bool starts = isfinite(norm_of(s.load, n));
+    leave_settled(m, s.load);
+    starts = starts && isfinite(norm_of(s.load, n));
     const bool found = starts && bring_load_on(&s, x, s.trial + d);
-    const double share = s.share;
+    *share = starts ? s.share : 0.0;
     free(block);
     if (found) return whirl_ok();
     if (!starts)
-        return whirl_fail(WHIRL_BAD_INPUT, "no equilibrium was looked for: forces are not finite where the search "
-                                           "begins, expected a start inside every clearance");
-    return whirl_fail(WHIRL_BAD_INPUT,
+        return whirl_fail(WHIRL_NUMERICAL_FAILURE,
+                          "no equilibrium was looked for: forces are not finite where the search "
+                          "begins, expected a start inside every clearance");
+    return whirl_fail(WHIRL_NUMERICAL_FAILURE,
                       "no equilibrium was found: it could be followed up to %.3g %% of the static load from the start, "
                       "expected a machine that its supports carry, or an initial state near where it rests",
-                      100.0 * share);
+                      100.0 * *share);
+}
+
+whirl_status rest_find(mean_system *m, double *x) {
+    double share;
+    return rest_follow(m, x, &share);
+}
+
+double whirl_equilibrium_share(const whirl_system *system, const double *start) {
+    mean_system mean;
+    void *block;
+    double share = 0.0, *x = malloc((system->dimension + 1) * sizeof *x);
+    if (x && mean_begin(&mean, system, &block).code == WHIRL_OK) {
+        memcpy(x, start, system->dimension * sizeof *x);
+        rest_follow(&mean, x, &share);
+        free(block);
+    }
+    free(x);
+    return share;
 }
 
 whirl_status whirl_equilibrium(const whirl_system *system, double *x) {

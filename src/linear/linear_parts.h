@@ -21,19 +21,26 @@ double whirl_direction(const whirl_system *system, const double *v);
 /// A system with workspace.
 typedef struct mean_system {
     const whirl_system *system;
-    size_t count;  ///< coordinates that do not turn on and on
-    size_t *kept;  ///< [count] which these are
-    int samples;   ///< phases over which the mean is taken
-    double *state; ///< [dimension] workspace, as the next two
-    double *slope; ///< [dimension]
-    double *unit;  ///< [count][dimension]
-    double *rows;  ///< [count][dimension]
+    size_t count;           ///< coordinates that do not turn on and on
+    whirl_settled *settled; ///< [dimension] which of them have a balance of their own, since mean_settle
+    size_t *kept;           ///< [count] which these are
+    int samples;            ///< phases over which the mean is taken
+    double *state;          ///< [dimension] workspace, as the next two
+    double *slope;          ///< [dimension]
+    double *unit;           ///< [count][dimension]
+    double *rows;           ///< [count][dimension]
     /// Values of time that do not change; 0 for those that do.
     double steady[WHIRL_MAX_FORCING];
 } mean_system;
 
 /// Makes one in one block, *block, to be freed by free. WHIRL_BAD_INPUT for a system without a Jacobian.
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block);
+
+/// Sets coordinates that have a balance of their own to it (whirl_system.settle). False where there is none.
+bool mean_settle(mean_system *m, double *x);
+
+/// Leaves out what is idle where the machine rests: motions of it are none of the machine's.
+void mean_leave_idle(mean_system *m, const double *x);
 
 /// Its right-hand side [count] at x [dimension].
 void mean_slope(mean_system *m, const double *x, double *slope);

@@ -29,13 +29,19 @@ static void find_steady(mean_system *m) {
     }
 }
 
+/// Unit perturbations of the coordinates that are kept.
+static void mean_keep(mean_system *m) {
+    memset(m->unit, 0, m->count * m->system->dimension * sizeof *m->unit);
+    for (size_t i = 0; i < m->count; i++) m->unit[i * m->system->dimension + m->kept[i]] = 1.0;
+}
+
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block) {
     const size_t d = system->dimension;
     *block = NULL;
     if (!system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one for linear analyses");
     // One block: the indices behind the numbers.
-    char *all = calloc(1, (2 * d + 2 * d * d) * sizeof(double) + (d + 1) * sizeof(size_t));
+    char *all = calloc(1, (2 * d + 2 * d * d) * sizeof(double) + d * (sizeof(size_t) + sizeof(whirl_settled)) + 1);
     if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the Jacobian of %zu coordinates", d);
     *block = all;
     *m = (mean_system){.system = system, .samples = system->forcing_count > 0 ? 1 : PHASES};
@@ -44,14 +50,26 @@ whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block
     m->unit = m->slope + d;
     m->rows = m->unit + d * d;
     m->kept = (size_t *)(m->rows + d * d);
+    m->settled = (whirl_settled *)(m->kept + d);
     for (size_t i = 0; i < d; i++)
         if (turns(system, i))
             m->samples = PHASES;
         else
             m->kept[m->count++] = i;
-    for (size_t i = 0; i < m->count; i++) m->unit[i * d + m->kept[i]] = 1.0;
+    mean_keep(m);
     find_steady(m);
     return whirl_ok();
+}
+
+void mean_leave_idle(mean_system *m, const double *x) {
+    if (!m->system->settle) return;
+    memcpy(m->state, x, m->system->dimension * sizeof *x);
+    mean_settle(m, m->state);
+    size_t count = 0;
+    for (size_t i = 0; i < m->count; i++)
+        if (m->settled[m->kept[i]] != WHIRL_IDLE) m->kept[count++] = m->kept[i];
+    m->count = count;
+    mean_keep(m);
 }
 
 /// The state at one of the phases, and the time there.
@@ -61,6 +79,10 @@ static double at_phase(mean_system *m, const double *x, int sample) {
     memcpy(m->state, x, system->dimension * sizeof *x);
     for (size_t i = 0; system->turns && i < system->dimension; i++) m->state[i] += share * system->turns[i];
     return system->forcing_count > 0 ? 0.0 : share * system->period;
+}
+
+bool mean_settle(mean_system *m, double *x) {
+    return !m->system->settle || m->system->settle(m->system->model, x, m->settled);
 }
 
 void mean_slope(mean_system *m, const double *x, double *slope) {

@@ -266,10 +266,12 @@ static whirl_status find(mean_system *m, bool held, double *x, double *matrix, w
     double period = 0.0;
     whirl_status status = held ? whirl_ok() : rest_find(m, x);
     if (status.code != WHIRL_OK) return status;
-    if (mean_is_modulated(m, x, matrix))
+    if (mean_is_modulated(m, x, matrix)) {
         status = periodic_find(m, x, false, matrix, &period);
-    else
+    } else {
+        mean_leave_idle(m, x);
         mean_jacobian(m, x, matrix);
+    }
     return status.code == WHIRL_OK ? solve(m, matrix, period, x, out) : status;
 }
 

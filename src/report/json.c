@@ -251,6 +251,22 @@ static bool dump_held(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "held", all, stream) && well;
 }
 
+/// Machines at rest without an answer, as no place of rest was found.
+static bool dump_unfound(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *all = json_array();
+    whirl_left left;
+    for (size_t t = 0; t < result->table_count; t++) {
+        if (whirl_table_unfound(&result->tables[t], &left) == 0) continue;
+        json_t *one = json_object();
+        document_put(&well, one, "table", document_text(result->tables[t].name));
+        document_put(&well, one, "followed", document_number(left.reached));
+        put_points(&well, one, &left);
+        document_append(&well, all, one);
+    }
+    return dump_member(",\n", "unfound", all, stream) && well;
+}
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
@@ -263,7 +279,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as analyses have them
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
-           dump_beyond(result, stream) && dump_held(result, stream) &&
+           dump_beyond(result, stream) && dump_held(result, stream) && dump_unfound(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
@@ -273,7 +289,7 @@ static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {
         "whirl",    "title",      "case",   "speed",      "length_scale", "force_scale",    "partial",    "table",
         "points",   "parameters", "jumps",  "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined",
-        "warnings", "margins",    "beyond", "held",       "fits",         "amplitudes"};
+        "warnings", "margins",    "beyond", "held",       "unfound",      "fits",           "amplitudes"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

@@ -210,6 +210,24 @@ bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_
     return true;
 }
 
+bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]) {
+    whirl_left left;
+    if (whirl_table_unfound(table, &left) == 0) return false;
+    if (isnan(left.reached))
+        snprintf(text, RANGES_TOLD_SIZE,
+                 "none was found of another machine that this needs (its stages or seals alone, "
+                 "another speed)");
+    else
+        snprintf(text, RANGES_TOLD_SIZE, "none was found: it could be followed up to %.3g %% of the static load",
+                 100.0 * left.reached);
+    add_points(units, table, &left, text);
+    const size_t used = strlen(text);
+    snprintf(text + used, RANGES_TOLD_SIZE - used,
+             "; numbers are missing there, expected a machine that its supports "
+             "carry, or an initial state near where it rests");
+    return true;
+}
+
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]) {
     whirl_left left;
     if (whirl_table_held(table, contact, &left) == 0) return false;

@@ -116,6 +116,10 @@ enum { RANGES_TOLD_SIZE = 1024 };
 /// reached 0.97 (37 of 256 points, first at 6400 rpm)"; false where no point has left it.
 bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]);
 
+/// Of machines at rest: "3 of 53 points, first at 1000 rpm: it could be followed up to 74.3 % of the static load, ...";
+/// false where all points have an answer.
+bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
+
 /// Of a contact, by its index, of machines at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500 rpm),
 /// which small motions leave as it is there"; false where it is open everywhere.
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);

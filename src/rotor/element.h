@@ -75,6 +75,9 @@ typedef struct element_seen {
     double radius;
 } element_seen;
 
+/// A film, as whirl_film_gap: lengths in length scales.
+typedef whirl_film_gap element_film;
+
 /// A range of its law: as whirl_law_range.
 typedef struct element_range {
     const char *quantity, *unit, *limit;
@@ -141,6 +144,11 @@ typedef struct whirl_element_type {
     /// Optional: the states [own->states] that it has where its place rests in the middle; else 0.
     void (*begin)(const element *own, double *states);
 
+    /// Optional: sets its states [own->states] to where they balance while the places of its ports, q [MAX_PORTS], are
+    /// held, in a way that no small motion of the states alone leaves. idle [own->states]: nothing holds them, and they
+    /// act on nothing. False where there is no such balance (a wall is touched). Idle ones may stay where they are.
+    bool (*settle)(const element *own, const double *q, double *states, bool *idle);
+
     /// With states that turn at a constant rate: how often what follows from one comes round in a revolution. NULL:
     /// they never fit revolutions.
     double (*rounds)(const element *own, size_t state);
@@ -173,6 +181,10 @@ typedef struct whirl_element_type {
 
     /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
     double (*bearing_clearance)(const element *own);
+
+    /// Optional, with a clearance: its film with the journal at rest where q [MAX_PORTS] and its states say. NULL: the
+    /// wall is a circle of the clearance.
+    void (*film)(const element *own, const double *q, const double *states, element_film *out);
 
     /// Optional: the order, from number 0 on, at which it may show in spectra, and its name; false beyond the last.
     /// What it has of another order too (a dent that is hit twice in a turn) follows from multiples.

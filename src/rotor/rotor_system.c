@@ -254,6 +254,67 @@ static void loop(const void *model, const double *x, size_t index, double *input
     }
 }
 
+static bool settle(const void *model, double *x, whirl_settled *kinds) {
+    const whirl_rotor *rotor = model;
+    bool balanced = true;
+    for (size_t i = 0; i < rotor->system.dimension; i++) kinds[i] = WHIRL_NOT_SETTLED;
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        const size_t first = rotor->lanes.degrees + own->state;
+        bool idle[MAX_ELEMENT_STATES] = {false};
+        if (!own->type->settle) continue;
+        const element_place at = see(rotor, own, x);
+        balanced = own->type->settle(own, at.q, x + first, idle) && balanced;
+        for (size_t k = 0; k < own->states; k++) kinds[first + k] = idle[k] ? WHIRL_IDLE : WHIRL_SETTLED;
+    }
+    return balanced;
+}
+
+static bool film(const void *model, const double *x, size_t probe, whirl_film_gap *out) {
+    const whirl_rotor *rotor = model;
+    bool found = false;
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i];
+        const double clearance =
+            own->station == probe && own->type->bearing_clearance ? own->type->bearing_clearance(own) : 0.0;
+        if (!(clearance > 0.0)) continue;
+        const element_place at = see(rotor, own, x);
+        const double radius = hypot(at.q[0], at.q[1]);
+        element_film one = {.least = clearance - radius, .wall = clearance};
+        if (own->type->film) own->type->film(own, at.q, x + rotor->lanes.degrees + own->state, &one);
+        if (!found || one.least < out->least) *out = one;
+        found = true;
+    }
+    return found;
+}
+
+/// The element of another rotor that is `own` of this one: of its type, at its station, in the same turn.
+static const element *counterpart(const whirl_rotor *rotor, const element *own, const whirl_rotor *other) {
+    size_t before = 0;
+    for (const element *e = rotor->elements; e < own; e++) before += e->type == own->type && e->station == own->station;
+    for (size_t i = 0; i < other->element_count; i++) {
+        const element *e = &other->elements[i];
+        if (e->type == own->type && e->station == own->station && before-- == 0) return e;
+    }
+    return NULL;
+}
+
+static void adopt(const void *model, double *x, const whirl_system *other, const double *y) {
+    const whirl_rotor *rotor = model, *from = other->model;
+    if (other->adopt != adopt) return;
+    for (size_t i = 0; i < rotor->element_count; i++) {
+        const element *own = &rotor->elements[i], *same = own->states > 0 ? counterpart(rotor, own, from) : NULL;
+        if (!same || same->states != own->states) continue;
+        memcpy(x + rotor->lanes.degrees + own->state, y + from->lanes.degrees + same->state, own->states * sizeof *x);
+    }
+}
+
+static bool settles(const whirl_rotor *rotor) {
+    for (size_t i = 0; i < rotor->element_count; i++)
+        if (rotor->elements[i].type->settle) return true;
+    return false;
+}
+
 void rotor_system_fill(whirl_rotor *rotor) {
     rotor->system = (whirl_system){.dimension = 2 * rotor->lanes.degrees + rotor->lanes.states,
                                    .period = 6.283185307179586476925,
@@ -282,6 +343,9 @@ void rotor_system_fill(whirl_rotor *rotor) {
                                    .loop_count = count_loops(rotor),
                                    .loop = loop,
                                    .range = range,
+                                   .settle = settles(rotor) ? settle : NULL,
+                                   .film = film,
+                                   .adopt = adopt,
                                    .model = rotor,
                                    .lanes = &rotor->lanes};
 }

@@ -215,6 +215,18 @@ class Result:
         return told
 
     @property
+    def unfound(self) -> list[str]:
+        """The tables of machines at rest with points where no place of rest was found; their numbers are NaN. Field
+        "ranges/rest" of a table is the share of the static load up to which one could be followed, 1 where there is
+        one."""
+        told = []
+        for name, share in self._rows_of(FIELD.RANGES_REST):
+            missing = ~(share >= 1)
+            if missing.any():
+                told.append(f"{name}: no place of rest was found ({missing.sum()} of {share.size} points)")
+        return told
+
+    @property
     def parameters(self) -> dict[str, Parameter]:
         """The parameters of the case by their names."""
         return self._about.parameters

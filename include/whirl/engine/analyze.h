@@ -459,6 +459,11 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
 whirl_status whirl_analyze_resting(const whirl_resting *point, const whirl_record_options *options,
                                    whirl_analysis_set set, const whirl_layout *layout, double *block);
 
+/// Fills `block` [layout->size] of a machine that rests nowhere, as far as the search came: share is
+/// whirl_equilibrium_share, 1 of one that rests while another that its analyses need does not. Numbers are missing, but
+/// for ranges/rest.
+void whirl_unfound_at_rest(const whirl_layout *layout, double share, double *block);
+
 /// A point of a branch, as it stands among those of a study.
 typedef struct whirl_trace {
     const whirl_system *system; ///< of its machine

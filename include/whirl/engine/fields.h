@@ -22,6 +22,7 @@
 #define WHIRL_FIELD_RUB_POWER "rub/power"
 #define WHIRL_FIELD_RUB_CONTACT "rub/contact"
 
+#define WHIRL_FIELD_RANGES_REST "ranges/rest"
 #define WHIRL_FIELD_RANGES_LEFT "ranges/left"
 #define WHIRL_FIELD_RANGES_REACHED "ranges/reached"
 #define WHIRL_FIELD_RANGES_HELD "ranges/held"
@@ -148,6 +149,7 @@
 #define WHIRL_FIELD_STATICS_MASS "statics/mass"
 #define WHIRL_FIELD_STATICS_ELEVATION "statics/elevation"
 #define WHIRL_FIELD_STATICS_SEAL "statics/seal"
+#define WHIRL_FIELD_STATICS_UNLOADED "statics/unloaded"
 #define WHIRL_FIELD_STATICS_ECCENTRICITY "statics/eccentricity"
 #define WHIRL_FIELD_STATICS_ATTITUDE "statics/attitude"
 #define WHIRL_FIELD_STATICS_FILM "statics/film"

@@ -18,9 +18,14 @@ extern "C" {
 #endif
 
 /// Carries x [dimension] from a start to the equilibrium, by damped Newton steps with the system's own Jacobian and,
-/// where these do not get there at once, by bringing the load on in shares. A start that is one already stays as it is.
-/// WHIRL_BAD_INPUT with a sentence where none is found, or the system gives no Jacobian; WHIRL_NO_MEMORY.
+/// where these do not get there at once, by bringing the load on in shares. A start that is one already stays as it is,
+/// but for coordinates with a balance of their own (whirl_system.settle). WHIRL_NUMERICAL_FAILURE with a sentence where
+/// none is found; WHIRL_BAD_INPUT where the system gives no Jacobian; WHIRL_NO_MEMORY.
 whirl_status whirl_equilibrium(const whirl_system *system, double *x);
+
+/// The share of the static load up to which whirl_equilibrium can follow the place of rest from a start [dimension]: 1
+/// where it finds one, 0 also without memory.
+double whirl_equilibrium_share(const whirl_system *system, const double *start);
 
 /// What whirl_equilibrium brings to zero: the right-hand side at x [dimension] with the forcing at zero amplitude and
 /// the mean over a turn of what turns on and on, slope [dimension], and its derivative by x, jacobian

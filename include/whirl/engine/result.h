@@ -179,6 +179,11 @@ size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out)
 /// force, in units of force, most 0; gives how many.
 size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *out);
 
+/// Points of a table of machines at rest that have no answer, as no place of rest was found there; gives how many.
+/// reached is the least share of the static load up to which one could be followed; NaN where it is another machine
+/// that the study needs which rests nowhere (without stages, at another speed).
+size_t whirl_table_unfound(const whirl_table *table, whirl_left *out);
+
 /// A point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
 whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
 

@@ -22,6 +22,7 @@ enum {
     WHIRL_MAX_SWITCHES = 4096, ///< most switching functions
     WHIRL_MAX_CONTACTS = 1024, ///< most unilateral contacts
     WHIRL_MAX_PROBES = 256,    ///< most probes
+    WHIRL_MAX_TILTING = 6,     ///< most pads of a bearing of a machine
     WHIRL_MAX_REPEATS = 128    ///< longest period of forces, in revolutions, that rotors look for
 };
 
@@ -90,6 +91,21 @@ typedef struct whirl_law_range {
     double reached;                 ///< the most that it came to; NaN where the extremes do not tell
     size_t probe;                   ///< where the part is
 } whirl_law_range;
+
+/// What the film of a bearing or seal leaves to its journal, in the state's units of length.
+typedef struct whirl_film_gap {
+    double least; ///< radial thickness where it is thinnest; pads without a film do not count
+    double wall;  ///< how far from the centre the journal touches in the direction in which it lies
+    size_t pads;  ///< of pads that tilt how many there are, else 0
+    bool held[WHIRL_MAX_TILTING]; ///< [pads] a film holds it
+} whirl_film_gap;
+
+/// Whether a coordinate has a balance of its own (whirl_system.settle).
+typedef enum whirl_settled {
+    WHIRL_NOT_SETTLED, ///< it has none
+    WHIRL_SETTLED,     ///< it is where forces on it balance
+    WHIRL_IDLE         ///< no force acts on it, and it acts on nothing: a pad without a film
+} whirl_settled;
 
 /// The form of a system that runs in vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
@@ -193,6 +209,19 @@ typedef struct whirl_system {
     /// Optional: range number `index` of a law of the machine, from 0 on, as many for all machines of a structure;
     /// false beyond the last. `seen` NULL: nothing is reached.
     bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
+
+    /// Optional: sets coordinates that have a balance of their own (the tilts of pads) to it, those that they depend on
+    /// held as they are in x [dimension], and says of all in kinds [dimension] which these are. False where there is
+    /// no such balance. Searches for equilibria then go through the other coordinates alone.
+    bool (*settle)(const void *model, double *x, whirl_settled *kinds);
+
+    /// Optional: the film at a probe that has a clearance, with the machine at rest at x: of several the thinnest.
+    /// False where there is none.
+    bool (*film)(const void *model, const double *x, size_t probe, whirl_film_gap *out);
+
+    /// Optional: sets coordinates of parts' own (tilts of pads, currents) to what they are in another system that has
+    /// these parts, at y.
+    void (*adopt)(const void *model, double *x, const struct whirl_system *other, const double *y);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.

@@ -144,4 +144,10 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
 /// A row for every line [line_count][SPECTRUM_COLUMNS], and for every bin [count][SPECTRUM_COLUMNS] unless NULL.
 void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins);
 
+// ---------------------------------------------------------------- bearings
+// Bearings alone on stations of 1 kg (WHIRL_BEARINGS_OF_IT).
+
+/// Sets x to where the machine, whose bearings these are, is at rest: places of stations, states of the bearings.
+void bearings_place(const whirl_system *alone, double *x, const whirl_system *machine, const double *rest);
+
 #endif

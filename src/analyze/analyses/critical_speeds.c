@@ -32,18 +32,25 @@ static const field_plan fields[FIELD_COUNT] = {
                "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1)", WHIRL_PER_STATION, 4, kept},
 };
 
-/// Where the machine as it is given rests at a speed, as far as the stations go: at [probe_count][2].
-static whirl_status find_rest(const whirl_resting *point, double speed, double *at) {
+void bearings_place(const whirl_system *alone, double *x, const whirl_system *machine, const double *rest) {
+    for (size_t p = 0; p < machine->probe_count; p++) {
+        x[alone->probes[p].x] = whirl_probe_value(&machine->probes[p], rest, 0);
+        x[alone->probes[p].y] = whirl_probe_value(&machine->probes[p], rest, 1);
+    }
+    if (alone->adopt) alone->adopt(alone->model, x, machine, rest);
+}
+
+/// Sets x, of the bearings alone, to where the machine as it is given rests at a speed.
+static whirl_status find_rest(const whirl_resting *point, double speed, const whirl_system *alone, double *x) {
     whirl_machine given;
     whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, 0.0, &given);
     if (status.code != WHIRL_OK) return status;
-    double *x = calloc(given.system->dimension + 1, sizeof *x);
-    if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine at rest");
-    if (x) memcpy(x, given.start, given.system->dimension * sizeof *x);
-    if (x) status = whirl_equilibrium(given.system, x);
-    for (size_t p = 0; p < given.system->probe_count && status.code == WHIRL_OK; p++)
-        for (size_t c = 0; c < 2; c++) at[2 * p + c] = whirl_probe_value(&given.system->probes[p], x, c);
-    free(x);
+    double *rest = calloc(given.system->dimension + 1, sizeof *rest);
+    if (!rest) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine at rest");
+    if (rest) memcpy(rest, given.start, given.system->dimension * sizeof *rest);
+    if (rest) status = whirl_equilibrium(given.system, rest);
+    if (status.code == WHIRL_OK) bearings_place(alone, x, given.system, rest);
+    free(rest);
     if (given.release) given.release(given.owner);
     return status;
 }
@@ -65,18 +72,14 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
     whirl_status status = point->at_speed(point->context, speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
     if (status.code != WHIRL_OK) return status;
     status = whirl_synchronous_check(alone.system, speed);
-    double *x = calloc(alone.system->dimension + 10 * probes + 1, sizeof *x);
-    double *at = x ? x + alone.system->dimension : NULL, *beside = x ? at + 2 * probes : NULL;
+    double *x = calloc(alone.system->dimension + 8 * probes + 1, sizeof *x);
+    double *beside = x ? x + alone.system->dimension : NULL;
     if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the coefficients of bearings");
     if (x && status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     for (size_t p = 0; p < probes && x; p++) x[alone.system->probes[p].x] = 1e-3;
     if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, beside);
     if (status.code == WHIRL_OK && memcmp(numbers, beside, 8 * probes * sizeof *beside) != 0) {
-        status = find_rest(point, speed, at);
-        for (size_t p = 0; p < probes; p++) {
-            x[alone.system->probes[p].x] = at[2 * p];
-            x[alone.system->probes[p].y] = at[2 * p + 1];
-        }
+        status = find_rest(point, speed, alone.system, x);
         if (status.code == WHIRL_OK) status = whirl_bearing_coefficients(&alone, x, numbers);
     }
     if (status.code == WHIRL_OK) drop_rounding(numbers, probes);

@@ -5,7 +5,7 @@
 
 #include "analysis.h"
 
-enum { LEFT, REACHED, HELD, FIELD_COUNT };
+enum { REST, LEFT, REACHED, HELD, FIELD_COUNT };
 
 static size_t every_range(const block_shape *shape) {
     return shape->range_count;
@@ -20,7 +20,14 @@ static size_t one_at_rest(const block_shape *shape) {
     return shape->at_rest && !shape->options->bearings;
 }
 
+static size_t one_where_it_rests(const block_shape *shape) {
+    return shape->at_rest;
+}
+
 static const field_plan fields[FIELD_COUNT] = {
+    [REST] = {WHIRL_FIELD_RANGES_REST, "1",
+              "share of the static load up to which a place of rest was found; 1: there is one", WHIRL_PER_POINT, 1,
+              one_where_it_rests},
     [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},
@@ -58,13 +65,20 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-/// Where it rests, if it does.
+static bool has_films(const whirl_system *system) {
+    for (size_t p = 0; p < system->probe_count; p++)
+        if (system->probes[p].clearance > 0.0) return true;
+    return false;
+}
+
+/// Where it rests, if it does. Analyses that need a place of rest have found one, or the point has no answer.
 static whirl_status compute_resting(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view) {
     const whirl_system *system = point->system;
     const size_t d = system->dimension, probes = system->probe_count;
     (void)options;
-    if (!view->fields[LEFT] && !view->fields[HELD]) return whirl_ok();
+    *view_numbers(view, REST, 0) = 1.0;
+    if (!view->fields[LEFT] && !view->fields[HELD] && (point->modes || !has_films(system))) return whirl_ok();
     double *x = malloc((d + probes + 1) * sizeof *x), *radius = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ranges of laws");
     memcpy(x, point->modes ? point->modes->rest : point->start, d * sizeof *x);
@@ -76,7 +90,16 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
         status = fill_held(system, x, view);
     }
     free(x);
-    return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+    if (status.code != WHIRL_NUMERICAL_FAILURE) return status;
+    // Films of a shaft that stands still carry nothing: nobody asks where it lies in them.
+    if (point->speed != 0.0) *view_numbers(view, REST, 0) = whirl_equilibrium_share(system, point->start);
+    return whirl_ok();
+}
+
+void whirl_unfound_at_rest(const whirl_layout *layout, double share, double *block) {
+    const whirl_field *field = whirl_layout_field(layout, WHIRL_FIELD_RANGES_REST);
+    for (size_t i = 0; i < layout->size; i++) block[i] = NAN;
+    if (field && share < 1.0) block[field->offset] = share;
 }
 
 const analysis_plan ranges_analysis = {

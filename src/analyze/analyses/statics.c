@@ -17,6 +17,7 @@ enum {
     ATTITUDE,
     FILM,
     SEAL,
+    UNLOADED,
     STIFFNESS,
     DAMPING,
     FIELD_COUNT
@@ -43,53 +44,65 @@ static const field_plan fields[FIELD_COUNT] = {
                    "load of the bearings here by raising those at each station (0: there are none)", WHIRL_PER_STATION,
                    1, every_station},
     [ECCENTRICITY] = {WHIRL_FIELD_STATICS_ECCENTRICITY, "1",
-                      "of the journal in its film at rest, over the clearance (missing where there is no film)",
+                      "of the journal in its film at rest, over the clearance as assembled (missing where there is no "
+                      "film)",
                       WHIRL_PER_STATION, 1, NULL},
     [ATTITUDE] = {WHIRL_FIELD_STATICS_ATTITUDE, "deg",
                   "from the load of the film to where the journal rests, with the rotation", WHIRL_PER_STATION, 1,
                   NULL},
-    [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest", WHIRL_PER_STATION, 1,
-              NULL},
+    [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest, of pads that have one",
+              WHIRL_PER_STATION, 1, NULL},
     [SEAL] = {WHIRL_FIELD_STATICS_SEAL, "1", "1 where this film is that of a seal, which carries nothing, else 0",
               WHIRL_PER_STATION, 1, NULL},
+    [UNLOADED] =
+        {WHIRL_FIELD_STATICS_UNLOADED, "1",
+         "pads that tilt without a film, their numbers as digits: 23 are pads 2 and 3 (missing where none tilt)",
+         WHIRL_PER_STATION, 1, NULL},
     [STIFFNESS] = {WHIRL_FIELD_STATICS_STIFFNESS, "N/m",
-                   "kxx, kxy, kyx, kyy (of the bearings here at the speed, of films where the machine rests; missing "
-                   "where there is none)",
+                   "kxx, kxy, kyx, kyy (of the bearings here at the speed, of films where the machine rests, what "
+                   "moves within them following once a revolution; missing where there is none)",
                    WHIRL_PER_STATION, 4, NULL},
     [DAMPING] = {WHIRL_FIELD_STATICS_DAMPING, "N s/m", "cxx, cxy, cyx, cyy (of these bearings, likewise)",
                  WHIRL_PER_STATION, 4, NULL},
 };
 
-/// Forces of the bearings alone on stations of 1 kg at rest at places [probes][2], as accelerations [probes][2]; NaN
-/// where no bearing has a film.
-static whirl_status forces_at(const whirl_resting *point, const double *at, double *force) {
+/// Forces of the bearings alone on stations of 1 kg, the machine at rest at x, as accelerations [probes][2]; NaN where
+/// no bearing has a film.
+static whirl_status forces_at(const whirl_resting *point, const double *x, double *force) {
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, point->speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
     if (status.code != WHIRL_OK) return status;
     const whirl_system *system = alone.system;
     const size_t d = system->dimension;
-    double *x = calloc((2 + d) * d + 1, sizeof *x), *slope = x ? x + d : NULL;
-    if (!x) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of films");
-    for (size_t p = 0; p < system->probe_count && x; p++) {
-        x[system->probes[p].x] = at[2 * p];
-        x[system->probes[p].y] = at[2 * p + 1];
-    }
-    if (x) status = whirl_rest_slope(system, x, slope, slope + d);
-    for (size_t p = 0; p < system->probe_count && x; p++)
+    double *at = calloc((2 + d) * d + 1, sizeof *at), *slope = at ? at + d : NULL;
+    if (!at) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of films");
+    if (at) bearings_place(system, at, point->system, x);
+    if (at) status = whirl_rest_slope(system, at, slope, slope + d);
+    for (size_t p = 0; p < system->probe_count && at; p++)
         for (size_t c = 0; c < 2; c++)
             force[2 * p + c] =
                 system->probes[p].clearance > 0.0 ? whirl_probe_value(&system->probes[p], slope, 2 + c) : NAN;
-    free(x);
+    free(at);
     if (alone.release) alone.release(alone.owner);
     return status;
 }
 
-static void fill_film(const whirl_probe *probe, size_t which, const double *at, const double *force,
+/// Of a film with the machine at rest at x.
+static void fill_film(const whirl_system *system, const double *x, size_t which, const double *force,
                       const block_view *view) {
+    const whirl_probe *probe = &system->probes[which];
+    const double at[] = {whirl_probe_value(probe, x, 0), whirl_probe_value(probe, x, 1)};
     const double radius = hypot(at[0], at[1]), across = force[1] * at[0] - force[0] * at[1];
     const double along = -force[0] * at[0] - force[1] * at[1];
+    whirl_film_gap gap;
     *view_numbers(view, ECCENTRICITY, which) = radius / probe->clearance;
-    *view_numbers(view, FILM, which) = probe->clearance - radius;
+    if (system->film && system->film(system->model, x, which, &gap)) {
+        double unloaded = 0.0;
+        for (size_t pad = 0; pad < gap.pads; pad++)
+            if (!gap.held[pad]) unloaded = 10.0 * unloaded + (double)pad + 1.0;
+        *view_numbers(view, FILM, which) = gap.least;
+        if (gap.pads > 0) *view_numbers(view, UNLOADED, which) = unloaded;
+    }
     *view_numbers(view, SEAL, which) = isnan(force[0]) ? 1.0 : 0.0;
     // The load is what the film pushes against.
     if (hypot(force[0], force[1]) * radius > 0.0)
@@ -104,17 +117,15 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     bool any = false;
     for (size_t p = 0; p < probes; p++) any = any || system->probes[p].clearance > 0.0;
     if (!any) return whirl_ok();
-    double *x = calloc(d + 4 * probes + 1, sizeof *x), *at = x ? x + d : NULL, *force = x ? at + 2 * probes : NULL;
+    double *x = calloc(d + 2 * probes + 1, sizeof *x), *force = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for films at rest");
     memcpy(x, point->start, d * sizeof *x);
     whirl_status status = whirl_equilibrium(system, x);
-    for (size_t p = 0; p < probes; p++)
-        for (size_t c = 0; c < 2; c++) at[2 * p + c] = whirl_probe_value(&system->probes[p], x, c);
-    if (status.code == WHIRL_OK) status = forces_at(point, at, force);
+    if (status.code == WHIRL_OK) status = forces_at(point, x, force);
     for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++)
-        if (system->probes[p].clearance > 0.0) fill_film(&system->probes[p], p, at + 2 * p, force + 2 * p, view);
+        if (system->probes[p].clearance > 0.0) fill_film(system, x, p, force + 2 * p, view);
     free(x);
-    return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+    return status.code == WHIRL_NUMERICAL_FAILURE ? whirl_ok() : status;
 }
 
 /// Stiffness and damping of bearings where the machine turns and rests; none at speeds beyond their tables, nor of

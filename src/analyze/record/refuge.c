@@ -44,7 +44,7 @@ static whirl_status seek_rest(const whirl_system *system, const whirl_record *re
         status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
         if (status.code == WHIRL_OK && modes->growth < 0.0 && is_within(record, modes->rest))
             *refuge = WHIRL_REFUGE_AT_REST;
-        if (status.code == WHIRL_BAD_INPUT) status = whirl_ok(); // none from there
+        if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // none from there
         whirl_modes_free(modes);
     }
     free(room);

@@ -113,6 +113,7 @@ whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, c
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an equilibrium");
     memcpy(x, start, system->dimension * sizeof *x);
     whirl_status status = whirl_equilibrium(system, x);
+    if (status.code == WHIRL_NUMERICAL_FAILURE) status = whirl_fail(WHIRL_BAD_INPUT, "%s", status.message);
     if (status.code == WHIRL_OK) status = find(system, x, 0, 0.0, options, orbit);
     free(x);
     return status;

@@ -23,6 +23,14 @@ static row row_of(const whirl_result *result, const whirl_table *table, size_t p
         .mass = {whirl_table_number(table, point, WHIRL_FIELD_STATICS_MASS, station), mass ? mass[1] : (double)NAN}};
 }
 
+/// Numbers of pads without a film, "2, 3".
+static void print_unloaded(FILE *out, const whirl_table *table, size_t point, size_t station) {
+    char digits[32] = "";
+    const double unloaded = whirl_table_number(table, point, WHIRL_FIELD_STATICS_UNLOADED, station);
+    if (unloaded > 0.0) snprintf(digits, sizeof digits, "%.0f", unloaded);
+    for (const char *digit = digits; *digit; digit++) fprintf(out, "%s%c", digit > digits ? ", " : "", *digit);
+}
+
 /// Where the shaft rests in its film or stands in its seal.
 static void print_film(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point,
                        size_t station) {
@@ -36,8 +44,13 @@ static void print_film(FILE *out, const whirl_shown_units *units, const whirl_ta
             seal ? "stands in its seal" : "rests in its film",
             whirl_table_number(table, point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
     if (isfinite(attitude)) fprintf(out, ", attitude %.4g deg", attitude);
-    fprintf(out, ", least thickness %.4g %s\n", whirl_result_length_scale(result, table, point) / length.size * film,
+    fprintf(out, ", least thickness %.4g %s", whirl_result_length_scale(result, table, point) / length.size * film,
             length.name);
+    if (whirl_table_number(table, point, WHIRL_FIELD_STATICS_UNLOADED, station) > 0.0) {
+        fputs("; no load on pads ", out);
+        print_unloaded(out, table, point, station);
+    }
+    fputc('\n', out);
 }
 
 /// kxx, kxy, kyx, kyy in MN/m and cxx, cxy, cyx, cyy in kN s/m of the bearings of a station; false where there are
@@ -93,7 +106,8 @@ static void write_films(const page *to, size_t index, const whirl_table *table) 
             fprintf(to->stream,
                     "<thead><tr><th>station</th><th>in</th><th class=\"number\">eccentricity ratio</th><th "
                     "class=\"number\">attitude "
-                    "(deg)</th><th class=\"number\">least thickness (%s)</th></tr></thead>\n<tbody>\n",
+                    "(deg)</th><th class=\"number\">least thickness (%s)</th><th>pads that carry "
+                    "nothing</th></tr></thead>\n<tbody>\n",
                     length.name);
         }
         fputs("<tr><th>", to->stream);
@@ -103,7 +117,9 @@ static void write_films(const page *to, size_t index, const whirl_table *table) 
         html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
         html_number(to->stream, whirl_table_number(table, 0, WHIRL_FIELD_STATICS_ATTITUDE, station));
         html_number(to->stream, scale * film);
-        fputs("</tr>\n", to->stream);
+        fputs("<td>", to->stream);
+        print_unloaded(to->stream, table, 0, station);
+        fputs("</td></tr>\n", to->stream);
     }
     if (count > 0) fputs("</tbody></table></div>\n", to->stream);
 }

@@ -111,8 +111,9 @@ static double strength_of(const key_value *values, double viscosity, double spee
     return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
 }
 
-/// Dampers of pads without inertia, whose films may carry nothing, damp at least so much: as a share of 2 times the
-/// scale of the film's moment, and so that a spring takes a pad back in no less than so many radians.
+/// Dampers of pads, whose films may carry nothing, damp at least so much: as a share of 2 times the scale of the film's
+/// moment; those without inertia also so that a spring takes a pad back in no less than so many radians. A pad without
+/// a film would else go on to tilt at the rate that it had when it lost it, until its edge is in the journal.
 static const double least_damper = 3e-4, soonest = 0.1;
 
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
@@ -127,7 +128,8 @@ static void put_tilts(const key_value *values, const assembly *to, double turn, 
     }
     number[PADS_TILT_FORCE] = radius * radius * strength / (values[PADS_CLEARANCE].number * inertia * clock * clock);
     number[PADS_TILT_SPRING] = values[PADS_SPRING].number / (inertia * clock * clock);
-    number[PADS_TILT_DAMPER] = values[PADS_DAMPER].number / (inertia * clock);
+    number[PADS_TILT_DAMPER] =
+        fmax(values[PADS_DAMPER].number / (inertia * clock), number[PADS_TILT_FORCE] * least_damper / turn);
 }
 
 /// What pivots that yield have.

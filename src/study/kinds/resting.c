@@ -46,16 +46,19 @@ static whirl_status keep(const worker *w, size_t slot) {
     return status.code == WHIRL_OK ? keeper_tend(w->run->keeper) : status;
 }
 
-/// What lies between the point before and this one, which is the next point's before.
+/// What lies between the point before and this one, which is the next point's before; nothing where the machine rests
+/// nowhere on the way.
 static whirl_status locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
     if (slot == 0) return status;
     if (!w->before.modes) status = resting_new(w->run->study, w->batch, w->table->values[slot - 1], &w->before);
     if (status.code == WHIRL_OK) status = resting_follow(&w->before, own);
-    return status.code == WHIRL_OK
-               ? critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count)
-               : status;
+    if (status.code == WHIRL_OK)
+        status = critical_locate(w->run->study, w->batch, &w->before, own, w->found, w->most, &w->count);
+    if (status.code != WHIRL_NUMERICAL_FAILURE) return status;
+    w->count = 0;
+    return whirl_ok();
 }
 
 /// A batch, at a value of its parameter.
@@ -109,6 +112,17 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
     return status;
 }
 
+/// A point without an answer: how far the place of rest could be followed.
+static whirl_status leave_unfound(worker *w, size_t slot) {
+    whirl_machine machine;
+    const whirl_status status =
+        w->run->study->machine(w->run->study->family, w->batch, w->table->values[slot], &machine);
+    if (status.code != WHIRL_OK) return status;
+    whirl_unfound_at_rest(&w->table->layout, whirl_equilibrium_share(machine.system, machine.start), block_of(w, slot));
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
 static whirl_status compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
@@ -116,6 +130,7 @@ static whirl_status compute(worker *w, size_t slot) {
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
     if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
+    if (status.code == WHIRL_NUMERICAL_FAILURE) status = leave_unfound(w, slot);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // what was computed since a stop means nothing
         resting_free(&own);
         return whirl_ok();

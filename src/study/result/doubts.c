@@ -43,6 +43,18 @@ size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *ou
     return out->points;
 }
 
+size_t whirl_table_unfound(const whirl_table *table, whirl_left *out) {
+    *out = (whirl_left){.reached = 1.0, .most = 1.0};
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REST);
+    for (size_t point = 0; field && point < table->count; point++) {
+        const double share = whirl_table_number(table, point, field->name, 0);
+        if (!whirl_table_done(table, point) || share >= 1.0) continue;
+        if (out->points++ == 0) out->first = point;
+        if (!(share > out->reached)) out->reached = share;
+    }
+    return out->points;
+}
+
 size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
     *out = (whirl_left){.points = 0, .reached = NAN, .most = NAN};

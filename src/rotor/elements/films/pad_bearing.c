@@ -13,6 +13,34 @@
 const element_kernels ISA(pad_bearing_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_gap.h"
+
+/// The least thickness over all pads with the journal at a place, in the pads' clearance.
+static double thinnest(const element *own, const double journal[2]) {
+    double least = INFINITY;
+    for (size_t p = 0; p < (size_t)own->law; p++) {
+        const double *pad = own->number + PADS_FIRST + p * PAD_NUMBERS;
+        double at[2];
+        pads_in_frame(pad, journal, at);
+        least = fmin(least, pads_thinnest(pad, at[0], at[1]));
+    }
+    return least;
+}
+
+/// element_type.film.
+static void pad_bearing_film(const element *own, const double *q, const double *states, element_film *out) {
+    const double unit = 1.0 / own->number[PADS_OVER_CLEARANCE];
+    double journal[2], free = 0.0, touching = 4.0;
+    (void)states;
+    pads_journal(own, q, journal);
+    const double radius = hypot(journal[0], journal[1]);
+    const double along[2] = {radius > 0.0 ? journal[0] / radius : 0.0, radius > 0.0 ? journal[1] / radius : -1.0};
+    for (int k = 0; k < 60; k++) {
+        const double middle = 0.5 * (free + touching);
+        *(thinnest(own, (const double[]){middle * along[0], middle * along[1]}) > 0.0 ? &free : &touching) = middle;
+    }
+    *out = (element_film){.least = unit * thinnest(own, journal), .wall = unit * free};
+}
 
 static const whirl_key keys[PADS_FIXED_KEYS] = {PADS_KEYS("two-groove|elliptical|three-lobe|four-lobe|offset-half")};
 
@@ -30,6 +58,7 @@ const element_type pad_bearing_element = {
     .build = build,
     .carries = true,
     .bearing_clearance = pads_clearance,
+    .film = pad_bearing_film,
     .note = pads_note,
     .doubt = pads_doubt,
 };

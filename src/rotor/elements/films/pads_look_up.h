@@ -8,7 +8,7 @@
 #include "elementary.h"
 #include "pad_tables.h"
 
-enum { MAX_PADS = 6 };
+enum { MAX_PADS = WHIRL_MAX_TILTING };
 
 /// Of the bearing: one over the pads' clearance in length scales; 2 over the speed of the shaft by tau, without its
 /// sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them, and of

@@ -14,6 +14,7 @@
 const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_settle.h"
 
 static const whirl_key keys[PADS_TILTING_KEYS] = {
     PADS_KEYS("tilting-4|tilting-5"),
@@ -22,7 +23,7 @@ static const whirl_key keys[PADS_TILTING_KEYS] = {
     [PADS_SPRING] = NUMBER_KEY("tilt_stiffness", "k", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                "of a pivot against tilting: holds pads whose film carries nothing"),
     [PADS_DAMPER] = NUMBER_KEY("tilt_damping", "d", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                               "of a pivot against tilting; of pads without inertia at least 3e-4 mu R^3 L (R/c)^2/c"),
+                               "of a pivot against tilting; at least 3e-4 mu R^3 L (R/c)^2/c"),
     [PADS_PIVOT] = NUMBER_KEY("pivot_stiffness", "k_p", "N/m", OPTIONAL, WHIRL_POSITIVE,
                               "of a pivot along the radius; rigid where absent"),
     [PADS_PIVOT_DAMPER] =
@@ -44,6 +45,8 @@ const element_type tilting_pad_element = {
     .kernels = kernels,
     .build = build,
     .begin = pads_begin,
+    .settle = pads_settle,
+    .film = pads_film,
     .variant = &tilting_pad_yielding_type,
     .carries = true,
     .bearing_clearance = pads_clearance,

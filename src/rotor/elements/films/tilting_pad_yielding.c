@@ -15,6 +15,7 @@
 const element_kernels ISA(tilting_pad_yielding_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
+#include "elements/films/pads_settle.h"
 /// Pads move on their pivots, so the circle in which the journal does is not known.
 static double no_clearance(const element *own) {
     (void)own;
@@ -29,6 +30,8 @@ const element_type tilting_pad_yielding_type = {
     .state_count = KERNEL_STATES,
     .kernels = kernels,
     .begin = pads_begin,
+    .settle = pads_settle,
+    .film = pads_film,
     .bearing_clearance = no_clearance,
     .note = pads_note,
 };

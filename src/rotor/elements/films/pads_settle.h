@@ -1,0 +1,201 @@
+/// Where pads rest before a journal that is held: their tilts, and how far they yield on their pivots. Included by the
+/// scalar builds of tilting_pad.c and tilting_pad_yielding.c.
+///
+/// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it stays where M
+/// goes from below 0 to above. Of several such tilts, as `whirl bearing` does (pads/pads.c), the first is taken where a
+/// film holds the pad. On a pivot that yields by u the thrust of the film is spring u besides, which grows with u.
+#ifndef ROTOR_PADS_SETTLE_H
+#define ROTOR_PADS_SETTLE_H
+
+#include <float.h>
+#include <math.h>
+
+#include "bracket.h"
+#include "elements/films/pads_gap.h"
+
+/// A film whose force is below this share of mu omega R L (R/c)^2 holds no pad: tables err by more where none is.
+static const double pads_no_film = 1e-3;
+
+/// R delta/c, beyond which no tilt is looked for.
+static const double pads_widest = 20.0;
+
+/// A pad at rest before a journal that is held.
+typedef struct pads_rest {
+    const kernel_view *view;
+    const double *pad;
+    double journal[4];          ///< place, and velocity 0, in the pads' clearance, as the pads see them
+    double yield[2];            ///< how far its pivot has moved outwards, and 0
+    double tilt, film[2], size; ///< the tilt that was looked at last, its film's force, and how large that is
+} pads_rest;
+
+/// All moments about the pivot at a tilt.
+static double pads_moment_at(pads_rest *at, double tilt) {
+    pads_view_plain seen;
+    at->tilt = tilt;
+    pads_see_plain(at->view, at->pad, at->journal, tilt, at->yield, &seen);
+    pads_film_begin_plain(at->pad[PAD_TABLE], &seen);
+    pads_film_end_plain(&seen, at->film);
+    at->size = hypot(at->film[0], at->film[1]);
+    return pads_moments_plain(at->view, at->pad, tilt, 0.0, at->film);
+}
+
+/// Whether nothing of the pad touches the journal at a tilt: (x, y) in the frame of its middle, as pads_place has it.
+static bool pads_are_free(const pads_rest *at, double tilt) {
+    static const double least = 1e-4;
+    pads_view_plain seen;
+    pads_see_plain(at->view, at->pad, at->journal, tilt, at->yield, &seen);
+    return seen.x < 1.0 && pads_thinnest(at->pad, seen.x, seen.y) > least;
+}
+
+/// The tilts between which nothing touches; false where there are none.
+static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
+    pads_view_plain seen;
+    pads_see_plain(at->view, at->pad, at->journal, 0.0, at->yield, &seen);
+    const double middle = at->pad[PAD_ALONG_X] * seen.x + at->pad[PAD_ALONG_Y] * seen.y;
+    if (!pads_are_free(at, middle)) return false;
+    for (int side = 0; side < 2; side++) {
+        double good = middle, bad = middle + (side ? pads_widest : -pads_widest);
+        for (int k = 0; k < 60; k++) *(pads_are_free(at, 0.5 * (good + bad)) ? &good : &bad) = 0.5 * (good + bad);
+        ends[side] = good;
+    }
+    return true;
+}
+
+/// The first tilts side by side between which the moment goes from below 0 to above, where films hold the pad on both
+/// or, with `any`, wherever it does so; of no such tilts the one with the weakest film is left as at->tilt.
+static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bracket *found) {
+    enum { LOOKS = 32 };
+    double last = 0.0, before = 0.0, weakest = INFINITY, best = ends[0], size = 0.0;
+    for (int k = 0; k <= LOOKS; k++) {
+        const double here = ends[0] + (ends[1] - ends[0]) * k / LOOKS, moment = pads_moment_at(at, here);
+        const bool held = any || (size > pads_no_film && at->size > pads_no_film);
+        *found = bracket_between(last, before, here, moment);
+        if (k > 0 && held && before < 0.0 && moment >= 0.0) return true;
+        if (at->size < weakest) weakest = at->size, best = here;
+        last = here;
+        before = moment;
+        size = at->size;
+    }
+    at->tilt = best;
+    return false;
+}
+
+/// Where the tilt of the pad rests, as at->tilt with its film's force. *idle: no film holds it there. False where it
+/// touches, however it tilts.
+static bool pads_settle_tilt(pads_rest *at, bool *idle) {
+    double ends[2];
+    bracket between;
+    if (!pads_free_tilts(at, ends)) return false;
+    const bool found = pads_bracket_tilt(at, ends, false, &between) || pads_bracket_tilt(at, ends, true, &between);
+    for (int k = 0; k < 200 && found; k++) {
+        const double tilt = bracket_next(&between), moment = pads_moment_at(at, tilt);
+        if (moment == 0.0 || !(tilt > fmin(between.a, between.b) && tilt < fmax(between.a, between.b))) break;
+        bracket_tell(&between, tilt, moment);
+        if (bracket_width(&between) <= 2.0 * DBL_EPSILON * fabs(tilt)) break;
+    }
+    if (!found) pads_moment_at(at, at->tilt);
+    *idle = !(at->size > pads_no_film);
+    return true;
+}
+
+#if PADS_YIELD
+/// What pushes a pad that has moved outwards by u back inwards, where its tilt rests; without end below 0 where it
+/// touches.
+static double pads_back(pads_rest *at, double u, bool *idle) {
+    at->yield[0] = u;
+    if (!pads_settle_tilt(at, idle)) return -INFINITY;
+    const double outwards = at->pad[PAD_ALONG_Y] * at->film[0] - at->pad[PAD_ALONG_X] * at->film[1];
+    return at->view->number[PADS_YIELD_SPRING] * u + at->view->number[PADS_YIELD_FORCE] * outwards;
+}
+
+/// Where the pad rests on a pivot that yields.
+static bool pads_settle_pad(pads_rest *at, bool *idle) {
+    double low = 0.0, high = 0.0, step = 1e-3;
+    double back = pads_back(at, 0.0, idle), below = back, above = back;
+    for (int k = 0; k < 40 && below > 0.0; k++, step *= 2.0) below = pads_back(at, low = -step, idle);
+    for (int k = 0; k < 40 && above < 0.0; k++, step *= 2.0) above = pads_back(at, high = step, idle);
+    if (below > 0.0 || above < 0.0) return false;
+    for (int k = 0; k < 60 && isinf(below); k++) {
+        const double middle = 0.5 * (low + high);
+        back = pads_back(at, middle, idle);
+        if (back < 0.0)
+            low = middle, below = back;
+        else
+            high = middle, above = back;
+    }
+    bracket between = bracket_between(low, below, high, above);
+    for (int k = 0; k < 200 && back != 0.0; k++) {
+        const double u = bracket_next(&between);
+        if (!(u > low && u < high) || bracket_width(&between) <= 4.0 * DBL_EPSILON * fabs(u)) break;
+        back = pads_back(at, u, idle);
+        bracket_tell(&between, u, back);
+    }
+    return true;
+}
+#else
+static bool pads_settle_pad(pads_rest *at, bool *idle) {
+    return pads_settle_tilt(at, idle);
+}
+#endif
+
+/// Where the states of a pad begin: its tilt, and how far it has moved outwards.
+static size_t pads_tilt_state(const element *own, size_t pad) {
+    return pads_are_light(own) ? pad : 2 * pad;
+}
+static size_t pads_yield_state(const element *own, size_t pad) {
+    return (pads_are_light(own) ? 1 : 2) * (size_t)own->law + 2 * pad;
+}
+
+/// Whether a pad that no film holds may stay at a tilt: there is no film and no spring there, either.
+static bool pads_may_stay(const pads_rest *at, double tilt) {
+    pads_rest there = *at;
+    if (at->view->number[PADS_TILT_SPRING] != 0.0 || !pads_are_free(at, tilt)) return false;
+    pads_moment_at(&there, tilt);
+    return there.size <= pads_no_film;
+}
+
+/// element_type.settle.
+static bool pads_settle(const element *own, const double *q, double *states, bool *idle) {
+    const kernel_view view = {.stride = 1, .number = own->number};
+    bool settled = true;
+    for (size_t p = 0; p < (size_t)own->law && settled; p++) {
+        const size_t tilt = pads_tilt_state(own, p), yield = pads_yield_state(own, p);
+        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS};
+        bool alone = false;
+        pads_journal(own, q, at.journal);
+        settled = pads_settle_pad(&at, &alone);
+        if (!alone || !pads_may_stay(&at, states[tilt])) states[tilt] = at.tilt;
+        idle[tilt] = alone;
+        if (!pads_are_light(own)) idle[tilt + 1] = alone, states[tilt + 1] = 0.0;
+        if (PADS_YIELD) states[yield] = at.yield[0], states[yield + 1] = 0.0;
+    }
+    return settled;
+}
+
+/// element_type.film: of pads that a film holds. Pads tilt out of the way, so that a wall is where the journal touches
+/// pivots; on those that yield there is none.
+static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
+    const kernel_view view = {.stride = 1, .number = own->number};
+    const double unit = 1.0 / own->number[PADS_OVER_CLEARANCE];
+    *out = (element_film){.least = INFINITY, .wall = PADS_YIELD ? 0.0 : INFINITY, .pads = (size_t)own->law};
+    for (size_t p = 0; p < (size_t)own->law; p++) {
+        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS};
+        double place[2];
+        pads_view_plain seen;
+        pads_journal(own, q, at.journal);
+        if (PADS_YIELD) at.yield[0] = states[pads_yield_state(own, p)];
+        pads_moment_at(&at, states[pads_tilt_state(own, p)]);
+        pads_see_plain(&view, at.pad, at.journal, at.tilt, at.yield, &seen);
+        out->held[p] = at.size > pads_no_film;
+        if (out->held[p]) out->least = fmin(out->least, unit * pads_thinnest(at.pad, seen.x, seen.y));
+        // Along the radius of the pivot, where the pad's centre lies beyond by the preload.
+        pads_in_frame(at.pad, at.journal, place);
+        const double c = at.pad[PAD_ALONG_Y], s = -at.pad[PAD_ALONG_X],
+                     beyond = hypot(at.pad[PAD_SHIFT_X], at.pad[PAD_SHIFT_Y]);
+        const double outwards = c * (place[0] - at.pad[PAD_SHIFT_X]) + s * (place[1] - at.pad[PAD_SHIFT_Y]);
+        const double radius = hypot(at.journal[0], at.journal[1]);
+        if (outwards > 0.0) out->wall = fmin(out->wall, unit * (1.0 - beyond) * radius / outwards);
+    }
+}
+
+#endif

@@ -1,0 +1,306 @@
+// Journals in pads that tilt, at rest: places, stiffness and stability of machines against `whirl bearing`
+// (whirl_pads_rest), which solves Reynolds' equation itself where machines look tables up.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "whirl/engine/bearing.h"
+#include "whirl/engine/linear.h"
+#include "whirl/engine/rotor.h"
+
+static const double pi = 3.14159265358979323846;
+
+/// The bearing of the grid: 20 mPa s, R 50 mm, L 50 mm, c 0.1 mm at 3000 rpm; mu omega R L (R/c)^2 in N.
+static const double viscosity = 0.02, radius = 0.05, length = 0.05, clearance = 1e-4, speed = 100.0 * 3.14159265358979;
+
+static double unit(void) {
+    return viscosity * speed * radius * length * pow(radius / clearance, 2.0);
+}
+
+/// Pads alike, evenly around; the load is along -y, on a pad or between two.
+typedef struct layout {
+    const char *name;
+    size_t count;
+    double first, arc; ///< degrees
+} layout;
+
+static const layout layouts[] = {{"4 pads, load between", 4, 45.0, 75.0},
+                                 {"4 pads, load on", 4, 0.0, 75.0},
+                                 {"5 pads, load between", 5, 18.0, 60.0},
+                                 {"5 pads, load on", 5, 54.0, 60.0}};
+
+/// What holds the pads besides their films.
+typedef struct tilt_case {
+    const char *name;
+    double inertia, stiffness;
+} tilt_case;
+
+static const tilt_case tilts[] = {{"no inertia", 0.0, 0.0}, {"inertia", 2e-4, 0.0}, {"inertia, spring", 2e-4, 2.0}};
+
+/// Angle of pad i; of a load along -y its layout is even about y.
+static double pivot_of(const layout *of, size_t i) {
+    return of->first + 360.0 * (double)i / (double)of->count;
+}
+
+static whirl_rotor *make(const layout *of, double preload, double mass, const tilt_case *tilt, double way) {
+    char pivots[128] = "";
+    for (size_t i = 0; i < of->count; i++)
+        snprintf(pivots + strlen(pivots), sizeof pivots - strlen(pivots), "%s%.15g", i > 0 ? ", " : "",
+                 pivot_of(of, i) * pi / 180.0);
+    const whirl_setting pads[] = {{"at", 0, "j"},
+                                  {"pivots", 0, pivots},
+                                  {"arc", of->arc * pi / 180.0, NULL},
+                                  {"preload", preload, NULL},
+                                  {"clearance", clearance, NULL},
+                                  {"viscosity", viscosity, NULL},
+                                  {"radius", radius, NULL},
+                                  {"length", length, NULL},
+                                  {"inertia", tilt->inertia, NULL},
+                                  {"tilt_stiffness", tilt->stiffness, NULL}};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    require_ok(whirl_design_new(way * speed, clearance, &design));
+    require_ok(whirl_design_station(design, "j", &(whirl_setting){"mass", mass, NULL}, 1));
+    require_ok(whirl_design_element(design, "tilting_pad", pads, sizeof pads / sizeof *pads));
+    require_ok(whirl_design_element(design, "gravity", NULL, 0));
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+static whirl_pads pads_of(const layout *of, double preload) {
+    whirl_pads pads = {.count = of->count, .ratio = 0.5, .tilting = true, .fineness = 240};
+    for (size_t i = 0; i < of->count; i++)
+        pads.pads[i] = (whirl_pad){pivot_of(of, i) * pi / 180.0, of->arc * pi / 180.0, 0.5, preload};
+    return pads;
+}
+
+/// Carries x by fixed steps of Runge and Kutta's method, `steps` a revolution.
+static void carry(const whirl_system *system, double *x, int revolutions, int steps) {
+    static const double part[] = {0.0, 0.5, 0.5, 1.0}, weight[] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    const double h = system->period / steps, off[WHIRL_MAX_FORCING] = {0.0};
+    double slope[64], at[64], sum[64];
+    for (int n = 0; n < revolutions * steps; n++) {
+        memset(slope, 0, sizeof slope);
+        memcpy(sum, x, sizeof sum);
+        for (int k = 0; k < 4; k++) {
+            for (size_t i = 0; i < system->dimension; i++) at[i] = x[i] + part[k] * h * slope[i];
+            system->rhs(system->model, 0.0, off, at, slope);
+            for (size_t i = 0; i < system->dimension; i++) sum[i] += weight[k] * h * slope[i];
+        }
+        memcpy(x, sum, system->dimension * sizeof *x);
+    }
+}
+
+/// One place of rest: where the reference has it to 0.01 c, stable, and the mirror image's mirrored to rounding.
+static void check_rest(const layout *of, double preload, double load, const tilt_case *tilt, const double place[2]) {
+    const double mass = load * unit() / 9.80665;
+    double found[2][2];
+    for (int k = 0; k < 2; k++) {
+        whirl_rotor *rotor = make(of, preload, mass, tilt, k == 0 ? 1.0 : -1.0);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        double *start = calloc(system->dimension, sizeof *start);
+        whirl_modes *modes = NULL;
+        whirl_rotor_complete(rotor, start);
+        const whirl_status status = whirl_modes_new(system, start, &modes);
+        char name[160];
+        snprintf(name, sizeof name, "%s, m %g, S %.2f, %s, %s", of->name, preload, 1.0 / (pi * load), tilt->name,
+                 k == 0 ? "from x to y" : "from y to x");
+        require_ok(status);
+        for (int c = 0; c < 2; c++) found[k][c] = modes->rest[c];
+        check_within("Pads at rest", words("%s: place", name), 0.0,
+                     hypot(found[k][0] - (k == 0 ? 1.0 : -1.0) * place[0], found[k][1] - place[1]), 0.01);
+        assert_true(modes->growth < 0.0);
+        whirl_modes_free(modes);
+        free(start);
+        whirl_rotor_free(rotor);
+    }
+    check_within("Pads at rest", "mirror image", 0.0, hypot(found[0][0] + found[1][0], found[0][1] - found[1][1]),
+                 1e-9);
+}
+
+static void grid(void **unused) {
+    static const double preloads[] = {0.2, 0.5}, sommerfeld[] = {0.05, 0.1, 0.2, 0.35, 0.55, 0.85, 1.2, 1.6};
+    (void)unused;
+    for (size_t l = 0; l < sizeof layouts / sizeof *layouts; l++)
+        for (size_t p = 0; p < 2; p++) {
+            const whirl_pads bearing = pads_of(&layouts[l], preloads[p]);
+            for (size_t s = 0; s < sizeof sommerfeld / sizeof *sommerfeld; s++) {
+                const double load = 1.0 / (pi * sommerfeld[s]);
+                whirl_pads_state state;
+                require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
+                for (size_t t = 0; t < sizeof tilts / sizeof *tilts; t++)
+                    check_rest(&layouts[l], preloads[p], load, &tilts[t], state.at);
+            }
+        }
+}
+
+// ---------------------------------------------------------------- what rests are made of
+
+/// A machine of that bearing alone, its journal at a place.
+static whirl_rotor *make_alone(const char *kind, const whirl_setting *settings, size_t count) {
+    whirl_design *design;
+    whirl_rotor *rotor;
+    require_ok(whirl_design_new(speed, clearance, &design));
+    require_ok(whirl_design_station(design, "j", &(whirl_setting){"mass", 1.0, NULL}, 1));
+    require_ok(whirl_design_element(design, kind, settings, count));
+    whirl_design_bearings(design, WHIRL_BEARINGS_ALONE, 0.0);
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// Coefficients of pads that follow once a revolution: those of whirl_pads_reduced to 3 % of the largest, which is what
+/// the slopes of tables err by.
+static void condensed(void **unused) {
+    static const double inertias[] = {0.0, 2e-4}, load = 0.6;
+    const layout *of = &layouts[2];
+    (void)unused;
+    whirl_pads bearing = pads_of(of, 0.5);
+    whirl_pads_state state;
+    require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
+    for (size_t i = 0; i < 2; i++) {
+        const whirl_setting pads[] = {{"at", 0, "j"},
+                                      {"shape", 0, "tilting-5"},
+                                      {"preload", 0.5, NULL},
+                                      {"clearance", clearance, NULL},
+                                      {"viscosity", viscosity, NULL},
+                                      {"radius", radius, NULL},
+                                      {"length", length, NULL},
+                                      {"inertia", inertias[i], NULL}};
+        whirl_rotor *rotor = make_alone("tilting_pad", pads, sizeof pads / sizeof *pads);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        const whirl_machine alone = {
+            .system = system, .clock = whirl_rotor_clock(rotor), .speed = whirl_rotor_speed(rotor)};
+        double *x = calloc(system->dimension, sizeof *x), found[8], k[2][2], c[2][2];
+        x[0] = state.at[0];
+        x[1] = state.at[1];
+        require_ok(whirl_bearing_coefficients(&alone, x, found));
+        whirl_pads_reduced(&bearing, &state, 1.0,
+                           inertias[i] * speed * pow(clearance, 3.0) / (viscosity * length * pow(radius, 5.0)), k, c);
+        for (size_t n = 0; n < 8; n++) {
+            const double *of_kind = n < 4 ? k[0] : c[0], size = unit() / clearance / (n < 4 ? 1.0 : speed);
+            check_within("Pads at rest", words("pads that follow, inertia %g: coefficient %zu", inertias[i], n),
+                         size * of_kind[n % 4], found[n], 0.03 * size * fmax(of_kind[0], of_kind[3]));
+        }
+        free(x);
+        whirl_rotor_free(rotor);
+    }
+}
+
+/// The least film is that of the pads' own shape: of fixed pads by whirl_pads_at, of tilting ones by whirl_pads_rest.
+static void least_film(void **unused) {
+    static const struct {
+        const char *shape;
+        double preload;
+    } fixed[] = {
+        {"two-groove", 0.0}, {"elliptical", 0.5}, {"three-lobe", 0.5}, {"four-lobe", 0.6}, {"offset-half", 0.5}};
+    static const double places[][2] = {{0.1, -0.2}, {0.3, 0.05}, {-0.15, 0.1}};
+    (void)unused;
+    for (size_t i = 0; i < sizeof fixed / sizeof *fixed; i++) {
+        const whirl_setting settings[] = {{"at", 0, "j"},
+                                          {"shape", 0, fixed[i].shape},
+                                          {"preload", fixed[i].preload, NULL},
+                                          {"clearance", clearance, NULL},
+                                          {"viscosity", viscosity, NULL},
+                                          {"radius", radius, NULL},
+                                          {"length", length, NULL}};
+        whirl_rotor *rotor = make_alone("pad_bearing", settings, sizeof settings / sizeof *settings);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        whirl_pads bearing = {.ratio = 0.5, .fineness = 240};
+        assert_true(whirl_pads_named(fixed[i].shape, fixed[i].preload, &bearing));
+        for (size_t k = 0; k < sizeof places / sizeof *places; k++) {
+            whirl_pads_state state;
+            whirl_film_gap gap;
+            const double x[4] = {places[k][0], places[k][1], 0.0, 0.0};
+            require_ok(whirl_pads_at(&bearing, places[k], &state));
+            assert_true(system->film(system->model, x, 0, &gap));
+            check_within("Pads at rest", words("least film of %s at (%g, %g)", fixed[i].shape, x[0], x[1]),
+                         state.thinnest, gap.least, 2e-3);
+            // A journal that goes on in that direction touches at the wall.
+            const double over = gap.wall / hypot(x[0], x[1]), at[4] = {over * x[0], over * x[1], 0.0, 0.0};
+            assert_true(system->film(system->model, at, 0, &gap));
+            check_within("Pads at rest", words("film at the wall of %s", fixed[i].shape), 0.0, gap.least, 1e-12);
+        }
+        whirl_rotor_free(rotor);
+    }
+    const whirl_pads bearing = pads_of(&layouts[2], 0.2);
+    whirl_pads_state state;
+    require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -0.6}, &state));
+    whirl_rotor *rotor = make(&layouts[2], 0.2, 0.6 * unit() / 9.80665, &tilts[1], 1.0);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double *x = calloc(system->dimension, sizeof *x);
+    whirl_film_gap gap;
+    require_ok(whirl_equilibrium(system, x));
+    assert_true(system->film(system->model, x, 0, &gap));
+    check_within("Pads at rest", "least film of pads that tilt", state.thinnest, gap.least, 2e-3);
+    assert_int_equal(gap.pads, 5);
+    for (size_t i = 0; i < gap.pads; i++) assert_int_equal(gap.held[i], state.loaded[i]);
+    free(x);
+    whirl_rotor_free(rotor);
+}
+
+// ---------------------------------------------------------------- motions, and forces that balance without a load
+
+/// Dropped from the middle of a lightly preloaded bearing a journal comes to where it rests; pads above it lose their
+/// films on the way.
+static void dropped(void **unused) {
+    static const double masses[] = {400.0, 1600.0};
+    (void)unused;
+    for (size_t i = 0; i < 2; i++) {
+        whirl_rotor *rotor = make(&layouts[2], 0.2, masses[i], &tilts[1], i == 0 ? 1.0 : -1.0);
+        const whirl_system *system = whirl_rotor_system(rotor);
+        double x[64] = {0.0}, rest[64] = {0.0};
+        whirl_rotor_complete(rotor, x);
+        carry(system, x, 5, 16000);
+        require_ok(whirl_equilibrium(system, rest));
+        check_within("Pads at rest", words("%g kg dropped: place after 5 revolutions", masses[i]), 0.0,
+                     hypot(x[0] - rest[0], x[1] - rest[1]), 1e-4);
+        whirl_rotor_free(rotor);
+    }
+}
+
+/// Preloaded balls and rollers without a load rest in the middle, at any speed, in any unit of length.
+static void preloaded(void **unused) {
+    static const double speeds[] = {1e-3, 0.1, 1.0, 100.0}, scales[] = {1e-4, 1e-9, 1.0};
+    static const char *const kinds[] = {"ball_bearing", "roller_bearing"};
+    (void)unused;
+    for (size_t i = 0; i < 2 * 4 * 3; i++) {
+        const double rate = speeds[i % 4], scale = scales[i / 4 % 3];
+        const whirl_setting rolling[] = {{"at", 0, "j"},
+                                         {i / 12 ? "rollers" : "balls", 8, NULL},
+                                         {"stiffness", i / 12 ? 1e8 : 1e10, NULL},
+                                         {"clearance", -5e-6, NULL},
+                                         {"cage", 0.4, NULL}};
+        const whirl_setting spring[] = {{"between", 0, "j, ground"}, {"stiffness", 1e6, NULL}};
+        whirl_design *design;
+        whirl_rotor *rotor;
+        require_ok(whirl_design_new(rate, scale, &design));
+        require_ok(whirl_design_station(design, "j", &(whirl_setting){"mass", 10.0, NULL}, 1));
+        require_ok(whirl_design_element(design, kinds[i / 12], rolling, 5));
+        require_ok(whirl_design_element(design, "spring", spring, 2));
+        require_ok(whirl_rotor_new(design, &rotor));
+        whirl_design_free(design);
+        double x[16] = {0.0};
+        require_ok(whirl_equilibrium(whirl_rotor_system(rotor), x));
+        check_within("Pads at rest", words("%s without load at %g rad/s, m", kinds[i / 12], rate), 0.0,
+                     scale * hypot(x[0], x[1]), 1e-15);
+        whirl_rotor_free(rotor);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(grid),    cmocka_unit_test(condensed), cmocka_unit_test(least_film),
+        cmocka_unit_test(dropped), cmocka_unit_test(preloaded),
+    };
+    return cmocka_run_group_tests_name("pads at rest", tests, NULL, NULL);
+}
