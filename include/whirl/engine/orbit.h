@@ -202,7 +202,8 @@ typedef enum whirl_branch_end {
     WHIRL_END_CLOSED,       ///< it came back to where it began
     WHIRL_END_LOST,         ///< steps as short as allowed found no orbit: the branch may end there
     WHIRL_END_HALVED,       ///< its orbits close after half their time there: at a doubling of another branch
-    WHIRL_END_STOPPED       ///< whirl_branch_options.found said so
+    WHIRL_END_STOPPED,      ///< whirl_branch_options.found said so
+    WHIRL_END_MIRRORED      ///< its orbits become their own mirror images there: at a pitchfork of a symmetric branch
 } whirl_branch_end;
 
 /// A branch, in the order in which it was followed; freed by whirl_branch_free.

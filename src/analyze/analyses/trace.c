@@ -41,7 +41,8 @@ static const field_plan fields[FIELD_COUNT] = {
                 WHIRL_PER_POINT, 1, NULL},
     [PARENT] = {WHIRL_FIELD_TRACE_PARENT, "1", "the branch along which it begins; 0: none", WHIRL_PER_POINT, 1, NULL},
     [END] = {WHIRL_FIELD_TRACE_END, "1",
-             "why the branch ends here: 0 range, 1 points, 2 closed, 3 lost, 4 at a doubling, 5 stopped; else missing",
+             "why the branch ends here: 0 range, 1 points, 2 closed, 3 lost, 4 at a doubling, 5 stopped, 6 at a "
+             "pitchfork; else missing",
              WHIRL_PER_POINT, 1, NULL},
     [SPECIAL] = {WHIRL_FIELD_TRACE_SPECIAL, "1",
                  "0 none, 1 fold, 2 crossing, 3 doubling, 4 Neimark-Sacker, 5 Hopf, 6 graze", WHIRL_PER_POINT, 1, NULL},

@@ -30,8 +30,9 @@ const char *whirl_branch_end_text(whirl_branch_end end) {
         [WHIRL_END_LOST] = "no orbit is found beyond",
         [WHIRL_END_HALVED] = "its orbits close after half their time, at a doubling of another branch",
         [WHIRL_END_STOPPED] = "it was stopped",
+        [WHIRL_END_MIRRORED] = "its orbits become their own mirror images, at a pitchfork of another branch",
     };
-    return end >= WHIRL_END_OF_RANGE && end <= WHIRL_END_STOPPED ? texts[end] : "";
+    return end >= WHIRL_END_OF_RANGE && end <= WHIRL_END_MIRRORED ? texts[end] : "";
 }
 
 void whirl_special_text(const whirl_branch_point *point, char *text, size_t size) {

@@ -71,6 +71,25 @@ static whirl_status try_step(follower *f, walk *w, bool *good) {
     return status;
 }
 
+/// Adds what lies between the present point and the next one: the branch's end or special points.
+static whirl_status pass_special(follower *f, walk *w, bool *ended) {
+    *ended = halved_between(&w->now, &w->next);
+    if (*ended) {
+        f->branch->end = WHIRL_END_HALVED;
+        return halved_add(f, &w->now, &w->next);
+    }
+    whirl_branch_point point;
+    whirl_status status = mirrored_locate(f, &w->now, &w->next, &point, ended);
+    const bool pitchfork = point.orbit != NULL;
+    if (pitchfork) {
+        if (*ended) f->branch->end = WHIRL_END_MIRRORED;
+        status = branch_add(f->branch, f->options, &point);
+        if (status.code != WHIRL_OK) whirl_orbit_free(point.orbit);
+    }
+    if (status.code != WHIRL_OK || *ended || !f->options->special) return status;
+    return special_locate(f, &w->now, &w->next, pitchfork);
+}
+
 /// The last point, where the parameter is at its bound.
 static whirl_status end_at_bound(follower *f, walk *w) {
     const whirl_branch_options *o = f->options;
@@ -87,8 +106,9 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     free(direction);
     f->branch->end = WHIRL_END_OF_RANGE;
     if (status.code != WHIRL_OK || !w->next.orbit || share <= 0.0) return status;
-    if (o->special) status = special_locate(f, &w->now, &w->next);
-    return status.code == WHIRL_OK ? add_waypoint(f, &w->next) : status;
+    bool ended;
+    status = pass_special(f, w, &ended);
+    return status.code == WHIRL_OK && !ended ? add_waypoint(f, &w->next) : status;
 }
 
 /// The unknowns, or a direction, of the same orbit that begins so many segments later.
@@ -132,13 +152,9 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     if (status.code != WHIRL_OK) return status;
     *ended = !is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w);
-    *ended = halved_between(&w->now, &w->next);
-    if (*ended) {
-        f->branch->end = WHIRL_END_HALVED;
-        return halved_add(f, &w->now, &w->next);
-    }
-    if (f->options->special) status = special_locate(f, &w->now, &w->next);
-    if (status.code == WHIRL_OK) status = add_waypoint(f, &w->next);
+    status = pass_special(f, w, ended);
+    if (status.code != WHIRL_OK || *ended) return status;
+    status = add_waypoint(f, &w->next);
     if (status.code != WHIRL_OK) return status;
     w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
     exchange(&w->before, &w->next);

@@ -73,8 +73,7 @@ void follower_take(const follower *f, double value, double *u) {
     u[f->curve.count] = value;
 }
 
-/// What of a tangent of length 1 is the parameter's.
-static double lean(const follower *f, const double *tangent) {
+double follower_lean(const follower *f, const double *tangent) {
     return tangent[f->curve.count] / f->curve.scale[f->curve.count];
 }
 
@@ -85,7 +84,7 @@ static const double steep = 0.3;
 static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
     const double bent = 0.98;
     if (!a->orbit || !b->orbit) return false;
-    const double first = lean(f, a->tangent), last = lean(f, b->tangent);
+    const double first = follower_lean(f, a->tangent), last = follower_lean(f, b->tangent);
     return first * last > 0.0 && fmin(fabs(first), fabs(last)) > steep &&
            curve_dot(&f->curve, a->tangent, b->tangent) > bent;
 }
@@ -124,7 +123,7 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
     memcpy(out->u, u, all * sizeof *u);
     const newton_result result = curve_correct(&f->curve, direction, out->u);
     out->pace = curve_pace(&result);
-    const double *across = fabs(lean(f, along)) > steep ? direction : along;
+    const double *across = fabs(follower_lean(f, along)) > steep ? direction : along;
     if (!result.found || !curve_tangent(&f->curve, across, along, out->tangent)) return whirl_ok();
     return orbit_describe(e->s, e->nodes, equations_period(e, out->u), result.size, &out->orbit);
 }

@@ -32,6 +32,9 @@ void follower_scale(follower *f, double *tangent);
 /// The value of the parameter at u.
 double follower_value(const follower *f, const double *u);
 
+/// The share that the parameter has in a tangent of length 1.
+double follower_lean(const follower *f, const double *tangent);
+
 /// The unknowns of the equations' nodes at a value: u [unknowns].
 void follower_take(const follower *f, double value, double *u);
 
@@ -94,6 +97,15 @@ bool halved_between(const waypoint *from, const waypoint *to);
 /// Adds the last point of such a branch, where its orbits close after half their time. Errors are those of memory.
 whirl_status halved_add(follower *f, const waypoint *from, const waypoint *to);
 
+// ---------------------------------------------------------------- mirrored
+// Pitchforks reached along their side branch.
+
+/// Locates the pitchfork between two waypoints of its side branch: `out` with the orbit of the other branch there, or
+/// without an orbit if there is none. *image is true if the side branch beyond it is its own mirror image. Errors are
+/// those of memory.
+whirl_status mirrored_locate(follower *f, const waypoint *from, const waypoint *to, whirl_branch_point *out,
+                             bool *image);
+
 // ---------------------------------------------------------------- normal_form
 // What begins at a special point: whether it is there where the orbit is unstable, or where it is stable.
 
@@ -119,9 +131,13 @@ double rest_size(const shooting *s, const double *slope, double size, double rat
 // ---------------------------------------------------------------- special
 // Where the stability of orbits changes along a branch, or a contact.
 
-/// Special points between two waypoints: adds them to the branch in their
-/// order.
-whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to);
+/// Special points between two waypoints: adds them to the branch in their order, without a fold where the branch turns
+/// back at a pitchfork.
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, bool pitchfork);
+
+/// Locates where a multiplier passes 1 between two waypoints: `out` without an orbit if none does. The caller owns the
+/// orbit. Errors are those of memory.
+whirl_status special_crossing(follower *f, const waypoint *from, const waypoint *to, whirl_branch_point *out);
 
 // ---------------------------------------------------------------- touch
 // Contacts along an orbit, and how near it comes to beginning or losing one.

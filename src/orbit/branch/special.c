@@ -123,7 +123,7 @@ static int by_place(const void *a, const void *b) {
     return p->at < q->at ? -1 : p->at > q->at;
 }
 
-static whirl_status find_all(follower *f, const waypoint *from, const waypoint *to, findings *found) {
+static whirl_status find_all(follower *f, const waypoint *from, const waypoint *to, bool pitchfork, findings *found) {
     static const whirl_special moving[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_DOUBLING, WHIRL_NEIMARK_SACKER};
     static const whirl_special resting[] = {WHIRL_FOLD, WHIRL_BRANCHING, WHIRL_HOPF};
     const bool moves = from->orbit->period > 0.0;
@@ -134,7 +134,7 @@ static whirl_status find_all(follower *f, const waypoint *from, const waypoint *
     whirl_status status = whirl_ok();
     for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
         const test t = {.kind = kinds[k]};
-        if (t.kind == WHIRL_BRANCHING && folds) continue;
+        if ((t.kind == WHIRL_BRANCHING && folds) || (t.kind == WHIRL_FOLD && pitchfork)) continue;
         if (changes(f, &t, from, to)) status = find(f, &t, from, to, found);
     }
     for (size_t k = 0; k < from->orbit->touch_count && status.code == WHIRL_OK; k++) {
@@ -144,9 +144,19 @@ static whirl_status find_all(follower *f, const waypoint *from, const waypoint *
     return status;
 }
 
-whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to) {
+whirl_status special_crossing(follower *f, const waypoint *from, const waypoint *to, whirl_branch_point *out) {
+    const test t = {.kind = WHIRL_BRANCHING};
     findings found = {.count = 0};
-    whirl_status status = find_all(f, from, to, &found);
+    out->orbit = NULL;
+    if (!changes(f, &t, from, to)) return whirl_ok();
+    const whirl_status status = find(f, &t, from, to, &found);
+    if (found.count > 0) *out = found.list[0].point;
+    return status;
+}
+
+whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, bool pitchfork) {
+    findings found = {.count = 0};
+    whirl_status status = find_all(f, from, to, pitchfork, &found);
     qsort(found.list, found.count, sizeof *found.list, by_place);
     for (size_t i = 0; i < found.count; i++) {
         if (status.code == WHIRL_OK) status = branch_add(f->branch, f->options, &found.list[i].point);

@@ -36,17 +36,62 @@ static whirl_status step_aside(follower *f, double step, waypoint *at, double *t
 
 // ---------------------------------------------------------------- from orbits
 
-/// Finds the point of the branch again, as the equations of the other branch have it, then an orbit aside from it.
-static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
-                                double *direction) {
-    follower_take(f, value, trial);
+/// The point of a branch, as the equations of the other branch have it.
+typedef struct departure_point {
+    double *u, *tangent; ///< [unknowns]
+} departure_point;
+
+/// Finds the point from `trial`, then an orbit aside from it across `tangent`; NULL: across the tangent found there,
+/// which `point` then has.
+static whirl_status leave_across(follower *f, double step, const double *tangent, departure_point *point, waypoint *at,
+                                 double *trial, double *direction) {
+    const size_t size = (f->curve.count + 1) * sizeof *trial;
     curve_parameter_direction(&f->curve, direction);
     const whirl_status status = follower_find(f, trial, direction, direction, at);
     if (status.code != WHIRL_OK) return status;
-    if (!at->orbit || !curve_other(&f->curve, at->tangent, direction))
+    if (!tangent && at->orbit) memcpy(point->tangent, at->tangent, size);
+    if (!at->orbit || !curve_other(&f->curve, tangent ? tangent : at->tangent, direction))
         return whirl_fail(WHIRL_BAD_INPUT, "the point at which a branch begins was not found again");
-    memcpy(trial, at->u, (f->curve.count + 1) * sizeof *trial);
+    memcpy(point->u, at->u, size);
+    memcpy(trial, at->u, size);
     return step_aside(f, step, at, trial, direction);
+}
+
+/// Finds the branch's tangent a thousandth of the span beside the point. At the point itself, where two branches cross,
+/// errors turn it towards the other one. No orbit in `beside` if none is found there.
+static whirl_status tangent_beside(follower *f, const departure_point *point, waypoint *beside, double *trial,
+                                   double *direction) {
+    const size_t n = f->curve.count;
+    const double span = f->options->to - f->options->from, high = fmax(f->options->from, f->options->to);
+    const double aside = 1e-3 * fabs(span), length = point->u[n] + aside > high ? -aside : aside;
+    const bool flat = fabs(follower_lean(f, point->tangent)) > 0.3;
+    for (size_t i = 0; i < n; i++)
+        trial[i] = point->u[i] + (flat ? length * point->tangent[i] / point->tangent[n] : 0.0);
+    trial[n] = point->u[n] + length;
+    curve_parameter_direction(&f->curve, direction);
+    return follower_find(f, trial, direction, point->tangent, beside);
+}
+
+/// Leaves the point across its own tangent, or where errors have turned that, across the one beside it.
+static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
+                                double *direction) {
+    const size_t all = f->curve.count + 1;
+    departure_point point = {.u = calloc(2 * all, sizeof(double))};
+    waypoint beside = {.u = NULL};
+    if (!point.u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
+    point.tangent = point.u + all;
+    follower_take(f, value, trial);
+    whirl_status left = leave_across(f, step, NULL, &point, at, trial, direction);
+    whirl_status status = waypoint_new(f, &beside);
+    if (status.code == WHIRL_OK && left.code != WHIRL_NO_MEMORY)
+        status = tangent_beside(f, &point, &beside, trial, direction);
+    if (status.code == WHIRL_OK && beside.orbit && curve_dot(&f->curve, beside.tangent, point.tangent) < 0.9) {
+        memcpy(trial, point.u, all * sizeof *trial);
+        left = leave_across(f, step, beside.tangent, &point, at, trial, direction);
+    }
+    waypoint_free(&beside);
+    free(point.u);
+    return status.code == WHIRL_OK ? left : status;
 }
 
 // ---------------------------------------------------------------- from equilibria

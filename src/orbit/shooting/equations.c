@@ -65,6 +65,9 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
+/// Below this size an orbit lies at zero and tells no size of its own.
+static const double nothing = 1e-12;
+
 /// What the size of a branch's orbits counts as, at least: of an equilibrium that passes through zero, which is where
 /// many lie, and of an orbit whose section does.
 static double least_size(const orbit_equations *e) {
@@ -76,7 +79,7 @@ void equations_scale(orbit_equations *e, double span, double *scale) {
     const double own = shooting_size(e->s, e->nodes), size = fmax(own, least_size(e));
     e->largest = fmax(e->largest, own);
     if (shooting_rests(e->s)) e->steepest = fmax(e->steepest, rest_rate(e->s));
-    for (size_t i = 0; i < nodes; i++) scale[i] = (size > 0.0 ? size : 1.0) * sqrt((double)e->s->count);
+    for (size_t i = 0; i < nodes; i++) scale[i] = (size > nothing ? size : 1.0) * sqrt((double)e->s->count);
     for (size_t i = nodes; i < n; i++) scale[i] = e->s->period;
     if (e->family) scale[n] = span;
 }
@@ -230,7 +233,7 @@ bool equations_evaluate(void *context, const double *u, double *value, double *d
 
 double equations_size(void *context, const double *u, const double *value) {
     const orbit_equations *e = context;
-    const double size = fmax(shooting_size(e->s, e->nodes), least_size(e));
+    const double own = fmax(shooting_size(e->s, e->nodes), least_size(e)), size = own > nothing ? own : 0.0;
     double largest = 0.0;
     (void)u;
     if (shooting_rests(e->s)) return rest_size(e->s, value, size, fmax(rest_rate(e->s), 0.1 * e->steepest));

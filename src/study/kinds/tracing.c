@@ -39,22 +39,37 @@ static void free_legs(leg legs[MOST_LEGS]) {
 
 // ---------------------------------------------------------------- branches that are there
 
-/// The node of an orbit between two rows of one branch, at a value between theirs.
+/// The node of an orbit between two rows of one branch, at a value between theirs. Orbits near a pitchfork at which the
+/// branch ends go with the root of the distance from it.
 static void between(const rows *r, size_t row, double value, double *x) {
     const double *a = rows_nodes(r, row), *b = rows_nodes(r, row + 1), from = r->table->values[row];
-    const double share = (value - from) / (r->table->values[row + 1] - from);
+    double share = (value - from) / (r->table->values[row + 1] - from);
+    if (*rows_field(r, row + 1, WHIRL_FIELD_TRACE_END) == WHIRL_END_MIRRORED) share = 1.0 - sqrt(1.0 - share);
     for (size_t i = 0; i < r->run->dimension; i++) x[i] = a[i] + share * (b[i] - a[i]);
 }
 
-/// Whether a search from x, at a value, finds the given orbit, whichever of its revolutions that begins with.
-static bool leads_to(const rows *r, double value, const double *x, const whirl_orbit *orbit) {
+/// Searches from x, at a value, for an orbit of the kind of another one.
+static whirl_status search_from(const rows *r, const whirl_system *system, const double *x, const whirl_orbit *like,
+                                whirl_orbit **found) {
     const whirl_branch_options options = settled_options(r->batch, 1);
+    if (like->period == 0.0) return whirl_orbit_rest(system, x, &options.orbit, found);
+    if (like->revolutions == 0) return whirl_orbit_find_free(system, x, like->period, &options.orbit, found);
+    return whirl_orbit_find(system, x, like->revolutions, &options.orbit, found);
+}
+
+/// Whether a search from x, at a value, finds the given orbit, whichever of its revolutions that begins with. Near a
+/// crossing, whose orbit is `crossing` (or NULL), orbits are hardly determined and count as one within a tenth of the
+/// distance from there.
+static bool leads_to(const rows *r, double value, const double *x, const whirl_orbit *orbit,
+                     const whirl_orbit *crossing) {
     whirl_machine machine;
     whirl_orbit *found = NULL;
     if (machine_of(r, value, &machine).code != WHIRL_OK) return false;
-    const bool same =
-        whirl_orbit_find(machine.system, x, orbit->revolutions, &options.orbit, &found).code == WHIRL_OK &&
-        whirl_orbit_distance(machine.system, found, orbit->nodes) <= 1e-7;
+    bool same = search_from(r, machine.system, x, orbit, &found).code == WHIRL_OK;
+    if (same) {
+        const double apart = crossing ? whirl_orbit_distance(machine.system, found, crossing->nodes) : 0.0;
+        same = whirl_orbit_distance(machine.system, found, orbit->nodes) <= fmax(1e-7, 0.1 * apart);
+    }
     whirl_orbit_free(found);
     if (machine.release) machine.release(machine.owner);
     return same;
@@ -69,13 +84,15 @@ static bool passes(const rows *r, size_t row, double value, const whirl_orbit *o
 }
 
 /// Whether the orbit of a value lies on a branch that is known: at some of its rows the same orbit is found from there.
-static bool is_known(const rows *r, const whirl_orbit *orbit, double value) {
+/// Orbits with a time of their own begin anywhere along themselves and are not compared.
+static bool is_known(const rows *r, const whirl_orbit *orbit, double value, const whirl_orbit *crossing) {
     double *x = calloc(orbit->dimension + 1, sizeof *x);
+    const bool compared = orbit->revolutions > 0 || orbit->period == 0.0;
     bool known = false;
-    for (size_t row = 0; x && row + 1 < r->count && !known && orbit->revolutions > 0; row++) {
+    for (size_t row = 0; x && row + 1 < r->count && !known && compared; row++) {
         if (!passes(r, row, value, orbit)) continue;
         between(r, row, value, x);
-        known = leads_to(r, value, x, orbit);
+        known = leads_to(r, value, x, orbit, crossing);
     }
     free(x);
     return known;
@@ -92,7 +109,7 @@ static bool ended_there(const rows *r, size_t row, const whirl_branch_point *dou
         fabs(values[0] - doubling->value) > near)
         return false;
     for (size_t i = 0; i < d; i++) x[i] = 0.5 * (nodes[i] + later[i]);
-    return leads_to(r, doubling->value, x, doubling->orbit);
+    return leads_to(r, doubling->value, x, doubling->orbit, NULL);
 }
 
 /// Whether a branch that is known ends at a doubling, and so is the one that begins there.
@@ -173,7 +190,7 @@ static whirl_status begin_at(rows *r, double value) {
     if (!rows_recall(r, count)) {
         status = settle(r, count, legs);
         if (!rows_go_on(r)) status = whirl_fail(WHIRL_STOPPED, "stopped");
-        if (status.code == WHIRL_OK && has_room(r, count) && !is_known(r, legs[0].orbit, value))
+        if (status.code == WHIRL_OK && has_room(r, count) && !is_known(r, legs[0].orbit, value, NULL))
             status = follow_both(r, count, legs);
     }
     free_legs(legs);
@@ -186,6 +203,7 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOS
     const whirl_branch_options options = settled_options(r->batch, 1);
     const whirl_family family = rows_family(r);
     const size_t sides = point->special == WHIRL_BRANCHING ? 2 : 1;
+    const whirl_orbit *crossing = point->special == WHIRL_BRANCHING ? point->orbit : NULL;
     size_t count = 0;
     if (point->special == WHIRL_DOUBLING && is_taken(r, point)) return 0;
     for (size_t side = 0; side < sides; side++) {
@@ -196,7 +214,7 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOS
         if (status.code != WHIRL_OK) continue;
         const double low = fmin(options.from, options.to), high = fmax(options.from, options.to);
         one->direction = one->value < point->value ? -1 : 1;
-        if (one->value < low || one->value > high || is_known(r, one->orbit, one->value)) {
+        if (one->value < low || one->value > high || is_known(r, one->orbit, one->value, crossing)) {
             whirl_orbit_free(one->orbit);
             one->orbit = NULL;
         } else {
@@ -204,6 +222,25 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOS
         }
     }
     return count;
+}
+
+/// The symmetric branch of a pitchfork at which the branch of a row ends, in both directions: from beside the
+/// pitchfork, where there is that one alone, so that one of them passes it.
+static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_point *point, leg legs[MOST_LEGS]) {
+    const double aside = 1e-3 * span_of(r), before = r->table->values[row - 1];
+    const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
+    const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
+    double value = point->value + (before > point->value ? -aside : aside);
+    if (value < low || value > high) value = 2.0 * point->value - value;
+    whirl_machine machine;
+    whirl_orbit *orbit = NULL;
+    if (machine_of(r, value, &machine).code != WHIRL_OK) return 0;
+    const whirl_status status = search_from(r, machine.system, point->orbit->nodes, point->orbit, &orbit);
+    if (machine.release) machine.release(machine.owner);
+    const bool new = status.code == WHIRL_OK && !is_known(r, orbit, value, NULL);
+    legs[0] = (leg){.orbit = orbit, .value = value, .direction = 1};
+    legs[1] = (leg){.orbit = new ? whirl_orbit_copy(orbit) : NULL, .value = value, .direction = -1};
+    return legs[1].orbit ? MOST_LEGS : 0;
 }
 
 static bool has_others(const rows *r, const whirl_branch_point *point) {
@@ -215,10 +252,14 @@ static bool has_others(const rows *r, const whirl_branch_point *point) {
 /// Follows the branches that begin at a special point, unless they are known.
 static whirl_status follow_others(rows *r, const whirl_trace *at) {
     leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    const bool pitchfork = at->end == WHIRL_END_MIRRORED && r->at > 0;
     whirl_status status = whirl_ok();
-    const size_t count = rows_recall(r, MOST_LEGS) ? 0 : leave(r, &at->point, legs);
+    size_t count = 0;
+    if (!rows_recall(r, MOST_LEGS))
+        count = pitchfork ? leave_pitchfork(r, r->at, &at->point, legs) : leave(r, &at->point, legs);
     if (count > 0 && has_room(r, count)) {
         follow(r, count, legs);
+        if (pitchfork && legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
         status = add_found(r, count, at->branch, legs);
     }
     free_legs(legs);

@@ -122,6 +122,105 @@ static void equilibria_cross(void **state) {
     whirl_user_system_free(system);
 }
 
+/// Checks a result whose first branch goes along one side of a pitchfork at r = 0: it ends there, and the symmetric
+/// branch and the other side are followed.
+static void check_pitchfork(const whirl_table *table, double located) {
+    size_t ends = 0, points = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        ends += number(table, i, "end") == WHIRL_END_MIRRORED;
+        if (number(table, i, "special") == 0.0) continue;
+        assert_true(number(table, i, "special") == WHIRL_BRANCHING);
+        near(table->values[i], 0.0, located);
+        points++;
+    }
+    assert_int_equal(1, ends);
+    assert_int_equal(2, points); // where the side branch ends, and along the symmetric branch
+    assert_true(number(table, table->count - 1, "number") == 5.0); // both ways, symmetric both ways, the other side
+}
+
+/// The same pitchfork from its side x = sqrt(r).
+static void equilibria_end_at_pitchforks(void **state) {
+    (void)state;
+    const double at = 0.49;
+    whirl_user_system *system = system_of(1, pitchfork, -1.0, 1.0);
+    good(whirl_user_system_branch(system, "r", -1.0, 1.0, &at, 1));
+    good(whirl_user_system_start(system, 0, 0.6));
+    good(whirl_user_system_set(system, "trace_rest", "yes"));
+    whirl_result *result = run(system, 2);
+    const whirl_table *table = whirl_result_table(result, "branch");
+    check_pitchfork(table, 1e-10);
+    bool both[2] = {false, false};
+    for (size_t i = 0; i < table->count; i++) {
+        const double x = whirl_table_field(table, i, "trace/nodes", 0)[0], r = table->values[i];
+        const bool side = fabs(x) > 1e-6;
+        if (side) both[x < 0.0] = true;
+        near(x * x, side ? r : 0.0, 1e-9);
+        near(number(table, i, "largest"), side ? -2.0 * r : r, 1e-7);
+    }
+    assert_true(both[0] && both[1]);
+    whirl_result_free(result);
+    whirl_user_system_free(system);
+}
+
+/// x' = (r + cos t) y - y^3 - sin t with y = x - cos t, a Bernoulli equation: x = cos t has the multiplier exp(2 pi r),
+/// and at r > 0 one orbit on each side of it has exp(-4 pi r).
+static int driven_pitchfork(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    const double y = x[0] - cos(t);
+    dxdt[0] = (p[0] + cos(t)) * y - y * y * y - sin(t);
+    return 0;
+}
+
+static void orbits_end_at_pitchforks(void **state) {
+    (void)state;
+    const double at = 0.1;
+    whirl_user_system *system = system_of(1, driven_pitchfork, -0.3, 0.3);
+    good(whirl_user_system_branch(system, "r", -0.3, 0.3, &at, 1));
+    good(whirl_user_system_period(system, two_pi));
+    good(whirl_user_system_start(system, 0, 1.6));
+    whirl_result *result = run(system, 2);
+    const whirl_table *table = whirl_result_table(result, "branch");
+    check_pitchfork(table, 1e-9);
+    for (size_t i = 0; i < table->count; i++) {
+        const double x = whirl_table_field(table, i, "trace/nodes", 0)[0], r = table->values[i];
+        near(number(table, i, "largest"), exp(two_pi * (fabs(x - 1.0) > 1e-6 ? -2.0 * r : r)), 1e-7);
+    }
+    whirl_result_free(result);
+    whirl_user_system_free(system);
+}
+
+/// x' = x (r - x^2 + x^3/2): the branch r = x^2 - x^3/2 turns back at a crossing with x = 0, too.
+static int lopsided(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)t, (void)context;
+    dxdt[0] = x[0] * (p[0] - x[0] * x[0] * (1.0 - 0.5 * x[0]));
+    return 0;
+}
+
+/// Without a symmetry the branch goes on beyond a pitchfork, where it is another one.
+static void branches_go_on_where_nothing_is_mirrored(void **state) {
+    (void)state;
+    const double at = 0.3;
+    whirl_user_system *system = system_of(1, lopsided, -0.5, 0.35);
+    good(whirl_user_system_branch(system, "r", -0.5, 0.35, &at, 1));
+    good(whirl_user_system_start(system, 0, 0.6));
+    good(whirl_user_system_set(system, "trace_rest", "yes"));
+    good(whirl_user_system_set(system, "trace_switches", "0"));
+    whirl_result *result = run(system, 2);
+    const whirl_table *table = whirl_result_table(result, "branch");
+    near(table->values[special(table, WHIRL_BRANCHING)], 0.0, 1e-9);
+    assert_int_equal(1, count_special(table));
+    double least = 1.0;
+    for (size_t i = 0; i < table->count; i++) {
+        const double x = whirl_table_field(table, i, "trace/nodes", 0)[0];
+        near(table->values[i], x * x * (1.0 - 0.5 * x), 1e-9);
+        assert_true(number(table, i, "end") != WHIRL_END_MIRRORED);
+        least = fmin(least, x);
+    }
+    assert_true(least < -0.4);
+    whirl_result_free(result);
+    whirl_user_system_free(system);
+}
+
 /// Lorenz' equations, sigma = 10 and b = 8/3.
 static int lorenz(double t, const double *x, const double *p, double *dxdt, void *context) {
     (void)t, (void)context;
@@ -484,6 +583,9 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equilibria_fold),
         cmocka_unit_test(equilibria_cross),
+        cmocka_unit_test(equilibria_end_at_pitchforks),
+        cmocka_unit_test(orbits_end_at_pitchforks),
+        cmocka_unit_test(branches_go_on_where_nothing_is_mirrored),
         cmocka_unit_test(equilibria_cross_just_where_they_are_looked_for),
         cmocka_unit_test(orbits_begin_at_hopf_points),
         cmocka_unit_test(orbits_fold),
