@@ -28,8 +28,12 @@ typedef enum whirl_growth {
 /// Most revolutions that cases and result files may say.
 enum { WHIRL_MAX_TRANSIENT = 1000000000, WHIRL_MAX_RECORD = 100000000 };
 
-/// How branches of orbits are looked for. The first orbit is found where a motion has settled after the transient.
+/// How branches of orbits are looked for.
 typedef struct whirl_trace_options {
+    /// Where the first orbit is looked for: "settled", where a motion has settled after the transient; "start", from
+    /// the initial state; "linear", from the forced response of the machine linearized about its rest. The last two
+    /// find unstable orbits, too.
+    char begin[WHIRL_NAME_SIZE];
     bool rest;             ///< branches of equilibria, in place of orbits
     int revolutions;       ///< of the first orbit; 0: after how many the settled motion comes back
     int longest;           ///< most revolutions of an orbit

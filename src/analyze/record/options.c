@@ -94,6 +94,9 @@ const whirl_member *whirl_trace_members(void) {
     static const whirl_member traced[] = {
         TRACE(FLAG, "trace_rest", rest, "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
               "yes: branches of equilibria, and of the whirl that begins at them, of a machine that nothing drives"),
+        TRACE(WORD, "trace_begin", begin, "", WHIRL_KEY_CHOICE, "settled", WHIRL_ANY, "settled|start|linear",
+              "where the first orbit is looked for: where a motion has settled, or by Newton's method from the initial "
+              "state or from the linear response, which finds unstable orbits, too"),
         TRACE_WHOLE("trace_revolutions", revolutions, "0", 0, WHIRL_MAX_ORBIT,
                     "of the first orbit of a branch; 0: after as many as the settled motion comes back"),
         TRACE_WHOLE("trace_longest", longest, "8", 1, WHIRL_MAX_ORBIT, "most revolutions of an orbit that is followed"),

@@ -1,9 +1,11 @@
 #include "settled.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "numerics.h"
+#include "whirl/engine/linear.h"
 
 whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch) {
     const whirl_trace_options *trace = &batch->record.trace;
@@ -96,15 +98,47 @@ static whirl_status settle(const whirl_machine *machine, const whirl_batch *batc
     return status;
 }
 
+/// By Newton's method from the initial state, or from the first harmonic of the machine's linear response about its
+/// rest: orbits that no motion settles on are found, too.
+static whirl_status search(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
+                           whirl_orbit **orbit) {
+    const whirl_trace_options *trace = &batch->record.trace;
+    const whirl_system *system = machine->system;
+    const size_t n = system->dimension, revolutions = trace->revolutions > 0 ? (size_t)trace->revolutions : 1;
+    double *start = calloc(3 * n + 1, sizeof *start), *response = start ? start + n : NULL;
+    if (!start) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the start of a branch");
+    memcpy(start, machine->start, n * sizeof *start);
+    whirl_status status = whirl_ok();
+    if (strcmp(trace->begin, "linear") == 0) {
+        status = whirl_forced_response(system, machine->start, start, response);
+        for (size_t i = 0; i < n; i++) start[i] += response[2 * i];
+    }
+    if (status.code == WHIRL_OK) status = whirl_orbit_find(system, start, revolutions, options, orbit);
+    free(start);
+    return status;
+}
+
 whirl_status settled_orbit(const whirl_study *study, const whirl_batch *batch, double value, whirl_orbit **orbit) {
     const whirl_branch_options options = settled_options(batch, 1);
     whirl_machine machine;
     *orbit = NULL;
     whirl_status status = study->machine(study->family, batch, value, &machine);
     if (status.code != WHIRL_OK) return status;
-    status = batch->record.trace.rest ? whirl_orbit_rest(machine.system, machine.start, &options.orbit, orbit)
-                                      : settle(&machine, batch, &options.orbit, orbit);
+    const whirl_trace_options *trace = &batch->record.trace;
+    const bool settles = !trace->rest && strcmp(trace->begin, "settled") == 0;
+    if (trace->rest)
+        status = whirl_orbit_rest(machine.system, machine.start, &options.orbit, orbit);
+    else if (settles)
+        status = settle(&machine, batch, &options.orbit, orbit);
+    else
+        status = search(&machine, batch, &options.orbit, orbit);
     if (machine.release) machine.release(machine.owner);
     if (status.code != WHIRL_BAD_INPUT) return status;
+    if (settles)
+        return whirl_fail(
+            status.code,
+            "no branch begins at %s = %.10g: %.200s; begin: linear, or begin: start with an initial state "
+            "near it, looks for an unstable orbit",
+            batch->parameter, value, status.message);
     return whirl_fail(status.code, "no branch begins at %s = %.10g: %.300s", batch->parameter, value, status.message);
 }

@@ -59,6 +59,39 @@ static size_t count_special(const whirl_table *table) {
     return count;
 }
 
+// ---------------------------------------------------------------- where branches begin
+
+/// x'' = -.02 x' + r x + cos t about a maximum of its potential: its orbit x = a cos t + b sin t is unstable, with
+/// the multipliers exp(2 pi (-.01 +- sqrt(r + .0001))), and every motion leaves it.
+static int hilltop(double t, const double *x, const double *p, double *dxdt, void *context) {
+    (void)context;
+    dxdt[0] = x[1];
+    dxdt[1] = -0.02 * x[1] + p[0] * x[0] + cos(t);
+    return 0;
+}
+
+static void branches_begin_with_unstable_orbits(void **state) {
+    (void)state;
+    static const char *const ways[] = {"start", "linear"};
+    for (size_t k = 0; k < 2; k++) {
+        whirl_user_system *system = system_of(2, hilltop, 1.0, 4.0);
+        good(whirl_user_system_period(system, two_pi));
+        good(whirl_user_system_set(system, "trace_segments", "4"));
+        good(whirl_user_system_set(system, "trace_begin", ways[k]));
+        whirl_result *result = run(system, 2);
+        const whirl_table *table = whirl_result_table(result, "branch");
+        assert_true(table->count > 4 && table->values[table->count - 1] == 4.0);
+        for (size_t i = 0; i < table->count; i++) {
+            const double r = table->values[i], c = 0.02, below = (r + 1.0) * (r + 1.0) + c * c;
+            near(whirl_table_field(table, i, "trace/nodes", 0)[0], -(r + 1.0) / below, 1e-8);
+            near(number(table, i, "largest") / exp(two_pi * (sqrt(r + 0.25 * c * c) - 0.5 * c)), 1.0, 1e-7);
+            assert_true(number(table, i, "unstable") == 1.0);
+        }
+        whirl_result_free(result);
+        whirl_user_system_free(system);
+    }
+}
+
 // ---------------------------------------------------------------- equilibria
 
 static int fold(double t, const double *x, const double *p, double *dxdt, void *context) {
@@ -581,6 +614,7 @@ static void a_function_that_fails_ends_the_run(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(branches_begin_with_unstable_orbits),
         cmocka_unit_test(equilibria_fold),
         cmocka_unit_test(equilibria_cross),
         cmocka_unit_test(equilibria_end_at_pitchforks),
