@@ -28,6 +28,11 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("trials", OPTIONAL, "",
                "a list of the weights that runs had; absent: none, the model proposes some or balances by itself"),
     CHOICE_KEY("vibration", REQUIRED, "", "a list of what probes saw in runs"),
+    CHOICE_KEY("slow_roll", OPTIONAL, "",
+               "a list of what probes see at low speed, of the shaft itself: it is taken off all of their readings"),
+    CHOICE_KEY("coefficients", OPTIONAL, "",
+               "a list of influence coefficients that are known, one for every plane, probe and speed; trials are not "
+               "needed then"),
     NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "of the rotor, for what ISO 21940-11 allows"),
     NUMBER_KEY("grade", "G", "mm/s", OPTIONAL, WHIRL_POSITIVE, "balance quality grade"),
     NUMBER_KEY("service_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "largest speed in service"),
@@ -46,6 +51,7 @@ static const whirl_key file_keys[] = {
 static const whirl_key plane_keys[] = {
     CHOICE_KEY("name", REQUIRED, "", "what it is called"),
     NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "at which weights sit"),
+    NUMBER_KEY("limit", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "moment of its weight, at most; absent: any"),
     WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360), "evenly spaced, for weights; absent: they go anywhere"),
     NUMBER_KEY("first_hole", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle of hole 1; holes are numbered as angles grow"),
     CHOICE_KEY("station", OPTIONAL, "", "of the model; absent: that of the plane's name"),
@@ -85,6 +91,21 @@ static const whirl_key vibration_keys[] = {
     NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "by which its square counts"),
 };
 
+static const whirl_key slow_roll_keys[] = {
+    CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
+    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE, "at once a revolution, as `amplitudes` says"),
+    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of it"),
+};
+
+static const whirl_key coefficient_keys[] = {
+    CHOICE_KEY("plane", REQUIRED, "", "its plane"),
+    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
+    CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
+    NUMBER_KEY("amplitude", "", "m/(kg m)", REQUIRED, WHIRL_NOT_NEGATIVE,
+               "of the vibration by a weight, over its moment, as `amplitudes` says"),
+    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of the vibration by a weight at angle 0"),
+};
+
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
 static const whirl_group file_group = {
     "balance", "a file on a rotor that is to be balanced", "", file_keys, COUNT(file_keys), NULL, NULL};
@@ -99,9 +120,15 @@ static const whirl_group probe_group = {
 static const whirl_group vibration_group = {
     "vibration", "what a probe saw in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
 
+static const whirl_group slow_roll_group = {
+    "slow_roll", "what a probe sees of the shaft itself", "", slow_roll_keys, COUNT(slow_roll_keys), NULL, NULL};
+static const whirl_group coefficient_group = {
+    "coefficient", "an influence coefficient", "", coefficient_keys, COUNT(coefficient_keys), NULL, NULL};
+
 const whirl_group *const *whirl_balance_groups(void) {
-    static const whirl_group *const groups[] = {&file_group, &plane_group, &trial_group, &vibration_group,
-                                                &mode_group, &probe_group, NULL};
+    static const whirl_group *const groups[] = {&file_group,      &plane_group,       &trial_group,
+                                                &vibration_group, &mode_group,        &probe_group,
+                                                &slow_roll_group, &coefficient_group, NULL};
     return groups;
 }
 
@@ -152,6 +179,7 @@ static void read_planes(case_reader *reader, const setting_list *file, whirl_bal
         settings_read(reader, at, &plane_group, &item);
         settings_text(reader, &item, "name", plane->name, sizeof plane->name);
         plane->radius = number_of(reader, &item, "radius");
+        plane->limit = settings_find(&item, "limit") ? number_of(reader, &item, "limit") : (double)INFINITY;
         plane->holes = (int)number_of(reader, &item, "holes");
         plane->first_hole = way_of(out) * fmod(number_of(reader, &item, "first_hole"), two_pi);
         plane->position = settings_find(&item, "position") ? number_of(reader, &item, "position") : (double)NAN;
@@ -209,6 +237,11 @@ static void read_modes(case_reader *reader, const setting_list *file, whirl_bala
             if (other->speed == mode->speed && mode->speed > 0.0)
                 problem_at(reader->problems, at, "is a second mode at that speed, expected speeds of their own");
     }
+    for (size_t p = 0; p < out->plane_count && out->mode_count > 0; p++)
+        if (isfinite(out->planes[p].limit))
+            problem_at(reader->problems, settings_find(file, "planes")->place,
+                       "has a limit for plane '%s', and modes are balanced by sets, expected no limit",
+                       out->planes[p].name);
     out->keep_rigid = settings_yes(file, "keep_rigid");
     if (out->keep_rigid && !settings_find(file, "modes"))
         problem_at(reader->problems, settings_find(file, "keep_rigid")->place,
@@ -293,7 +326,7 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
         set_vector(mass > 0.0 ? mass * radius : moment, way_of(out) * number_of(reader, &item, "angle"), trial->moment);
     }
     for (size_t p = 0; p < out->plane_count && first; p++)
-        if (!tried[p] && !out->by_model && out->trials->plane != WHIRL_BALANCE_SET)
+        if (!tried[p] && !out->by_model && out->coefficient_count == 0 && out->trials->plane != WHIRL_BALANCE_SET)
             problem_at(reader->problems, settings_find(file, "trials")->place, "has no weight in plane '%s'",
                        out->planes[p].name);
 }
@@ -323,6 +356,53 @@ static void read_vibration(case_reader *reader, const setting_list *file, whirl_
     }
 }
 
+/// Takes what probes see of the shaft itself off all readings.
+static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    out->slow_rolls = room_for(reader, file, "slow_roll", sizeof *out->slow_rolls);
+    const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MOST_ROWS) : NULL;
+    for (const file_node *at = first; at; at = at->next) {
+        setting_list item;
+        whirl_balance_vibration *seen = &out->slow_rolls[out->slow_roll_count++];
+        bool read = false;
+        settings_read(reader, at, &slow_roll_group, &item);
+        settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
+        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
+                   seen->vibration);
+        for (const whirl_balance_vibration *other = out->slow_rolls; other < seen; other++)
+            if (strcmp(other->probe, seen->probe) == 0 && *seen->probe)
+                problem_at(reader->problems, at, "is a second slow roll of '%s', expected one for a probe",
+                           seen->probe);
+        for (size_t i = 0; i < out->vibration_count; i++) {
+            if (strcmp(out->vibrations[i].probe, seen->probe) != 0) continue;
+            read = true;
+            for (int c = 0; c < 2; c++) out->vibrations[i].vibration[c] -= seen->vibration[c];
+        }
+        if (!read && *seen->probe)
+            problem_at(reader->problems, at, "is of probe '%s', of which vibration has no reading", seen->probe);
+    }
+}
+
+static void read_coefficients(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    out->coefficients = room_for(reader, file, "coefficients", sizeof *out->coefficients);
+    const file_node *first = out->coefficients ? items_of(reader, file, "coefficients", MOST_ROWS) : NULL;
+    for (const file_node *at = first; at; at = at->next) {
+        setting_list item;
+        whirl_balance_coefficient *own = &out->coefficients[out->coefficient_count++];
+        settings_read(reader, at, &coefficient_group, &item);
+        own->plane = find_plane(reader, &item, out);
+        own->speed = number_of(reader, &item, "speed");
+        settings_text(reader, &item, "probe", own->probe, sizeof own->probe);
+        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
+                   own->influence);
+        for (const whirl_balance_coefficient *other = out->coefficients; other < own; other++)
+            if (other->plane == own->plane && other->speed == own->speed && strcmp(other->probe, own->probe) == 0)
+                problem_at(reader->problems, at, "is a second coefficient of that plane, probe and speed");
+    }
+    if (first && (out->by_model || out->mode_count > 0))
+        problem_at(reader->problems, settings_find(file, "coefficients")->place,
+                   "stands beside %s, expected one of them", out->by_model ? "influence: model" : "modes");
+}
+
 /// A weight of a run that nothing was read in tells nothing.
 static void check_runs(case_reader *reader, const setting_list *file, const whirl_balance *of) {
     const setting *trials = settings_find(file, "trials");
@@ -350,10 +430,13 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     read_modes(reader, file, out);
     read_probes(reader, file, out);
     if (!settings_find(file, "trials") && !settings_find(file, "modes") && !settings_find(file, "model") &&
-        !settings_misspelt(file, "trials"))
-        problem_missing(reader->problems, file->place, "trials", "is missing, and there is no model or mode");
+        !settings_find(file, "coefficients") && !settings_misspelt(file, "trials"))
+        problem_missing(reader->problems, file->place, "trials",
+                        "is missing, and there is no model, mode or coefficient");
+    read_coefficients(reader, file, out);
     read_trials(reader, file, out);
     read_vibration(reader, file, out);
+    read_slow_roll(reader, file, out);
     check_runs(reader, file, out);
 }
 
@@ -382,5 +465,7 @@ void whirl_balance_free(whirl_balance *balance) {
     if (!balance) return;
     free(balance->trials);
     free(balance->vibrations);
+    free(balance->slow_rolls);
+    free(balance->coefficients);
     free(balance);
 }

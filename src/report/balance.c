@@ -83,10 +83,19 @@ static const char *um_as(const whirl_balance *of) {
     return "um";
 }
 
+static void print_slow_roll(FILE *out, const whirl_balance *of) {
+    if (of->slow_roll_count > 0) fputs("slow roll, taken off the readings:\n", out);
+    for (size_t i = 0; i < of->slow_roll_count; i++)
+        fprintf(out, "  %s: %.4g %s at %.4g deg\n", of->slow_rolls[i].probe, size_of(of->slow_rolls[i].vibration) / um,
+                um_as(of), degrees_of(of->slow_rolls[i].vibration, way_of_phases(of)));
+}
+
 static void print_influence(FILE *out, const whirl_balance *of, const whirl_correction *found) {
     const size_t count = found->by_set ? of->mode_count : of->plane_count;
     fprintf(out, "influence, %s a kg mm%s%s:\n", um_as(of), *of->counted ? "" : " (amplitudes as the file has them)",
-            of->by_model ? ", by the model" : "");
+            of->by_model                ? ", by the model"
+            : of->coefficient_count > 0 ? ", as the file has it"
+                                        : "");
     for (size_t r = 0; r < found->row_count; r++) {
         const whirl_balance_row *row = &found->rows[r];
         const char *separator = "";
@@ -132,8 +141,8 @@ static void print_sets(FILE *out, const whirl_balance *of, const whirl_balance_m
     }
 }
 
-/// What the plane or set of a proposal is called.
-static void name_proposal(const whirl_balance *of, size_t n, char *text, size_t size) {
+/// What the plane or set of an unknown is called.
+static void name_unknown(const whirl_balance *of, size_t n, char *text, size_t size) {
     if (of->mode_count > 0)
         snprintf(text, size, "set %zu", n + 1);
     else
@@ -172,9 +181,19 @@ static void explain(const whirl_balance_model *model, const whirl_correction *fo
 /// A warning by its index; false past the last.
 static bool warn(const whirl_balance *of, const whirl_correction *found, size_t index, char text[SENTENCE]) {
     char name[WHIRL_NAME_SIZE];
+    if (found->reduced.there && index-- == 0) {
+        const size_t without = found->reduced.without;
+        name_unknown(of, without, name, sizeof name);
+        snprintf(text, SENTENCE,
+                 "%s acts nearly as the others do (significance %.2g, below %.2g after Darlow 1982; condition %.3g): "
+                 "without it %.4g um are left in the mean square in place of %.4g um",
+                 name, found->significance[without], WHIRL_BALANCE_SIGNIFICANT, found->condition,
+                 found->reduced.left / um, found->left / um);
+        return true;
+    }
     for (size_t n = 0; n < found->proposal_count; n++) {
         const whirl_balance_proposal *own = &found->proposals[n];
-        name_proposal(of, n, name, sizeof name);
+        name_unknown(of, n, name, sizeof name);
         if (own->over < found->row_count && index-- == 0) {
             const whirl_balance_row *row = &found->rows[own->over];
             snprintf(text, SENTENCE,
@@ -192,6 +211,20 @@ static bool warn(const whirl_balance *of, const whirl_correction *found, size_t 
         }
     }
     return false;
+}
+
+/// The weights without the plane or set that is hardly needed.
+static void print_reduced(FILE *out, const whirl_balance *of, const whirl_correction *found) {
+    char name[WHIRL_NAME_SIZE];
+    if (!found->reduced.there) return;
+    name_unknown(of, found->reduced.without, name, sizeof name);
+    fprintf(out, "correction without %s, which leaves %.4g um in the mean square in place of %.4g um:\n", name,
+            found->reduced.left / um, found->left / um);
+    for (size_t p = 0; p < of->plane_count; p++) {
+        if (of->mode_count == 0 && p == found->reduced.without) continue;
+        fputs("  ", out);
+        print_plane(out, of, p, found->reduced.moment[p]);
+    }
 }
 
 static void print_proposal(FILE *out, const whirl_balance *of, const whirl_correction *found, size_t n) {
@@ -262,6 +295,7 @@ whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_ba
     if (*of->title) fprintf(out, "%s\n", of->title);
     fprintf(out, "angles are told %s the rotation from the mark, phases as %s\n", of->against ? "against" : "with",
             of->leads ? "leads" : "lags");
+    print_slow_roll(out, of);
     if (found->found) print_influence(out, of, found);
     print_sets(out, of, model, found);
     if (found->found) {
@@ -271,6 +305,7 @@ whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_ba
             print_plane(out, of, p, found->moment[p]);
         }
         print_static(out, of, found);
+        print_reduced(out, of, found);
     }
     print_proposals(out, of, model, found);
     print_vibration(out, of, found);
@@ -368,6 +403,28 @@ static json_t *proposal_of(bool *well, const whirl_balance *of, const whirl_bala
     return made;
 }
 
+/// How needed each plane or set is, and the correction without the one that hardly is.
+static void put_reduced(bool *well, json_t *all, const whirl_balance *of, const whirl_correction *found) {
+    char name[WHIRL_NAME_SIZE];
+    json_t *significance = json_object(), *without = json_object();
+    for (size_t n = 0; n < (of->mode_count > 0 ? of->mode_count : of->plane_count); n++) {
+        name_unknown(of, n, name, sizeof name);
+        document_put(well, significance, name, document_number(found->significance[n]));
+    }
+    document_put(well, all, "left", document_number(found->left));
+    document_put(well, all, "condition", document_number(found->condition));
+    document_put(well, all, "significance", significance);
+    if (!found->reduced.there) {
+        json_decref(without);
+        return;
+    }
+    name_unknown(of, found->reduced.without, name, sizeof name);
+    document_put(well, without, "name", document_text(name));
+    document_put(well, without, "left", document_number(found->reduced.left));
+    document_put(well, without, "correction", by_plane(well, of, found->reduced.moment, "moment", way_of_angles(of)));
+    document_put(well, all, "without", without);
+}
+
 static void put_correction(bool *well, json_t *all, const whirl_balance *of, const whirl_correction *found) {
     const double allowed = whirl_balance_allowed(of), sum = sum_of(of, found), way = way_of_angles(of);
     double whole[2], half[2];
@@ -376,6 +433,7 @@ static void put_correction(bool *well, json_t *all, const whirl_balance *of, con
         document_put(well, planes, of->planes[p].name, plane_of(well, of, found, p));
     document_put(well, all, "correction", planes);
     document_put(well, all, "unbalance", document_number(sum));
+    put_reduced(well, all, of, found);
     if (isfinite(allowed)) document_put(well, all, "grade", document_number(of->grade * sum / allowed));
     if (of->plane_count != 2) return;
     find_static(found, whole, half);
@@ -393,6 +451,15 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
     document_put(&well, all, "angles", document_text(of->against ? "against" : "with"));
     document_put(&well, all, "amplitudes", *of->counted ? document_text(of->counted) : json_null());
     document_put(&well, all, "phases", document_text(of->leads ? "lead" : "lag"));
+    if (of->slow_roll_count > 0) {
+        json_t *rolls = json_array();
+        for (size_t i = 0; i < of->slow_roll_count; i++) {
+            json_t *one = vector(&well, of->slow_rolls[i].vibration, "amplitude", way_of_phases(of));
+            document_put(&well, one, "probe", document_text(of->slow_rolls[i].probe));
+            document_append(&well, rolls, one);
+        }
+        document_put(&well, all, "slow_roll", rolls);
+    }
     if (found->found) put_correction(&well, all, of, found);
     for (size_t r = 0; r < found->row_count; r++)
         document_append(&well, rows, row_of(&well, of, found, &found->rows[r]));

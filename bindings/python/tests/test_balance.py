@@ -101,3 +101,94 @@ def test_least_squares_of_one_plane(tmp_path):
     assert own == pytest.approx(best, rel=1e-9)
     after = [row["after"]["amplitude"] for row in found["vibration"]]
     assert after == pytest.approx(np.abs(before + influence * best), rel=1e-9)
+
+
+# ---------------------------------------------------------------- planes that act nearly alike, limits, what is known
+
+PROBES, COUNT = 4, 3
+
+
+def numbers(seed):
+    """Influence coefficients in m a kg m [probes][planes], the last two planes nearly alike, and vibrations in m."""
+    draw = np.random.default_rng(seed)
+    influence = draw.normal(size=(PROBES, COUNT, 2)) @ [1, 1j] * 1e-2
+    influence[:, 2] = influence[:, 1] * (1 + 0.05 * draw.normal(size=(PROBES, 2)) @ [1, 1j])
+    return influence, draw.normal(size=(PROBES, 2)) @ [1, 1j] * 1e-5
+
+
+def known(influence, vibration, **more):
+    """A file with the coefficients, in one run without weights."""
+    polar = lambda v: {"amplitude": float(abs(v)), "phase": float(np.angle(v))}  # noqa: E731
+    return {
+        "balance": 1,
+        "angles": "with",
+        "phases": "lead",
+        "planes": [{"name": f"p{p}"} for p in range(COUNT)],
+        "coefficients": [
+            {"plane": f"p{p}", "probe": f"s{i}", "speed": 300.0, **polar(influence[i, p])}
+            for i in range(PROBES)
+            for p in range(COUNT)
+        ],
+        "vibration": [{"run": 1, "speed": 300.0, "probe": f"s{i}", **polar(v)} for i, v in enumerate(vibration)],
+        **more,
+    }
+
+
+def moments(of):
+    return np.array([of[f"p{p}"]["moment"] * np.exp(1j * of[f"p{p}"]["angle"]) for p in range(COUNT)])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_planes_that_act_nearly_alike(tmp_path, seed):
+    """Condition, significance and the weights without a plane, as numpy has them."""
+    influence, vibration = numbers(seed)
+    found = balance(tmp_path / "b.yaml", known(influence, vibration))
+    best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
+    assert moments(found["correction"]) == pytest.approx(best, rel=1e-8)
+    values = np.linalg.svd(influence, compute_uv=False)
+    assert found["condition"] == pytest.approx(values[0] / values[-1], rel=1e-6)
+    left = {}
+    for p in range(COUNT):
+        others = np.delete(influence, p, axis=1)
+        share = np.linalg.lstsq(others, influence[:, p], rcond=None)[0]
+        rest = np.linalg.norm(influence[:, p] - others @ share) / np.linalg.norm(influence[:, p])
+        assert found["significance"][f"p{p}"] == pytest.approx(rest, rel=1e-6)
+        own = np.linalg.lstsq(others, -vibration, rcond=None)[0]
+        if rest < 0.2:
+            left[p] = np.sqrt(np.mean(abs(vibration + others @ own) ** 2)), np.insert(own, p, 0)
+    without = min(left, key=lambda p: left[p][0])
+    assert set(left) == {1, 2} and found["without"]["name"] == f"p{without}"
+    assert found["without"]["left"] == pytest.approx(left[without][0], rel=1e-8)
+    assert moments(found["without"]["correction"]) == pytest.approx(left[without][1], rel=1e-8, abs=1e-15)
+    assert any("nearly" in text for text in found["warnings"])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_limits_of_weights(tmp_path, seed):
+    """The optimality conditions: no slope within a limit, at it one straight inwards (Karush, Kuhn, Tucker)."""
+    influence, vibration = numbers(seed)
+    best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
+    limits = abs(best) * [2.0, 0.3, 0.6]
+    file = known(influence, vibration)
+    file["planes"] = [{"name": f"p{p}", "limit": float(limits[p])} for p in range(COUNT)]
+    own = moments(balance(tmp_path / "b.yaml", file)["correction"])
+    slope = influence.conj().T @ (vibration + influence @ own)
+    scale = np.linalg.norm(influence) * np.linalg.norm(vibration)
+    assert (abs(own) <= limits * (1 + 1e-12)).all() and (abs(own) >= limits * (1 - 1e-9)).any()
+    for u, s, limit in zip(own, slope, limits):
+        inwards = -s * np.conj(u) / abs(u) if abs(u) >= limit * (1 - 1e-9) else s
+        assert abs(inwards.imag) < 1e-7 * scale
+        assert inwards.real > -1e-7 * scale if abs(u) >= limit * (1 - 1e-9) else abs(s) < 1e-7 * scale
+
+
+def test_slow_roll_is_taken_off(tmp_path):
+    influence, vibration = numbers(7)
+    rolls = vibration[::-1] * 0.4j
+    file = known(influence, vibration + rolls)
+    file["slow_roll"] = [
+        {"probe": f"s{i}", "amplitude": float(abs(v)), "phase": float(np.angle(v))} for i, v in enumerate(rolls)
+    ]
+    found = balance(tmp_path / "b.yaml", file)
+    best = np.linalg.lstsq(influence, -vibration, rcond=None)[0]
+    assert moments(found["correction"]) == pytest.approx(best, rel=1e-8)
+    assert [row["before"]["amplitude"] for row in found["vibration"]] == pytest.approx(abs(vibration), rel=1e-9)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from .result import Result
     from .table import Table
 
-__all__ = ["Vector", "Weight", "Row", "Set", "Proposal", "Balance", "balance", "readings"]
+__all__ = ["Vector", "Weight", "Row", "Set", "Proposal", "Without", "Balance", "balance", "readings"]
 
 _WANTED = "expected the analysis spectrum or the study unbalance"
 
@@ -100,6 +100,15 @@ class Proposal:
 
 
 @dataclass(frozen=True)
+class Without:
+    """The correction without a plane or set that acts nearly as the others do."""
+
+    name: str  #: of the plane, or "set 2"
+    correction: dict[str, Vector]  #: kg m in the planes
+    left: float  #: m, as that of :class:`Balance`
+
+
+@dataclass(frozen=True)
 class Balance:
     """What balancing found."""
 
@@ -117,6 +126,10 @@ class Balance:
     couple: Optional[
         Vector
     ]  #: kg m, of two planes: half of their difference, in the first, and against it in the second
+    left: Optional[float]  #: m, root of the weighted mean square of what remains, by the coefficients
+    condition: Optional[float]  #: of the influence matrix: largest over smallest singular value
+    significance: dict[str, Optional[float]]  #: of planes or sets: the share of its effect that the others lack (Darlow)
+    without: Optional[Without]  #: the correction without the plane that is least needed; None where all are needed
     difference: Optional[float]  #: of the model's coefficients from those of runs, over the largest
     warnings: list[str]  #: what speaks against the proposals
     document: dict = field(repr=False)  #: all of it as ``whirl balance --json`` prints it
@@ -153,6 +166,10 @@ def _proposal(of) -> Proposal:
     return Proposal(of.get("plane"), of.get("set"), *words, weights, of["reason"], of["sentence"], of["change"])
 
 
+def _without(of) -> Optional[Without]:
+    return None if of is None else Without(of["name"], _vectors(of["correction"], "moment"), of["left"])
+
+
 def _made(of) -> Balance:
     return Balance(
         title=of["title"],
@@ -175,6 +192,10 @@ def _made(of) -> Balance:
         allowed=of["allowed"],
         static=_vector(of.get("static"), "moment"),
         couple=_vector(of.get("couple"), "moment"),
+        left=of.get("left"),
+        condition=of.get("condition"),
+        significance=of.get("significance", {}),
+        without=_without(of.get("without")),
         difference=of["difference"],
         warnings=of["warnings"],
         document=of,

@@ -34,6 +34,7 @@ enum {
 typedef struct whirl_balance_plane {
     char name[WHIRL_NAME_SIZE]; ///< as trials call it
     double radius;              ///< m, at which weights sit; 0: not said
+    double limit;               ///< kg m that its weight may have at most; infinite: any
     int holes;                  ///< evenly spaced; 0: anywhere
     double first_hole;          ///< rad, of hole 1, with the rotation; the others follow the way that angles are told
     char station[WHIRL_NAME_SIZE]; ///< of the model
@@ -71,6 +72,14 @@ typedef struct whirl_balance_vibration {
     double weight;               ///< by which its square counts
 } whirl_balance_vibration;
 
+/// An influence coefficient that is known beforehand.
+typedef struct whirl_balance_coefficient {
+    size_t plane;                ///< index
+    double speed;                ///< rad/s
+    char probe[WHIRL_NAME_SIZE]; ///< its name
+    double influence[2];         ///< vibration a kg m in the plane
+} whirl_balance_coefficient;
+
 /// What is known of a rotor that is to be balanced. Arrays are its own.
 typedef struct whirl_balance {
     char title[256];                                  ///< in one line
@@ -80,13 +89,17 @@ typedef struct whirl_balance {
     whirl_balance_plane planes[WHIRL_MAX_PLANES];     ///< [plane_count]
     whirl_balance_trial *trials;                      ///< [trial_count]
     whirl_balance_vibration *vibrations;              ///< [vibration_count]
-    double mass, grade, service_speed;                ///< kg, mm/s, rad/s of what ISO 21940-11 allows; 0: not said
-    char model[256];                                  ///< path of a case, from where the file is; "": none
-    bool by_model;      ///< influence coefficients are the model's, in place of those of runs
-    double model_error; ///< by which share of it the model's critical speeds may be wrong
-    double kind;        ///< amplitude of the file over one from zero to peak
-    double keyphasor;   ///< rad from the model's x axis towards y, where the mark is seen
-    size_t probe_count; ///< of probes
+    size_t slow_roll_count;                           ///< of slow_rolls
+    whirl_balance_vibration *slow_rolls; ///< [slow_roll_count] what probes see of the shaft itself; taken off readings
+    size_t coefficient_count;            ///< of coefficients; 0: they are found
+    whirl_balance_coefficient *coefficients; ///< [coefficient_count]
+    double mass, grade, service_speed;       ///< kg, mm/s, rad/s of what ISO 21940-11 allows; 0: not said
+    char model[256];                         ///< path of a case, from where the file is; "": none
+    bool by_model;                           ///< influence coefficients are the model's, in place of those of runs
+    double model_error;                      ///< by which share of it the model's critical speeds may be wrong
+    double kind;                             ///< amplitude of the file over one from zero to peak
+    double keyphasor;                        ///< rad from the model's x axis towards y, where the mark is seen
+    size_t probe_count;                      ///< of probes
     whirl_balance_probe probes[WHIRL_MAX_BALANCE_PROBES]; ///< [probe_count]
     size_t mode_count;                                    ///< of modes; 0: planes are balanced, not modes
     whirl_balance_mode modes[WHIRL_MAX_PLANES];           ///< [mode_count]
@@ -145,6 +158,17 @@ typedef struct whirl_balance_proposal {
     double predicted[2];       ///< vibration of that row, else of the one that decides
 } whirl_balance_proposal;
 
+/// The correction without the plane or set that is least needed.
+typedef struct whirl_balance_reduced {
+    bool there;                         ///< an unknown acts nearly as the others do
+    size_t without;                     ///< index of the plane, or of the set where there are modes
+    double moment[WHIRL_MAX_PLANES][2]; ///< kg m in the planes
+    double left;                        ///< as whirl_correction.left
+} whirl_balance_reduced;
+
+/// Significance below which a plane acts nearly as the others do (Darlow 1982).
+#define WHIRL_BALANCE_SIGNIFICANT 0.2
+
 /// The correction that makes sum of weight |vibration|^2 the least.
 typedef struct whirl_correction {
     size_t row_count;                   ///< of rows
@@ -152,7 +176,13 @@ typedef struct whirl_correction {
     double moment[WHIRL_MAX_PLANES][2]; ///< kg m
     bool found;                         ///< there are weights; false where nothing was tried yet: all are 0 then
     bool by_set;                        ///< influence is that of sets
-    size_t set_count;                   ///< of sets: whirl_balance.mode_count
+    double left;                        ///< root of the weighted mean of |after|^2
+    double condition;                   ///< of the influence matrix: largest over smallest singular value
+    /// Of each plane, or set where there are modes: the part of its effect that no combination of the others has, over
+    /// all of its effect (Darlow 1982); NaN of those that the correction has not.
+    double significance[WHIRL_MAX_PLANES];
+    whirl_balance_reduced reduced; ///< the correction without one of them, if that is hardly needed
+    size_t set_count;              ///< of sets: whirl_balance.mode_count
     double sets[WHIRL_MAX_PLANES][WHIRL_MAX_PLANES][2]; ///< weights in the planes that act on a mode alone
     bool used[WHIRL_MAX_PLANES];                        ///< whether the correction has this set
     double amount[WHIRL_MAX_PLANES][2];                 ///< kg m, of each set

@@ -76,11 +76,35 @@ static whirl_status fit(const whirl_balance *of, whirl_balance_row *row, bool by
     return whirl_ok();
 }
 
-/// What is left of the mean of all readings of a row without the weights that runs had, by the model.
-static void take_model(const whirl_balance *of, const whirl_correction *out, whirl_balance_row *row) {
+/// Takes the coefficients of a row from the file.
+static whirl_status take_given(const whirl_balance *of, whirl_balance_row *row) {
+    for (size_t p = 0; p < of->plane_count; p++) {
+        size_t i = 0;
+        while (i < of->coefficient_count &&
+               !(of->coefficients[i].plane == p && of->coefficients[i].speed == row->speed &&
+                 strcmp(of->coefficients[i].probe, row->probe) == 0))
+            i++;
+        if (i == of->coefficient_count)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "coefficients have none of plane '%.63s' for probe '%.63s' at %.6g rpm, expected one for "
+                              "every plane, probe and speed of vibration",
+                              of->planes[p].name, row->probe, row->speed * 60.0 / two_pi);
+        memcpy(row->influence[p], of->coefficients[i].influence, sizeof row->influence[p]);
+    }
+    return whirl_ok();
+}
+
+/// Whether coefficients are known without trials.
+static bool are_known(const whirl_balance *of) {
+    return of->by_model || of->coefficient_count > 0;
+}
+
+/// What is left of the mean of all readings of a row without the weights that runs had, by the coefficients of the file
+/// or of the model.
+static void take_known(const whirl_balance *of, const whirl_correction *out, whirl_balance_row *row) {
     double complex sum = 0.0;
     double runs = 0.0;
-    if (row->model) memcpy(row->influence, row->model->influence, sizeof row->influence);
+    if (row->model && of->coefficient_count == 0) memcpy(row->influence, row->model->influence, sizeof row->influence);
     for (size_t i = 0; i < of->vibration_count; i++) {
         if (!is_row(row, &of->vibrations[i])) continue;
         sum += balance_number(of->vibrations[i].vibration);
@@ -102,11 +126,13 @@ static whirl_status find_influence(const whirl_balance *of, whirl_correction *ou
     size_t index[WHIRL_MAX_PLANES];
     whirl_status status = whirl_ok();
     const size_t count = find_tried(of, out->by_set, index);
-    for (size_t r = 0; r < out->row_count && status.code == WHIRL_OK; r++)
-        if (of->by_model || of->trial_count == 0)
-            take_model(of, out, &out->rows[r]);
+    for (size_t r = 0; r < out->row_count && status.code == WHIRL_OK; r++) {
+        if (of->coefficient_count > 0) status = take_given(of, &out->rows[r]);
+        if (are_known(of) || of->trial_count == 0)
+            take_known(of, out, &out->rows[r]);
         else
             status = fit(of, &out->rows[r], out->by_set, index, count);
+    }
     return status;
 }
 
@@ -153,25 +179,20 @@ static void predict(const whirl_balance *of, whirl_correction *out, const size_t
     }
 }
 
-/// Weights in planes out of unknowns.
-static void place(const whirl_balance *of, const double complex *found, const size_t *index, size_t count,
-                  whirl_correction *out) {
-    for (size_t n = 0; n < count; n++) {
-        if (of->mode_count == 0) {
-            balance_set(out->moment[index[n]], found[n]);
-            continue;
+/// Adds the weights in planes of the unknowns.
+static void place(const whirl_balance *of, const whirl_correction *found, const double complex *amounts,
+                  const size_t *index, size_t count, double (*moment)[2]) {
+    for (size_t n = 0; n < count; n++)
+        for (size_t p = 0; p < of->plane_count; p++) {
+            const double complex share =
+                of->mode_count > 0 ? balance_number(found->sets[index[n]][p]) : (double)(p == index[n]);
+            if (share != 0.0) balance_set(moment[p], balance_number(moment[p]) + share * amounts[n]);
         }
-        out->used[index[n]] = true;
-        balance_set(out->amount[index[n]], found[n]);
-        for (size_t p = 0; p < of->plane_count; p++)
-            balance_set(out->moment[p],
-                        balance_number(out->moment[p]) + balance_number(out->sets[index[n]][p]) * found[n]);
-    }
 }
 
-static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
-    size_t index[WHIRL_MAX_PLANES];
-    const size_t count = find_used(of, out, index);
+/// The normal equations of the unknowns at index.
+static balance_normal equations_of(const whirl_balance *of, const whirl_correction *out, const size_t *index,
+                                   size_t count) {
     balance_normal equations = {.n = count};
     for (size_t r = 0; r < out->row_count; r++) {
         const whirl_balance_row *row = &out->rows[r];
@@ -179,15 +200,76 @@ static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
         for (size_t n = 0; n < count; n++) a[n] = effect_of(of, out, row, index[n]);
         balance_add(&equations, a, -balance_number(row->before), row->weight);
     }
-    if (!balance_unknowns(&equations))
+    return equations;
+}
+
+/// The best weights of the unknowns at index, within the limits of planes: amounts [count]. False where the rows do not
+/// tell them apart.
+static bool best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
+                         double complex *amounts) {
+    const balance_normal equations = equations_of(of, out, index, count);
+    balance_normal solved = equations;
+    double limits[BALANCE_UNKNOWNS];
+    if (!balance_unknowns(&solved)) return false;
+    for (size_t n = 0; n < count; n++) limits[n] = of->mode_count > 0 ? (double)INFINITY : of->planes[index[n]].limit;
+    memcpy(amounts, solved.side, count * sizeof *amounts);
+    balance_within(&equations, limits, amounts);
+    return true;
+}
+
+/// Root of the weighted mean square of what weights leave.
+static double left_with(const whirl_balance *of, const whirl_correction *out, const double complex *amounts,
+                        const size_t *index, size_t count) {
+    double sum = 0.0, weights = 0.0;
+    for (size_t r = 0; r < out->row_count; r++) {
+        const whirl_balance_row *row = &out->rows[r];
+        double complex after = balance_number(row->before);
+        for (size_t n = 0; n < count; n++) after += effect_of(of, out, row, index[n]) * amounts[n];
+        sum += row->weight * creal(after * conj(after));
+        weights += row->weight;
+    }
+    return sqrt(sum / weights);
+}
+
+/// Tells which unknowns act nearly as the others do, and the correction without the one of these that is missed least.
+static void reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
+    double significance[BALANCE_UNKNOWNS];
+    const balance_normal equations = equations_of(of, out, index, count);
+    out->condition = balance_condition(&equations, significance);
+    for (size_t n = 0; n < count; n++) out->significance[index[n]] = significance[n];
+    for (size_t n = 0; n < count && count > 1; n++) {
+        size_t others[WHIRL_MAX_PLANES], left = 0;
+        double complex amounts[BALANCE_UNKNOWNS];
+        if (!(significance[n] < WHIRL_BALANCE_SIGNIFICANT)) continue;
+        for (size_t k = 0; k < count; k++)
+            if (k != n) others[left++] = index[k];
+        if (!best_weights(of, out, others, left, amounts)) continue;
+        const double remains = left_with(of, out, amounts, others, left);
+        if (out->reduced.there && remains >= out->reduced.left) continue;
+        out->reduced = (whirl_balance_reduced){.there = true, .without = index[n], .left = remains};
+        place(of, out, amounts, others, left, out->reduced.moment);
+    }
+}
+
+static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
+    size_t index[WHIRL_MAX_PLANES] = {0};
+    double complex amounts[BALANCE_UNKNOWNS];
+    const size_t count = find_used(of, out, index);
+    if (!best_weights(of, out, index, count, amounts))
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "%zu probe%s at a speed do not tell the weights of %zu %s%s apart, expected as many as %ss at least, with "
             "weights above 0, which each %s moves in a way of its own",
             out->row_count, out->row_count == 1 ? "" : "s", count, of->mode_count ? "set" : "plane",
             count == 1 ? "" : "s", of->mode_count ? "set" : "plane", of->mode_count ? "set" : "plane");
-    place(of, equations.side, index, count, out);
+    for (size_t n = 0; n < count && of->mode_count > 0; n++) {
+        out->used[index[n]] = true;
+        balance_set(out->amount[index[n]], amounts[n]);
+    }
+    place(of, out, amounts, index, count, out->moment);
     predict(of, out, index, count);
+    out->left = left_with(of, out, amounts, index, count);
+    reduce(of, out, index, count);
     out->found = true;
     return whirl_ok();
 }
@@ -197,10 +279,10 @@ static whirl_status solve(const whirl_balance *of, const whirl_balance_model *mo
     if (of->by_model && !model)
         return whirl_fail(WHIRL_BAD_INPUT, "influence is to be the model's, and there is no model");
     find_rows(of, model, out);
-    out->by_set = !of->by_model && of->trial_count > 0 && of->trials[0].plane == WHIRL_BALANCE_SET;
+    out->by_set = !are_known(of) && of->trial_count > 0 && of->trials[0].plane == WHIRL_BALANCE_SET;
     if (of->mode_count > 0) status = balance_find_sets(of, model, out);
     if (status.code == WHIRL_OK) status = find_influence(of, out);
-    if (status.code == WHIRL_OK && (of->trial_count > 0 || of->by_model)) status = correct(of, out);
+    if (status.code == WHIRL_OK && (of->trial_count > 0 || are_known(of))) status = correct(of, out);
     if (status.code == WHIRL_OK && !out->found && model) balance_propose(of, model, out);
     return status;
 }
@@ -210,6 +292,7 @@ whirl_status whirl_balance_solve(const whirl_balance *balance, const whirl_balan
     whirl_correction *out = calloc(1, sizeof *out);
     *correction = NULL;
     if (out) out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
+    for (size_t n = 0; out && n < WHIRL_MAX_PLANES; n++) out->significance[n] = NAN;
     const whirl_status status =
         out && out->rows ? solve(balance, model, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
     if (status.code == WHIRL_OK)
@@ -229,7 +312,7 @@ void whirl_correction_free(whirl_correction *correction) {
 double whirl_balance_difference(const whirl_balance *balance, const whirl_correction *correction) {
     double largest = 0.0, difference = 0.0;
     bool modelled = false;
-    if (balance->by_model || balance->trial_count == 0) return NAN;
+    if (balance->by_model || (balance->trial_count == 0 && balance->coefficient_count == 0)) return NAN;
     for (size_t r = 0; r < correction->row_count; r++) {
         const whirl_balance_row *row = &correction->rows[r];
         const size_t count = correction->by_set ? balance->mode_count : balance->plane_count;

@@ -1,6 +1,7 @@
 #include "signal_parts.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "matrix.h"
@@ -43,6 +44,54 @@ bool balance_unknowns(balance_normal *of) {
     if (!matrix_solve_complex(n, (const double *)matrix, 1, (double *)of->side)) return false;
     for (size_t i = 0; i < n; i++) of->side[i] /= scale[i];
     return true;
+}
+
+void balance_within(const balance_normal *of, const double *limits, double complex *amounts) {
+    enum { MAX_SWEEPS = 100000 };
+    bool within = true;
+    double largest = 0.0;
+    for (size_t i = 0; i < of->n; i++) {
+        within = within && cabs(amounts[i]) <= limits[i];
+        largest = fmax(largest, fmin(cabs(amounts[i]), limits[i]));
+    }
+    for (int sweep = 0; sweep < MAX_SWEEPS && !within; sweep++) {
+        double change = 0.0;
+        for (size_t i = 0; i < of->n; i++) {
+            double complex rest = of->side[i];
+            for (size_t j = 0; j < of->n; j++)
+                if (j != i) rest -= of->matrix[i][j] * amounts[j];
+            double complex best = rest / creal(of->matrix[i][i]);
+            if (cabs(best) > limits[i]) best *= limits[i] / cabs(best);
+            change = fmax(change, cabs(best - amounts[i]));
+            amounts[i] = best;
+        }
+        within = change <= 1e-13 * largest;
+    }
+}
+
+/// Significance is 1/sqrt(G_ii (G^-1)_ii) with G the matrix of the normal equations.
+double balance_condition(const balance_normal *of, double *significance) {
+    const size_t n = of->n, all = 2 * n;
+    double *square = calloc(2 * all * all + all + 1, sizeof *square);
+    for (size_t i = 0; i < n; i++) significance[i] = NAN;
+    if (!square) return NAN;
+    double *values = square + all * all, *vectors = values + all, condition = NAN;
+    // A Hermitian matrix A + i B as the symmetric one of [A -B; B A], which has each eigenvalue twice.
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < n; j++) {
+            square[i * all + j] = square[(n + i) * all + n + j] = creal(of->matrix[i][j]);
+            square[(n + i) * all + j] = cimag(of->matrix[i][j]);
+            square[i * all + n + j] = -cimag(of->matrix[i][j]);
+        }
+    if (matrix_symmetric_modes(all, square, NULL, values, vectors)) condition = sqrt(values[all - 1] / values[0]);
+    for (size_t i = 0; i < n && isfinite(condition); i++) {
+        balance_normal unit = *of;
+        memset(unit.side, 0, sizeof unit.side);
+        unit.side[i] = 1.0;
+        if (balance_unknowns(&unit)) significance[i] = 1.0 / sqrt(creal(of->matrix[i][i]) * creal(unit.side[i]));
+    }
+    free(square);
+    return condition;
 }
 
 size_t balance_unknown_count(const whirl_balance *of) {

@@ -35,6 +35,15 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
 /// The unknowns in `side`; false where the rows do not tell all of them.
 bool balance_unknowns(balance_normal *of);
 
+/// Moves amounts [n], the unknowns' solution, to the least squares with |amount| within limits [n]. The part of an
+/// amount alone is a circular bowl, so that the nearest amount within its limit is the best one while the others stay:
+/// amounts take turns until they stay (Tseng 2001).
+void balance_within(const balance_normal *of, const double *limits, double complex *amounts);
+
+/// The ratio of the largest singular value of the rows to the smallest; significance [n] as whirl_correction has it.
+/// NaN without memory.
+double balance_condition(const balance_normal *of, double *significance);
+
 /// How many unknowns a correction has: planes, or sets where there are modes.
 size_t balance_unknown_count(const whirl_balance *of);
 
