@@ -359,7 +359,140 @@ static void two_hundred_machines(void **unused) {
     assert_true(unstable >= 40 && unstable <= 160 && moved >= 15);
 }
 
+// ---------------------------------------------------------------- all elements
+
+static const char frame[] = "whirl: 1\n"
+                            "rotor:\n"
+                            "  speed: 9000 rpm\n"
+                            "  length_scale: 0.1 mm\n"
+                            "  stations:\n"
+                            "    rotor:  {mass: 10 kg, damping: 900 N.s/m%s}\n"
+                            "    stator: {mass: 2 kg, damping: 3 kN.s/m%s}\n"
+                            "  elements:\n"
+                            "    - spring: {between: [stator, ground], stiffness: 8 MN/m}\n"
+                            "    - bearing: {at: rotor, kxx: 4 MN/m, kxy: %g, kyx: %g}\n"
+                            "    - gravity\n"
+                            "    - %s\n"
+                            "study: {modes: {}}\n";
+
+#define STATOR "at: rotor, from: stator, gap: 60 um, stiffness: 3e9, radius: 40 mm, friction: 0.1"
+static const char *const elements[] = {
+    "magnetic: {at: rotor, from: stator, gap: 0.5 mm, bias: 3 A, turns: 120, area: 4 cm2, proportional: 2e4, "
+    "integral: 1e4, derivative: 40, derivative_filter: 0.2 ms, amplifier_bandwidth: 2 kHz}",
+    "contact: {" STATOR ", law: hunt_crossley, loss: 0.5}",
+    "rub: {at: rotor, gap: 60 um, stiffness: 3e7, friction: 0.1}",
+    "blade_rub: {at: rotor, from: stator, blades: 5, radius: 0.3 m, gap: 60 um, stiffness: 2e7}",
+    "pad_bearing: {at: rotor, from: stator, shape: offset-half, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm}",
+    "tilting_pad: {at: rotor, from: stator, shape: tilting-5, preload: 0.5, clearance: 0.2 mm, viscosity: 10 mPa.s, "
+    "radius: 25 mm, length: 25 mm, inertia: 1e-4 kg m2}",
+    "film: {at: rotor, clearance: 0.2 mm, viscosity: 5 mPa.s, radius: 25 mm, length: 15 mm}",
+    "floating_ring: {at: rotor, ring: stator, inertia: 1e-3 kg.m2, clearance: 0.1 mm, radius: 25 mm, length: 20 mm, "
+    "viscosity: 5 mPa.s, outer_clearance: 0.2 mm, outer_radius: 35 mm, outer_length: 25 mm}",
+    "squeeze: {at: rotor, clearance: 0.3 mm, viscosity: 10 mPa.s, radius: 60 mm, length: 15 mm}",
+    "seal: {at: rotor, clearance: 0.4 mm, stiffness: 0.5 MN/m, damping: 600 N.s/m, ratio: 0.45}",
+    "spring: {between: [rotor, stator], stiffness: 2 MN/m, damping: 30 N.s/m}",
+    "cubic_spring: {between: [rotor, stator], stiffness: 1 MN/m, cubic: 1e15, damping: 300}",
+    "friction: {between: [rotor, stator], force: 60, slip_speed: 50 mm/s}",
+    "looseness: {between: [rotor, stator], stiffness: 20 MN/m, damping: 100 N.s/m}",
+    "mount: {between: [rotor, ground], stiffness: 3 MN/m, branch: 2 MN/m, damping: 5 kN.s/m}",
+    "ball_bearing: {at: rotor, balls: 9, stiffness: 1e9, clearance: -3 um, cage: 0.4}",
+    "roller_bearing: {at: rotor, rollers: 14, stiffness: 5e6, clearance: -3 um, inner: 42 mm, outer: 58 mm}",
+    "shaft: {between: [rotor, ground], k1: 1 MN/m, k2: 1.2 MN/m}",
+    "crack: {between: [rotor, ground], stiffness: 1 MN/m, loss: 0.1}",
+    "stage: {at: rotor, power: 4 MW, diameter: 400 mm, width: 20 mm}",
+    "bearing: {at: rotor, from: stator, kxx: 1 MN/m, kyy: 2 MN/m, kxy: 0.2 MN/m, cxx: 40}",
+    "disc: {at: rotor, outer: 0.2 m, width: 10 mm}\n    - spring: {between: [rotor, ground], along: tilts, "
+    "stiffness: 3e4, damping: 9}",
+    "beam: {between: [rotor, stator], length: 0.5 m, bending: 3e4}",
+    "coupling: {between: [rotor, stator], radial: 1e5, tilt: 900}",
+};
+
+/// Forces by time alone, shafts of finite elements (tests of their own), what needs a misalignment.
+static const char *const others[] = {"unbalance", "force",           "gravity", "segment",
+                                     "runout",    "unbalance_grade", "joint",   "coupling_load"};
+
+static double distance(const whirl_system *system, const double *a, const double *b) {
+    double square = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        const size_t places[] = {probe->x, probe->y, probe->vx, probe->vy};
+        for (size_t i = 0; i < 4; i++) square += (a[places[i]] - b[places[i]]) * (a[places[i]] - b[places[i]]);
+    }
+    return sqrt(square);
+}
+
+/// The logarithm of the gain of a small distance from the motion at rest in the second half of 8/|growth|.
+static double gain_of(const whirl_system *system, const double *rest, double growth) {
+    whirl_integrate_options options = whirl_integrate_default();
+    whirl_integrator *integrator;
+    double x[2][MOST], was = 1.0, is = 1.0;
+    const int half = (int)fmin(40.0, ceil(4.0 / (fabs(growth) * system->period)));
+    snprintf(options.method, sizeof options.method, "rodas5p");
+    options.rtol = 1e-8;
+    options.atol = 1e-12;
+    require_ok(whirl_integrator_new(system, &options, &integrator));
+    for (size_t i = 0; i < system->dimension; i++) x[0][i] = x[1][i] = rest[i];
+    for (size_t p = 0; p < system->probe_count; p++) {
+        x[1][system->probes[p].x] += 1e-5;
+        x[1][system->probes[p].vy] += 1e-5;
+    }
+    for (int n = 0; n < 2 * half; n++) {
+        for (int i = 0; i < 2; i++) assert_int_equal(whirl_integrator_revolve(integrator, x[i], NULL, NULL), 0);
+        is = distance(system, x[0], x[1]);
+        if (n + 1 == half) was = is;
+        if (is > 1e-3 || is < 1e-9) break;
+    }
+    whirl_integrator_free(integrator);
+    return is > 1e-3 ? 1.0 : is < 1e-9 ? -1.0 : log(is / was);
+}
+
+static void every_element(void **unused) {
+    static const double circulation[] = {0.0, 2e6, -2e6};
+    int wrong = 0, count = 0, unstable = 0;
+    (void)unused;
+    for (size_t e = 0; e < sizeof elements / sizeof *elements; e++)
+        for (size_t c = 0; c < 3; c++) {
+            char text[TEXT];
+            whirl_case *object;
+            whirl_rotor *rotor;
+            whirl_modes *modes;
+            const bool tilts = strncmp(elements[e], "beam", 4) == 0 || strncmp(elements[e], "coupling", 8) == 0;
+            const char *tilt = tilts ? ", diametral: 0.02" : "";
+            snprintf(text, sizeof text, frame, tilt, tilt, circulation[c], -circulation[c], elements[e]);
+            require_ok(whirl_case_parse(text, strlen(text), "element", NULL, &object));
+            require_ok(whirl_case_rotor(object, NULL, NAN, &rotor));
+            const whirl_system *system = whirl_rotor_system(rotor);
+            double start[MOST] = {0};
+            assert_true(system->dimension <= MOST);
+            whirl_rotor_complete(rotor, start);
+            require_ok(whirl_modes_new(system, start, &modes));
+            const double gain = gain_of(system, modes->rest, modes->growth);
+            count++;
+            unstable += modes->growth > 0.0;
+            if ((gain > 0.0) != (modes->growth > 0.0)) {
+                printf("%.14s, %g N/m: growth %.6g, gain %.3g\n", elements[e], circulation[c], modes->growth, gain);
+                wrong++;
+            }
+            whirl_modes_free(modes);
+            whirl_rotor_free(rotor);
+            whirl_case_free(object);
+        }
+    printf("%d of %d unstable\n", unstable, count);
+    check_within("Linear", "every element, three circulations: verdicts against the growth of a motion", 0, wrong, 0);
+    assert_true(4 * unstable > count && 4 * unstable < 3 * count);
+    for (const whirl_group *const *group = whirl_element_groups(); *group && (*group)->name; group++) {
+        bool found = false;
+        const size_t length = strlen((*group)->name);
+        for (size_t e = 0; e < sizeof elements / sizeof *elements; e++)
+            found = found || (strncmp(elements[e], (*group)->name, length) == 0 && elements[e][length] == ':');
+        for (size_t o = 0; o < sizeof others / sizeof *others; o++)
+            found = found || strcmp(others[o], (*group)->name) == 0;
+        if (!found) fail_msg("no verdict about %s is tested", (*group)->name);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(two_hundred_machines)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(two_hundred_machines), cmocka_unit_test(every_element)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
