@@ -61,6 +61,15 @@ whirl_status whirl_user_system_start(whirl_user_system *system, size_t index, do
 /// WHIRL_BAD_INPUT for no such coordinate, and for a period that is not above 0.
 whirl_status whirl_user_system_angle(whirl_user_system *system, size_t index, double period);
 
+/// Says what size coordinate `index` has in motions, in its own unit: 3e5 of a pressure in Pa, 1e-6 of a displacement
+/// of micrometres in m. Tolerances, perturbations, returns and the bound of divergence (the options `atol` and `limit`)
+/// are counted in it. A displacement of a system that oscillates has one scale with its velocity. Coordinates without
+/// one have 1 or, where motions at the first, the middle and the last point of the study are below 0.01 or above 100 in
+/// some coordinate, the power of two that is nearest to their size. An angle has none. Numbers of results stay in the
+/// coordinate's own unit. WHIRL_BAD_INPUT for no such coordinate, and for a scale that is not above 0; the run has it
+/// where an angle, or a velocity whose displacement has another one, has a scale.
+whirl_status whirl_user_system_scale(whirl_user_system *system, size_t index, double scale);
+
 /// A pair of coordinates that is looked at together, by their indices: sections, orbits and spectra are of these. For a
 /// single coordinate y = x; a phase plane has its velocity as y. `vx` and `vy` index their velocities, or themselves.
 /// Without any station there is one of the first two coordinates.

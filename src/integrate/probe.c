@@ -10,7 +10,8 @@ bool whirl_probe_sees(const whirl_probe *probe, size_t which) {
 
 double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth) {
     const size_t at[] = {probe->x, probe->y, probe->vx, probe->vy};
-    return whirl_probe_sees(probe, nth % 2) ? state[at[nth]] : 0.0;
+    if (!whirl_probe_sees(probe, nth % 2)) return 0.0;
+    return probe->units ? probe->units[nth] * state[at[nth]] : state[at[nth]];
 }
 
 double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolutions) {

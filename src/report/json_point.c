@@ -68,6 +68,10 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, object, "curves", json_integer(verdict.curves));
     if (verdict.regime == WHIRL_DIVERGING)
         document_put(well, object, "diverged_at", document_number(verdict.diverged_at));
+    if (verdict.limit > 0.0) {
+        document_put(well, object, "limit", document_number(verdict.limit));
+        document_put(well, object, "limit_coordinate", json_integer(verdict.limit_coordinate));
+    }
     document_put(well, object, "verdict", document_text(name));
     document_put(well, object, "reason", document_text(reason));
     put_confidence(well, object, &verdict);
@@ -84,6 +88,13 @@ static void put_verdict(bool *well, json_t *object, const whirl_table *table, si
     document_put(well, evidence, "followed", document_number(verdict.followed));
     document_put(well, evidence, "swelling", document_number(verdict.swelling));
     document_put(well, evidence, "refuge", verdict.sought ? json_integer(verdict.refuge) : json_null());
+    document_put(well, evidence, "survived", verdict.survived > 0.0 ? document_number(verdict.survived) : json_null());
+    document_put(well, evidence, "ended", verdict.survived > 0.0 ? json_integer(verdict.ended) : json_null());
+    document_put(well, evidence, "settling", document_number(verdict.settling.value));
+    document_put(well, evidence, "settling_error", document_number(verdict.settling.error));
+    document_put(well, evidence, "line", document_number(verdict.line));
+    document_put(well, evidence, "line_share", document_number(verdict.line_share));
+    document_put(well, evidence, "line_trend", document_number(verdict.line_trend));
     document_put(well, evidence, "rest_distance", document_number(verdict.rest_distance));
     document_put(well, evidence, "rest_order", document_number(verdict.rest_order));
     document_put(well, object, "evidence", evidence);

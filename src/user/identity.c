@@ -47,6 +47,7 @@ static void put_form(const whirl_user_system *system, FILE *out) {
         number_text(system->angles[i], number);
         fprintf(out, "; number %zu an angle of turns of %s", i, number);
     }
+    if (system->units) user_tell_units(system, out);
     number_text(system->period, number);
     if (system->speed < system->parameter_count)
         fprintf(out, "; a revolution of 2 pi/%s", system->parameters[system->speed].name);

@@ -19,10 +19,12 @@ enum {
 
 typedef struct member {
     const whirl_user_system *from;
-    double scale;       ///< T
-    double *parameters; ///< [parameter_count]
-    double *start;      ///< [dimension]
-    size_t *groups;     ///< [displacements + 1]
+    double scale;        ///< T
+    double *parameters;  ///< [parameter_count]
+    double *start;       ///< [dimension]
+    size_t *groups;      ///< [displacements + 1]
+    whirl_probe *probes; ///< [station_count] in the user's units
+    double (*units)[4];  ///< [station_count] of these
     whirl_system system;
     struct whirl_lanes lanes;
 } member;
@@ -58,15 +60,26 @@ static bool slopes_of_each(const whirl_user_system *from, block *b) {
     return true;
 }
 
-/// The slopes of a block; not a number once a function has failed.
+/// Multiplies the rows of a block by units, or divides them by these.
+static void scale_rows(const whirl_user_system *from, const block *b, double *rows, bool divide) {
+    for (size_t k = 0; from->units && k < from->dimension; k++)
+        for (size_t i = 0; i < b->count; i++) {
+            double *number = &rows[k * b->row + i];
+            *number = divide ? *number / from->units[k] : *number * from->units[k];
+        }
+}
+
+/// The slopes of a block, whose states become those of the user's units; not a number once a function has failed.
 static void take_slopes(const whirl_user_system *from, block *b) {
     bool good = atomic_load(&from->failure->code) == 0;
+    scale_rows(from, b, b->x, false);
     if (good && from->lanes)
         good = note(from, from->lanes(b->count, b->row, b->t, b->x, b->p, b->slopes, from->context), b->t[0]);
     else if (good)
         good = slopes_of_each(from, b);
     for (size_t k = 0; !good && k < from->dimension; k++)
         for (size_t i = 0; i < b->count; i++) b->slopes[k * b->row + i] = NAN;
+    scale_rows(from, b, b->slopes, true);
 }
 
 // ---------------------------------------------------------------- one machine
@@ -90,10 +103,34 @@ static void to_own(const member *own, const double *x, double *out) {
     for (size_t k = 0; k < own->from->dimension; k++) out[k] = is_velocity(own->from, k) ? x[k] / own->scale : x[k];
 }
 
+/// A state or a perturbation in the user's units; `room` has dimension numbers.
+static const double *in_units(const whirl_user_system *from, const double *x, double *room) {
+    if (!from->units) return x;
+    for (size_t k = 0; k < from->dimension; k++) room[k] = x[k] * from->units[k];
+    return room;
+}
+
+static void leave_units(const whirl_user_system *from, double *slopes) {
+    for (size_t k = 0; from->units && k < from->dimension; k++) slopes[k] /= from->units[k];
+}
+
 static bool slopes_at(const whirl_user_system *from, double t, const double *x, const double *p, double *slopes) {
+    double room[USER_MOST_STATES];
     if (atomic_load(&from->failure->code) != 0) return false;
+    const double *user = in_units(from, x, room);
+    const int code = from->lanes ? from->lanes(1, 1, &t, user, p, slopes, from->context)
+                                 : from->rates(t, user, p, slopes, from->context);
+    leave_units(from, slopes);
+    return note(from, code, t);
+}
+
+/// The derivative by the user's own function.
+static bool own_tangent(const whirl_user_system *from, double t, const double *x, const double *p, const double *d,
+                        double *out) {
+    double room[2][USER_MOST_STATES];
     const int code =
-        from->lanes ? from->lanes(1, 1, &t, x, p, slopes, from->context) : from->rates(t, x, p, slopes, from->context);
+        from->tangent(t, in_units(from, x, room[0]), p, in_units(from, d, room[1]), out, from->tangent_context);
+    leave_units(from, out);
     return note(from, code, t);
 }
 
@@ -190,9 +227,8 @@ static void tangent(const void *model, double s, const double *forcing, const do
     to_own(own, x, user);
     for (size_t i = 0; i < count; i++, dx += from->dimension, ddxdt += from->dimension) {
         to_own(own, dx, along);
-        const bool good =
-            from->tangent ? note(from, from->tangent(t, user, own->parameters, along, slopes, from->tangent_context), t)
-                          : own_difference(own, t, user, along, slopes);
+        const bool good = from->tangent ? own_tangent(from, t, user, own->parameters, along, slopes)
+                                        : own_difference(own, t, user, along, slopes);
         for (size_t k = 0; !good && k < from->dimension; k++) slopes[k] = NAN;
         to_common(from, own->scale, dx, slopes, ddxdt);
     }
@@ -310,8 +346,7 @@ static void flow_along(const part *p, size_t set, block *b) {
             d[k] = coordinate(p, set, k)[i] * unit;
         }
         for (size_t k = 0; k < from->parameter_count; k++) q[k] = b->p[k * b->row + i];
-        const bool good = atomic_load(&from->failure->code) == 0 &&
-                          note(from, from->tangent(b->t[i], x, q, d, out, from->tangent_context), b->t[i]);
+        const bool good = atomic_load(&from->failure->code) == 0 && own_tangent(from, b->t[i], x, q, d, out);
         for (size_t k = 0; k < from->dimension; k++) b->slopes[k * b->row + i] = good ? out[k] : (double)NAN;
     }
     put_slopes(p, set, 1.0, NULL, false, b);
@@ -413,7 +448,26 @@ static void release(void *owner) {
     free(own->parameters);
     free(own->start);
     free(own->groups);
+    free(own->probes);
+    free(own->units);
     free(own);
+}
+
+/// Stations that report in the user's units.
+static whirl_status make_probes(member *own) {
+    const whirl_user_system *from = own->from;
+    own->probes = malloc((from->station_count + 1) * sizeof *own->probes);
+    own->units = malloc((from->station_count + 1) * sizeof *own->units);
+    if (!own->probes || !own->units) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    for (size_t i = 0; i < from->station_count; i++) {
+        const whirl_probe *one = &from->stations[i];
+        const size_t at[] = {one->x, one->y, one->vx, one->vy};
+        for (size_t k = 0; k < 4; k++) own->units[i][k] = from->units[at[k]];
+        own->probes[i] = *one;
+        own->probes[i].units = own->units[i];
+    }
+    own->system.probes = own->probes;
+    return whirl_ok();
 }
 
 static whirl_status make(member *own, const double *parameters) {
@@ -431,6 +485,7 @@ static whirl_status make(member *own, const double *parameters) {
     memcpy(own->parameters, parameters, from->parameter_count * sizeof *parameters);
     for (size_t k = 0; k < from->dimension; k++)
         own->start[k] = is_velocity(from, k) ? from->start[k] * own->scale : from->start[k];
+    leave_units(from, own->start);
     own->system = (whirl_system){.dimension = from->dimension,
                                  .period = common,
                                  .forcing_count = 1,
@@ -443,7 +498,7 @@ static whirl_status make(member *own, const double *parameters) {
                                  .probes = from->stations,
                                  .model = own};
     if (from->displacements > 0 && from->dimension <= MOST_IN_LANES) fill_lanes(own);
-    return status;
+    return from->units ? make_probes(own) : status;
 }
 
 whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine) {

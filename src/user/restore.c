@@ -47,6 +47,7 @@ static void restore_nodes(const whirl_user_system *system, const whirl_field *no
     const size_t d = system->displacements, n = system->dimension;
     for (size_t i = 0; i < nodes->rows; i++)
         if (i % n >= d && i % n < 2 * d) block[nodes->offset + i] /= scale;
+    for (size_t i = 0; i < nodes->rows && system->units; i++) block[nodes->offset + i] *= system->units[i % n];
 }
 
 /// The period of a point of a branch, and what an equilibrium has per unit of time: `angle` is that of a unit.
@@ -68,18 +69,19 @@ static void take_parameters(const whirl_user_system *system, const whirl_table *
 
 whirl_status user_restore(const whirl_user_system *system, whirl_table *table) {
     const timed_fields f = fields_of(&table->layout);
-    const bool velocities = system->displacements > 0 && (f.section || f.nodes);
+    const bool velocities = system->displacements > 0 && f.section,
+               nodes = f.nodes && (system->displacements > 0 || system->units);
     double parameters[USER_MOST_PARAMETERS], common, period;
     for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
     whirl_status status = user_period(system, parameters, &common);
-    if (!table->blocks || (!velocities && !f.period)) return status;
+    if (!table->blocks || (!velocities && !nodes && !f.period)) return status;
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
         double *block = table->blocks + i * table->layout.size;
         if (!whirl_table_done(table, i)) continue;
         take_parameters(system, table, i, parameters);
         status = user_period(system, parameters, &period);
-        if (velocities && f.section) restore_section(f.section, period / common, block);
-        if (velocities && f.nodes) restore_nodes(system, f.nodes, period / common, block);
+        if (velocities) restore_section(f.section, period / common, block);
+        if (nodes) restore_nodes(system, f.nodes, period / common, block);
         if (f.period) restore_times(&f, two_pi / common, block);
     }
     return status;

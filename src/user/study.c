@@ -116,7 +116,12 @@ static whirl_status prepare_points(prepared *p) {
     return status;
 }
 
-/// Freed by its values alone.
+static void prepared_free(const prepared *p) {
+    free(p->values);
+    free(p->system.units);
+}
+
+/// Freed by prepared_free, also where it fails.
 static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     *p = (prepared){.system = *system, .station = first_station(system)};
     whirl_status status = check(system);
@@ -127,7 +132,13 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     }
     p->study.machine = machine_at;
     p->study.family = &p->system;
-    return system->branches.wanted ? user_prepare_branches(&p->system, &p->study) : prepare_points(p);
+    status = system->branches.wanted ? user_prepare_branches(&p->system, &p->study) : prepare_points(p);
+    if (status.code == WHIRL_OK) status = user_check_form(&p->system);
+    if (status.code == WHIRL_OK) status = user_choose_units(&p->system, &p->study);
+    // What the functions did while motions were looked at is forgotten.
+    atomic_store(&p->system.failure->code, 0);
+    atomic_store(&p->system.failure->told, 0);
+    return status;
 }
 
 // ---------------------------------------------------------------- a result
@@ -159,6 +170,7 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     result->station_count = system->station_count;
     for (size_t k = 0; k < result->table_count; k++) name_clock(system, &result->tables[k]);
     status = user_add_equations(system, result);
+    if (status.code == WHIRL_OK) status = user_warn_of_units(system, result);
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
 }
 
@@ -190,15 +202,12 @@ static whirl_status run(const void *subject, const whirl_run_options *options, w
     prepared p;
     *result = NULL;
     whirl_status status = prepare(subject, &p);
-    atomic_store(&p.system.failure->code, 0);
-    atomic_store(&p.system.failure->told, 0);
-    if (status.code == WHIRL_OK) status = user_check_form(&p.system);
     if (status.code == WHIRL_OK) status = user_check_rest(&p.study);
     if (status.code == WHIRL_OK) {
         status = whirl_study_run(&p.study, options, result);
         status = outcome(&p.system, status, result);
     }
-    free(p.values);
+    prepared_free(&p);
     return status;
 }
 
@@ -213,7 +222,7 @@ whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_re
         status = whirl_study_outline(&p.study, outline);
         status = outcome(&p.system, status, outline);
     }
-    free(p.values);
+    prepared_free(&p);
     return status;
 }
 

@@ -41,6 +41,7 @@ void whirl_user_system_free(whirl_user_system *system) {
     free(system->identity);
     free(system->start);
     free(system->angles);
+    free(system->scales);
     free(system->parameters);
     free(system->stations);
     free(system->failure);
@@ -127,6 +128,18 @@ whirl_status whirl_user_system_angle(whirl_user_system *system, size_t index, do
     if (!system->angles) system->angles = calloc(system->dimension, sizeof *system->angles);
     if (!system->angles) return whirl_fail(WHIRL_NO_MEMORY, "no memory for angles");
     system->angles[index] = period;
+    return whirl_ok();
+}
+
+whirl_status whirl_user_system_scale(whirl_user_system *system, size_t index, double scale) {
+    const whirl_status status = check_index(system, index);
+    if (status.code != WHIRL_OK) return status;
+    if (!(scale > 0.0) || !isfinite(scale))
+        return whirl_fail(WHIRL_BAD_INPUT, "the scale of coordinate %zu is %g, expected a number above 0", index,
+                          scale);
+    if (!system->scales) system->scales = calloc(system->dimension, sizeof *system->scales);
+    if (!system->scales) return whirl_fail(WHIRL_NO_MEMORY, "no memory for scales");
+    system->scales[index] = scale;
     return whirl_ok();
 }
 

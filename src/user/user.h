@@ -51,6 +51,8 @@ struct whirl_user_system {
     size_t dimension, displacements;
     double *start;  ///< [dimension]
     double *angles; ///< [dimension] periods of angles, 0 of what is none; NULL: there are none
+    double *scales; ///< [dimension] of coordinates: what was given, 0 of the others; NULL: none was given
+    double *units;  ///< [dimension] by which the library counts coordinates while a study runs (scales.c); NULL: 1
     size_t parameter_count, station_count, axis_count;
     whirl_parameter *parameters; ///< [parameter_count]
     whirl_probe *stations;       ///< [station_count]
@@ -94,6 +96,18 @@ void user_tell_branches(const whirl_user_system *system, FILE *out);
 /// Puts the numbers of a table, which are by the common time, in the user's own: velocities. Frequencies and periods of
 /// branches become those by the angle of a revolution, 2 pi. Errors as user_period.
 whirl_status user_restore(const whirl_user_system *system, whirl_table *table);
+
+/// Chooses the units of a copy's coordinates: scales that were given, and for the others powers of two about the size
+/// that motions of the study's points have, where one is far from 1. Adapts the limit of its batches to them. units and
+/// what they are of stay NULL where all are 1; else they are freed with free. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for
+/// scales that do not fit.
+whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study);
+
+/// Warns in a result of coordinates of very different sizes whose scales were not given. WHIRL_NO_MEMORY.
+whirl_status user_warn_of_units(const whirl_user_system *system, whirl_result *result);
+
+/// Writes the units of a system that has some.
+void user_tell_units(const whirl_user_system *system, FILE *out);
 
 /// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);

@@ -43,6 +43,7 @@ whirl_status whirl_user_system_start(whirl_user_system *system, size_t index, do
 whirl_status whirl_user_system_station(whirl_user_system *system, const char *name, size_t x, size_t y, size_t vx,
                                        size_t vy);
 whirl_status whirl_user_system_angle(whirl_user_system *system, size_t index, double period);
+whirl_status whirl_user_system_scale(whirl_user_system *system, size_t index, double scale);
 whirl_status whirl_user_system_oscillates(whirl_user_system *system, size_t displacements);
 whirl_status whirl_user_system_rates(whirl_user_system *system, whirl_user_rates_fn rates, void *context);
 whirl_status whirl_user_system_lanes(whirl_user_system *system, whirl_user_lanes_fn rates, void *context);

@@ -294,6 +294,11 @@ class System:
         Coordinates that are angles, with what a turn of each is: ``{0: 2 * numpy.pi}``. They count modulo a turn, in
         which slopes have to have that period, and stand within half a turn of 0 in sections: a pendulum that goes round
         and round is then known to move periodically.
+    scales : mapping of int to float, optional
+        Sizes that coordinates have in motions, in their own units: ``{0: 3e5, 1: 1e-6}`` of a pressure in Pa beside a
+        displacement in m. Tolerances, perturbations, returns and the bound of divergence (``atol``, ``limit``) are
+        counted in them; numbers of results stay in the coordinates' own units. Without it they are 1 or, where motions
+        are below 0.01 or above 100, taken from the first revolutions.
     tangent : optional
         The derivative of the slopes applied to a perturbation: ``f(t, x, p, dx)``, or compiled with one more pointer
         after p. Differences are taken without it.
@@ -321,6 +326,7 @@ class System:
         displacements: int = 0,
         stations: Mapping[str, Sequence[int]] | None = None,
         angles: Mapping[int, float] | None = None,
+        scales: Mapping[int, float] | None = None,
         tangent: Callable | CFunction | Any = None,
         kinked: bool = False,
         units: Mapping[str, str] | None = None,
@@ -334,6 +340,7 @@ class System:
         self.speed, self.period, self.lanes = speed, period, _flag(lanes, "lanes")
         self.displacements = _count(displacements, "displacements")
         self.angles = {_count(index, "an angle"): float(turn) for index, turn in (angles or {}).items()}
+        self.scales = {_count(index, "a scale"): float(scale) for index, scale in (scales or {}).items()}
         self.stations, self.kinked, self.title = dict(stations or {}), _flag(kinked, "kinked"), str(title)
         self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
         self.identity = None if identity is None else str(identity)
@@ -447,6 +454,8 @@ class System:
         check(lib.whirl_user_system_oscillates(handle, self.displacements))
         for index, turn in self.angles.items():
             check(lib.whirl_user_system_angle(handle, index, turn))
+        for index, scale in self.scales.items():
+            check(lib.whirl_user_system_scale(handle, index, scale))
         for name, pair in self.stations.items():
             x, y = _pair(name, pair)
             velocities = (x + self.displacements, y + self.displacements)

@@ -91,6 +91,8 @@ typedef struct whirl_verdict {
     /// as well, 0 where that cannot be told, and else.
     int frequencies;
     double diverged_at; ///< revolution, else 0
+    double limit; ///< whirl_record.limit: what a diverging motion passed, 0 where another bound ended it, and else
+    int limit_coordinate; ///< which coordinate did, from 0; 0 where there is no limit
     // trust
     whirl_confidence confidence; ///< after the second tolerance, if there was one; at most fair without it
     whirl_confidence agreement;  ///< what the evidence of this record would be worth, were no step ever wrong
@@ -128,7 +130,18 @@ typedef struct whirl_verdict {
     double swelling;    ///< per revolution, at which the section grows from half to half of the watched revolutions
     bool sought;        ///< of a chaotic motion: whether it was looked for what else draws in where it goes, namely
     int refuge;         ///< k of a stable P-k, WHIRL_REFUGE_AT_REST of a stable equilibrium; 0: none was found
-    bool rests;         ///< of P-1: it rests at a stable equilibrium; then the exponent is that of its slowest mode
+    double
+        survived; ///< of a chaotic motion: revolutions, all together, for which copies went on (whirl_record_survival)
+    int ended;    ///< how many of these copies ended all the same
+    /// Rate per revolution of the slowest multiplier of the linear map that the section follows, below 0 where it
+    /// settles on P-1, with its error; NaN where the section follows none.
+    whirl_estimate settling;
+    bool settles;      ///< of P-1: it has far to go, and is told by `settling`
+    double line;       ///< main line of an undetermined or slowly watched quasi-periodic motion beside whole orders, in
+                       ///< orders; NaN where none is clear
+    double line_share; ///< its amplitude over the size of the motion
+    double line_trend; ///< rate per revolution at which its amplitude grows
+    bool rests;        ///< of P-1: it rests at a stable equilibrium; then the exponent is that of its slowest mode
     double rest_distance, rest_order; ///< as whirl_record_rest has them; NaN where it does not rest
 } whirl_verdict;
 
@@ -142,9 +155,24 @@ whirl_verdict whirl_judge(const whirl_record *record);
 whirl_status whirl_record_refuge(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record *record, int *refuge);
 
+/// What became of copies of a chaotic motion.
+typedef struct whirl_survival {
+    double revolutions; ///< that they went on, all together, after they had gone ways of their own
+    double cost;        ///< that were integrated
+    int copies, ended;  ///< how many there were, and how many of them ended within these revolutions
+} whirl_survival;
+
+/// Follows copies of a chaotic motion side by side, from states of its section that are displaced by a millionth of its
+/// size, beyond the revolutions in which they part by `exponent` (natural logarithm per revolution, above 0): for 200
+/// revolutions, or as many as exclude mean lives below twice the revolutions that were watched.
+/// One ends that is lost, comes to rest, or becomes regular. Without an end mean lives below a third of the
+/// revolutions are excluded at 95 %. WHIRL_BAD_INPUT where the motion has too few sections, WHIRL_NO_MEMORY.
+whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
+                                   const whirl_record *record, double exponent, whirl_survival *survival);
+
 /// Compares with the verdict on the same motion at another tolerance (whirl_integrate_tighter), which settles the
 /// confidence: high needs the same regime (and period) from both, and of chaos that a refuge was looked for from there
-/// and none was found; where they differ it is low.
+/// and none was found, and that copies of it lived long; where they differ it is low.
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other);
 
 /// Sets beside a chaotic verdict what a copy of the motion was after `revolutions` more than the point's own `all`.
@@ -528,6 +556,12 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
 /// evidence, and notes it there. WHIRL_NO_MEMORY alone is an error.
 whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, const whirl_system *system,
                                      const whirl_integrate_options *integrate, const whirl_record *record);
+
+/// Follows copies (whirl_record_survival) of the motion whose block this is, where that calls it chaotic with high
+/// agreement and no refuge was found, and notes there what became of them; their revolutions are added to those that
+/// were integrated. WHIRL_NO_MEMORY, WHIRL_STOPPED.
+whirl_status whirl_block_survive(const whirl_layout *layout, double *block, const whirl_system *system,
+                                 const whirl_integrate_options *integrate, const whirl_record *record);
 
 /// Confirms (whirl_verdict_confirm) the verdict that a block holds with that at another tolerance.
 void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_verdict *other);

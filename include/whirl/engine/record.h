@@ -165,8 +165,10 @@ typedef struct whirl_record {
     size_t repeats;                               ///< of the system
     double period;                                ///< of the system
     whirl_motion motion;                          ///< whether it stayed within its bounds
-    double revolutions; ///< that were integrated: fewer than asked for where the motion settled or diverged
-    double diverged_at; ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
+    double revolutions;      ///< that were integrated: fewer than asked for where the motion settled or diverged
+    double diverged_at;      ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
+    double limit;            ///< whirl_integrate_options.limit where a finite coordinate passed it, else 0
+    size_t limit_coordinate; ///< which one was farthest then
 
     size_t section_count; ///< revolutions watched
     double *section;      ///< [section_count][dimension] states at the ends of the watched revolutions, oldest first

@@ -50,12 +50,15 @@ typedef struct whirl_probe {
     bool clockwise;      ///< the rotor turns from y to x, so that a whirl that way is forward; false: from x to y
     size_t runout_count; ///< of the shaft here
     const whirl_runout *runout; ///< [runout_count] borrowed from the system; results have none
+    /// [4] What x, y, vx and vy of the state are multiplied by to be what is reported, where the coordinates of a
+    /// system have scales of their own (whirl_user_system_scale); NULL: 1. Borrowed from the system; results have none.
+    const double *units;
 } whirl_probe;
 
 /// Whether it sees a displacement along x (which: 0) or y (1).
 bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 
-/// x, y, vx or vy (nth: 0 to 3) out of numbers that lie as those of a state do; 0 along an axis that it does not see.
+/// x, y, vx or vy (nth: 0 to 3) out of a state, in the units that are reported; 0 along an axis that it does not see.
 double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth);
 
 /// What it sees more along x (which: 0) or y (1) than the displacement, by the runout after so many revolutions.

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { MAX_ANALYSIS_FIELDS = 40 };
+enum { MAX_ANALYSIS_FIELDS = 48 };
 
 /// What the sizes of the fields depend on.
 typedef struct block_shape {

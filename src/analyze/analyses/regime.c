@@ -10,6 +10,8 @@ enum {
     CURVES,
     FREQUENCIES,
     DIVERGED_AT,
+    LIMIT,
+    LIMIT_COORDINATE,
     CONFIDENCE,
     AGREEMENT,
     ADVICE,
@@ -35,12 +37,22 @@ enum {
     STEP_ERROR,
     SWELLING,
     REFUGE,
+    SURVIVED,
+    ENDED,
+    SETTLES,
+    SETTLING,
+    SETTLING_ERROR,
+    LINE,
+    LINE_SHARE,
+    LINE_TREND,
     RESTS,
     REST_DISTANCE,
     REST_ORDER,
     REVOLUTIONS,
     FIELD_COUNT
 };
+
+_Static_assert((int)FIELD_COUNT <= (int)MAX_ANALYSIS_FIELDS, "a view has room for all fields of an analysis");
 
 static const field_plan fields[FIELD_COUNT] = {
     [CODE] = {WHIRL_FIELD_REGIME_CODE, "1", "0 undetermined, 1 periodic, 2 quasi-periodic, 3 chaotic, 4 diverged",
@@ -55,6 +67,11 @@ static const field_plan fields[FIELD_COUNT] = {
                      WHIRL_PER_POINT, 1, NULL},
     [DIVERGED_AT] = {WHIRL_FIELD_REGIME_DIVERGED_AT, "revolution",
                      "revolution in which the motion left its bounds, else 0", WHIRL_PER_POINT, 1, NULL},
+    [LIMIT] = {WHIRL_FIELD_REGIME_LIMIT, "1",
+               "the option `limit` of a diverging motion that passed it, in scales of coordinates, else 0",
+               WHIRL_PER_POINT, 1, NULL},
+    [LIMIT_COORDINATE] = {WHIRL_FIELD_REGIME_LIMIT_COORDINATE, "1", "coordinate that passed it, from 0, else 0",
+                          WHIRL_PER_POINT, 1, NULL},
     [CONFIDENCE] = {WHIRL_FIELD_REGIME_CONFIDENCE, "1",
                     "0 low, 1 fair, 2 high (at most fair without a second tolerance)", WHIRL_PER_POINT, 1, NULL},
     [AGREEMENT] = {WHIRL_FIELD_REGIME_AGREEMENT, "1",
@@ -120,6 +137,26 @@ static const field_plan fields[FIELD_COUNT] = {
                 "k of a stable P-k among the states that a chaotic motion goes through, -1 for a stable equilibrium, 0 "
                 "where none was found, missing where none was looked for",
                 WHIRL_PER_POINT, 1, NULL},
+    [SURVIVED] = {WHIRL_FIELD_REGIME_SURVIVED, "revolution",
+                  "for which copies of a chaotic motion went on, all together: without an end mean lives below a third "
+                  "of them are excluded, missing where none were followed",
+                  WHIRL_PER_POINT, 1, NULL},
+    [ENDED] = {WHIRL_FIELD_REGIME_ENDED, "1", "how many of these copies ended", WHIRL_PER_POINT, 1, NULL},
+    [SETTLES] = {WHIRL_FIELD_REGIME_SETTLES, "1", "1 where a P-1 is still far off and is told by its way there, else 0",
+                 WHIRL_PER_POINT, 1, NULL},
+    [SETTLING] = {WHIRL_FIELD_REGIME_SETTLING, "1/revolution",
+                  "evidence: rate of the slowest multiplier of the linear map that the section follows, missing where "
+                  "it follows none",
+                  WHIRL_PER_POINT, 1, NULL},
+    [SETTLING_ERROR] = {WHIRL_FIELD_REGIME_SETTLING_ERROR, "1/revolution", "evidence: its error", WHIRL_PER_POINT, 1,
+                        NULL},
+    [LINE] = {WHIRL_FIELD_REGIME_LINE, "1",
+              "order of the main line beside whole orders, of a motion whose section does not tell what it is",
+              WHIRL_PER_POINT, 1, NULL},
+    [LINE_SHARE] = {WHIRL_FIELD_REGIME_LINE_SHARE, "1", "its amplitude over the size of the motion", WHIRL_PER_POINT, 1,
+                    NULL},
+    [LINE_TREND] = {WHIRL_FIELD_REGIME_LINE_TREND, "1/revolution", "rate at which its amplitude grows", WHIRL_PER_POINT,
+                    1, NULL},
     [RESTS] = {WHIRL_FIELD_REGIME_RESTS, "1", "1 where a P-1 rests at a stable equilibrium, else 0", WHIRL_PER_POINT, 1,
                NULL},
     [REST_DISTANCE] = {WHIRL_FIELD_REGIME_REST_DISTANCE, "1",
@@ -138,6 +175,8 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [CURVES] = v->curves,
         [FREQUENCIES] = v->frequencies,
         [DIVERGED_AT] = v->diverged_at,
+        [LIMIT] = v->limit,
+        [LIMIT_COORDINATE] = v->limit_coordinate,
         [CONFIDENCE] = v->confidence,
         [AGREEMENT] = v->agreement,
         [ADVICE] = v->advice.remedy,
@@ -163,6 +202,14 @@ static void put_verdict(const whirl_verdict *v, const block_view *view) {
         [STEP_ERROR] = v->step_error,
         [SWELLING] = v->swelling,
         [REFUGE] = v->sought ? (double)v->refuge : (double)NAN,
+        [SURVIVED] = v->survived > 0.0 ? v->survived : (double)NAN,
+        [ENDED] = v->survived > 0.0 ? (double)v->ended : (double)NAN,
+        [SETTLES] = v->settles,
+        [SETTLING] = v->settling.value,
+        [SETTLING_ERROR] = v->settling.error,
+        [LINE] = v->line,
+        [LINE_SHARE] = v->line_share,
+        [LINE_TREND] = v->line_trend,
         [RESTS] = v->rests,
         [REST_DISTANCE] = v->rest_distance,
         [REST_ORDER] = v->rest_order,
@@ -218,6 +265,8 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .curves = whole(stored(layout, block, WHIRL_FIELD_REGIME_CURVES), WHIRL_MAX_PERIOD),
         .frequencies = whole(stored(layout, block, WHIRL_FIELD_REGIME_FREQUENCIES), 3),
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
+        .limit = fmax(stored(layout, block, WHIRL_FIELD_REGIME_LIMIT), 0.0),
+        .limit_coordinate = whole(stored(layout, block, WHIRL_FIELD_REGIME_LIMIT_COORDINATE), INT_MAX),
         .confidence = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_CONFIDENCE), WHIRL_HIGH),
         .agreement = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_AGREEMENT), WHIRL_HIGH),
         .advice = {(whirl_remedy)whole(stored(layout, block, WHIRL_FIELD_REGIME_ADVICE), WHIRL_OTHER_START),
@@ -254,6 +303,14 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
         .refuge = stored(layout, block, WHIRL_FIELD_REGIME_REFUGE) == WHIRL_REFUGE_AT_REST
                       ? WHIRL_REFUGE_AT_REST
                       : whole(stored(layout, block, WHIRL_FIELD_REGIME_REFUGE), WHIRL_MAX_PERIOD),
+        .survived = fmax(stored(layout, block, WHIRL_FIELD_REGIME_SURVIVED), 0.0),
+        .ended = whole(stored(layout, block, WHIRL_FIELD_REGIME_ENDED), INT_MAX),
+        .settles = stored(layout, block, WHIRL_FIELD_REGIME_SETTLES) > 0.5,
+        .settling = {stored(layout, block, WHIRL_FIELD_REGIME_SETTLING),
+                     stored(layout, block, WHIRL_FIELD_REGIME_SETTLING_ERROR)},
+        .line = stored(layout, block, WHIRL_FIELD_REGIME_LINE),
+        .line_share = stored(layout, block, WHIRL_FIELD_REGIME_LINE_SHARE),
+        .line_trend = stored(layout, block, WHIRL_FIELD_REGIME_LINE_TREND),
         .rests = stored(layout, block, WHIRL_FIELD_REGIME_RESTS) > 0.5,
         .rest_distance = stored(layout, block, WHIRL_FIELD_REGIME_REST_DISTANCE),
         .rest_order = stored(layout, block, WHIRL_FIELD_REGIME_REST_ORDER),
@@ -274,6 +331,21 @@ whirl_status whirl_block_seek_refuge(const whirl_layout *layout, double *block, 
     if (status.code != WHIRL_OK) return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
     verdict.sought = true;
     store_verdict(layout, block, &verdict);
+    return status;
+}
+
+whirl_status whirl_block_survive(const whirl_layout *layout, double *block, const whirl_system *system,
+                                 const whirl_integrate_options *integrate, const whirl_record *record) {
+    whirl_verdict verdict = whirl_block_verdict(layout, block);
+    whirl_survival found;
+    if (verdict.regime != WHIRL_CHAOTIC || verdict.agreement < WHIRL_HIGH || verdict.refuge != 0) return whirl_ok();
+    const whirl_status status = whirl_record_survival(system, integrate, record, verdict.exponent.value, &found);
+    if (status.code != WHIRL_OK) return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
+    verdict.survived = found.revolutions;
+    verdict.ended = found.ended;
+    store_verdict(layout, block, &verdict);
+    const block_view view = view_of(&regime_analysis, layout, block);
+    *view_numbers(&view, REVOLUTIONS, 0) += found.cost;
     return status;
 }
 

@@ -146,7 +146,8 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     for (size_t j = 0; j < torus->node_count; j++)
         for (size_t c = 0; c < 4; c++) *section++ = whirl_probe_value(probe, torus->nodes + j * torus->dimension, c);
     for (size_t c = 0; c < 2; c++) {
-        view_numbers(view, FREQUENCY, which)[c] = whirl_probe_value(probe, seen->frequency, c);
+        view_numbers(view, FREQUENCY, which)[c] =
+            whirl_probe_sees(probe, c) ? seen->frequency[c ? probe->y : probe->x] : 0.0;
         view_numbers(view, AMPLITUDE, which)[c] = whirl_probe_value(probe, seen->amplitude, c);
         view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, seen->low, c);
         view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, seen->high, c);

@@ -351,6 +351,7 @@ static void sample(void *context) {
             memcpy(to, whirl_ensemble_coordinate(r->ensemble, k % 2 ? probe->y : probe->x), r->used * sizeof *to);
         else
             memset(to, 0, r->used * sizeof *to);
+        for (size_t i = 0; probe->units && i < r->used; i++) to[i] *= probe->units[k % 2];
     }
 }
 
@@ -401,6 +402,19 @@ static whirl_status follow_all(whirl_recorder *r) {
     return whirl_ok();
 }
 
+/// Whether a motion left its bounds by passing the limit alone, and not in a coordinate that is infinite or no number.
+static void note_limit(const whirl_recorder *r, const motion *m) {
+    whirl_record *record = m->record;
+    size_t farthest = 0;
+    for (size_t i = 0; i < record->dimension; i++) {
+        if (!isfinite(m->x[i])) return;
+        if (fabs(m->x[i]) > fabs(m->x[farthest])) farthest = i;
+    }
+    if (record->motion != WHIRL_DIVERGED || !(fabs(m->x[farthest]) > r->integrate->limit)) return;
+    record->limit = r->integrate->limit;
+    record->limit_coordinate = farthest;
+}
+
 /// After a revolution of a motion.
 static void note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
@@ -413,6 +427,7 @@ static void note(whirl_recorder *r, motion *m) {
     record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
         record->diverged_at = m->revolution;
+        note_limit(r, m);
         return;
     }
     if (m->revolution > r->first_watched) {

@@ -58,7 +58,7 @@ static bool orbit_holds(const whirl_verdict *v, const evidence *e) {
 /// A stable orbit where the motion is earns trust. One that is unstable, elsewhere or of another period takes it, and
 /// so does, by a step, that there is none.
 static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
-    const whirl_confidence alone = weigh_returns(v, e);
+    const whirl_confidence alone = v->settles ? WHIRL_FAIR : weigh_returns(v, e);
     switch (v->orbit) {
     case WHIRL_ORBIT_STABLE:
         if (orbit_holds(v, e)) return WHIRL_HIGH;
@@ -97,6 +97,7 @@ static bool slows_down(const whirl_verdict *v) {
 }
 
 static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evidence *e) {
+    if (v->line > 0.0) return v->chaos <= regular_walk ? WHIRL_FAIR : WHIRL_LOW;
     const bool forced = v->curves == 0 && v->frequencies == 2;
     if (forced) return v->chaos > middle ? WHIRL_LOW : WHIRL_FAIR;
     const bool may_lock = v->frequencies < 3 && v->unlocked < longest_lock(&e->points, v->curves);
@@ -152,6 +153,11 @@ static double settling_factor(const whirl_verdict *v, const evidence *e, const w
     return bounded_factor(1.0 + needed / record->revolutions);
 }
 
+/// How many times as long a run must be that still has the size of its motion to go, at the rate of its section's map.
+static double slow_factor(const whirl_verdict *v, const whirl_record *record) {
+    return bounded_factor(1.0 + log(1.0 / (0.1 * settled)) / -v->settling.value / record->revolutions);
+}
+
 /// A motion settles whose returns shrink, or whose perturbations die out.
 static bool still_settles(const whirl_verdict *v, const evidence *e) {
     return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
@@ -184,6 +190,7 @@ static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whir
     if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
     if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
     if (v->rests) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
+    if (v->settles) return (whirl_advice){WHIRL_LONGER_TRANSIENT, slow_factor(v, record)};
     if (stays_on_unstable(v, e)) return (whirl_advice){WHIRL_OTHER_START, 1.0};
     if (weigh_swelling(v)) return (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};
     if (isnan(v->round) && still_settles(v, e))
@@ -204,6 +211,11 @@ void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record
     verdict->agreement = weigh(verdict, e);
     verdict->confidence = unconfirmed(verdict->agreement);
     verdict->advice = advise(verdict, e, record);
+}
+
+double verdict_least_life(const whirl_verdict *v) {
+    const double chances = 3.0; // exp(-3) is 5 %
+    return (v->revolutions + v->followed + v->survived) / chances;
 }
 
 /// Whether two exponents differ by more than their errors and a fifth.
@@ -228,6 +240,12 @@ static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_ver
     return a->curves == b->curves ? both : lesser(both, WHIRL_FAIR);
 }
 
+/// Whether nothing is known that chaos may end on, and copies of it went on for long.
+static bool lives_long(const whirl_verdict *v) {
+    if (v->regime != WHIRL_CHAOTIC) return true;
+    return v->sought && v->refuge == 0 && v->survived > 0.0 && v->ended == 0;
+}
+
 void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     const whirl_advice tighter = {WHIRL_TIGHTER, 256.0};
     verdict->confirmed = true;
@@ -236,12 +254,14 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     verdict->rests = verdict->rests && other->rests;
     verdict->sought = other->sought;
     verdict->refuge = other->refuge;
+    verdict->survived = other->survived;
+    verdict->ended = other->ended;
     if (verdict->regime == WHIRL_UNDETERMINED) return;
     if (other->regime == verdict->regime && other->period == verdict->period) {
         verdict->confidence = joint_confidence(verdict, other);
-        const bool lasts = verdict->regime != WHIRL_CHAOTIC || (verdict->sought && verdict->refuge == 0);
-        if (verdict->refuge != 0 || (verdict->confidence == WHIRL_HIGH && !lasts)) {
-            verdict->confidence = verdict->refuge != 0 ? WHIRL_LOW : WHIRL_FAIR;
+        const bool ends = verdict->refuge != 0 || verdict->ended > 0;
+        if (ends || (verdict->confidence == WHIRL_HIGH && !lives_long(verdict))) {
+            verdict->confidence = ends ? WHIRL_LOW : WHIRL_FAIR;
             verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, usual_factor};
             return;
         }

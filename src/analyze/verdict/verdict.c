@@ -135,6 +135,10 @@ static whirl_verdict verdict_on(const evidence *e, whirl_regime regime, whirl_es
                            .round = NAN,
                            .rotation = NAN,
                            .swelling = log(e->averages.spread) / (0.5 * (double)e->points.count),
+                           .settling = {NAN, NAN},
+                           .line = NAN,
+                           .line_share = NAN,
+                           .line_trend = NAN,
                            .rest_distance = NAN,
                            .rest_order = NAN};
 }
@@ -144,6 +148,36 @@ static whirl_verdict open_verdict(const evidence *e) {
     v.chaos = zero_one_test(&e->points, e->size);
     v.round = slow_round(e, v.chaos);
     return v;
+}
+
+/// P-1 where the motion still has far to go, but the section follows a linear map that leads there. What the
+/// perturbation says must not contradict it.
+static whirl_verdict slow_verdict(const evidence *e, whirl_verdict open) {
+    const settling_map map = settling_map_find(&e->points, e->size, e->rounding);
+    const bool grows = e->growth_count > 0 && e->exponent.value > sigmas * e->exponent.error + least_exponent;
+    open.settling = map.rate;
+    if (e->forced || e->exponents_failed || grows || !settling_map_leads_to_rest(&map)) return open;
+    open.regime = WHIRL_PERIODIC;
+    open.period = 1;
+    open.settles = true;
+    return open;
+}
+
+/// What the spectrum says of a motion whose section does not tell what it is: quasi-periodic where one line and the
+/// shaft's make up all of it, as they are from half to half, and perturbations do not grow; else it stays open.
+static whirl_verdict line_verdict(const evidence *e, const whirl_record *record, whirl_verdict open) {
+    const double clear = 0.01; // of where it was: nearer it may come to rest on a lock
+    const main_line line = main_line_find(record);
+    const bool grows = e->growth_count > 0 && e->exponent.value > fmax(least_exponent, sigmas * e->exponent.error);
+    open.line = line.order;
+    open.line_share = line.share;
+    open.line_trend = line.trend;
+    if (isnan(line.order) || grows || e->exponents_failed || !(e->returns.distance > clear)) return open;
+    const bool moves = fabs(open.settling.value) > 2.0 * sigmas * open.settling.error;
+    if (moves || !main_line_stays(&line, record)) return open;
+    open.regime = WHIRL_QUASI_PERIODIC;
+    open.frequencies = 2;
+    return open;
 }
 
 static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent) {
@@ -255,6 +289,8 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     } else {
         verdict = open_verdict(&all);
     }
+    if (verdict.regime == WHIRL_UNDETERMINED) verdict = slow_verdict(&all, verdict);
+    if (verdict.regime == WHIRL_UNDETERMINED) verdict = line_verdict(&all, record, verdict);
     take_orbit(&verdict, &record->orbit);
     weigh_verdict(&verdict, e, record);
     if (all.exponents_failed) distrust(&verdict);
@@ -272,6 +308,8 @@ static whirl_verdict judge_unbounded(const whirl_record *record) {
     const bool diverged = record->motion == WHIRL_DIVERGED;
     return (whirl_verdict){.regime = diverged ? WHIRL_DIVERGING : WHIRL_UNDETERMINED,
                            .diverged_at = record->diverged_at,
+                           .limit = record->limit,
+                           .limit_coordinate = (int)record->limit_coordinate,
                            .confidence = diverged ? WHIRL_FAIR : WHIRL_LOW,
                            .agreement = diverged ? weigh_diverged(record) : WHIRL_LOW,
                            .advice =
@@ -284,6 +322,10 @@ static whirl_verdict judge_unbounded(const whirl_record *record) {
                            .round = NAN,
                            .rotation = NAN,
                            .swelling = NAN,
+                           .settling = {NAN, NAN},
+                           .line = NAN,
+                           .line_share = NAN,
+                           .line_trend = NAN,
                            .rest_distance = NAN,
                            .rest_order = NAN};
 }

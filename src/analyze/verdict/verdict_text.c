@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "record.h"
 #include "section.h"
@@ -28,7 +29,9 @@ static const char *plural(int count) {
 }
 
 static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size) {
-    if (v->curves > 0)
+    if (v->line > 0.0)
+        snprintf(text, size, "quasi-periodic (1X and %.4gX)", v->line);
+    else if (v->curves > 0)
         snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, plural(v->curves));
     else if (v->frequencies == 2)
         snprintf(text, size, "quasi-periodic (forced)");
@@ -80,10 +83,14 @@ static void unreturned_text(const whirl_verdict *v, char *text, size_t size) {
 
 /// Times of escape are distributed exponentially: what lasted n revolutions excludes, at 95 %, mean times below n/3.
 static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    char refuge[128] = "", lasting[96] = "";
-    const double excluded = (v->revolutions + v->followed) / 3.0;
-    if (excluded >= 1.0)
-        snprintf(lasting, sizeof lasting, "; chaos of a mean lifetime below %.0f revolutions is excluded", excluded);
+    char refuge[128] = "", lasting[128] = "";
+    const double least = verdict_least_life(v);
+    if (v->ended > 0)
+        snprintf(lasting, sizeof lasting,
+                 "; %d of its copies ended: chaos here lives %.0f revolutions on average, and then is something else",
+                 v->ended, v->survived / v->ended);
+    else if (least >= 1.0)
+        snprintf(lasting, sizeof lasting, "; chaotic for at least %.0f revolutions on average (95 %%)", least);
     if (v->refuge == WHIRL_REFUGE_AT_REST)
         snprintf(refuge, sizeof refuge, "; a stable equilibrium lies where it goes, on which it may end");
     else if (v->refuge > 0)
@@ -145,8 +152,30 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     }
 }
 
+/// By how much the amplitude changes in a hundred revolutions.
+static double change_in_hundred(double rate) {
+    return 100.0 * fabs(expm1(100.0 * rate));
+}
+
+/// The main line of a motion beside whole orders, and how it changes.
+static void line_text(const whirl_verdict *v, char *text, size_t size) {
+    char trend[96] = "";
+    if (v->line_trend != 0.0 && !isnan(v->line_trend))
+        snprintf(trend, sizeof trend, ", which %s by %.2g %% in 100 revolutions",
+                 v->line_trend > 0.0 ? "grows" : "falls", change_in_hundred(v->line_trend));
+    snprintf(text, size, "a line at %.4g X has %.2g of the motion's size%s", v->line, v->line_share, trend);
+}
+
 static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
-    char what[160];
+    char what[200], line[200];
+    if (v->line > 0.0) {
+        line_text(v, line, sizeof line);
+        snprintf(text, size,
+                 "all lines of its spectrum are of two frequencies, the shaft's and %.6g X, and stay as they are from "
+                 "half to half of the record (%s); a lock of a longer period is not excluded; %s",
+                 v->line, line, exponent);
+        return;
+    }
     if (v->curves > 0)
         snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
                  v->curves, plural(v->curves), v->unlocked);
@@ -200,11 +229,37 @@ static void rest_reason(const whirl_verdict *v, char *text, size_t size) {
              v->rest_distance, order, -v->exponent.value);
 }
 
+static void slow_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
+    char orbit[112];
+    orbit_text(v, orbit, sizeof orbit);
+    snprintf(text, size,
+             "settles on P-1: what it has to go falls by %.3g %% in 100 revolutions (slowest multiplier of its section "
+             "%.4g +- %.1g per revolution); it returns to %.1e of its size so far; %s%s",
+             change_in_hundred(v->settling.value), v->settling.value, v->settling.error, v->recurrence, exponent,
+             orbit);
+}
+
+/// Adds to the reason of an open verdict what is known all the same: how its way changes, and its main line.
+static void known_text(const whirl_verdict *v, char *text, size_t size) {
+    char line[200];
+    if (fabs(v->settling.value) > 6.0 * v->settling.error) {
+        const size_t used = strlen(text);
+        snprintf(text + used, size - used, "; its steps %s by %.3g %% in 100 revolutions",
+                 v->settling.value > 0.0 ? "grow" : "shrink", change_in_hundred(v->settling.value));
+    }
+    if (!(v->line > 0.0)) return;
+    const size_t used = strlen(text);
+    line_text(v, line, sizeof line);
+    snprintf(text + used, size - used, "; %s", line);
+}
+
 static void regime_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
         if (v->rests && v->period == 1)
             rest_reason(v, text, size);
+        else if (v->settles)
+            slow_reason(v, exponent, text, size);
         else
             periodic_reason(v, exponent, text, size);
         return;
@@ -215,12 +270,19 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
         chaotic_reason(v, exponent, text, size);
         return;
     case WHIRL_DIVERGING:
-        snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);
+        if (v->limit > 0.0)
+            snprintf(text, size,
+                     "the motion left its bounds in revolution %.0f: coordinate %d passed the limit of %.4g times its "
+                     "scale (the option limit, and the scales of a custom system, set it)",
+                     v->diverged_at, v->limit_coordinate, v->limit);
+        else
+            snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);
         return;
     case WHIRL_UNDETERMINED:
         break;
     }
     undetermined_reason(v, exponent, text, size);
+    known_text(v, text, size);
 }
 
 /// The regime in a word, with the period where there is one: what is known of another motion than the verdict's own.

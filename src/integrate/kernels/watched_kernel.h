@@ -14,6 +14,10 @@ typedef struct watched_instant {
 #undef WATCHED_VALUES
 
 VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y, vec vx, vec vy) {
+    if (probe->units) {
+        x = v_mul(x, v_set(probe->units[0])), y = v_mul(y, v_set(probe->units[1]));
+        vx = v_mul(vx, v_set(probe->units[2])), vy = v_mul(vy, v_set(probe->units[3]));
+    }
     // As whirl_probe_sees has it.
     if (probe->x == probe->y && probe->along_y) x = vx = v_set(0.0);
     if (probe->x == probe->y && !probe->along_y) y = vy = v_set(0.0);

@@ -306,7 +306,10 @@ static whirl_status analyze(const worker *w, const chain *link, const whirl_reco
     if (pass_is_beside(p)) {
         const whirl_status beside = whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
         if (beside.code != WHIRL_OK || !p->confirming) return beside;
-        return whirl_block_seek_refuge(&c->other, w->other, link->machine.system, &p->integrate, record);
+        const whirl_system *system = link->machine.system;
+        const whirl_status sought = whirl_block_seek_refuge(&c->other, w->other, system, &p->integrate, record);
+        if (sought.code != WHIRL_OK) return sought;
+        return whirl_block_survive(&c->other, w->other, system, &p->integrate, record);
     }
     const double spent = p->round > 0 ? refine_spent(&c->table->layout, block) + c->weight * record->revolutions : 0.0;
     const whirl_status status = whirl_analyze(record, &p->record, c->batch->analyses, &c->table->layout, block);

@@ -57,7 +57,8 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     const whirl_table *table = &run->result->tables[batch];
     if (!whirl_layout_has_verdict(&table->layout) || !whirl_table_done(table, slot)) return false;
     whirl_verdict verdict = whirl_table_verdict(table, slot);
-    if (verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW) return false;
+    const bool doubtful = verdict.regime == WHIRL_UNDETERMINED || verdict.confidence == WHIRL_LOW || verdict.settles;
+    if (!doubtful) return false;
     if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;
     if (refine_noted(&table->layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round) return false;
     const pass last = last_pass(run, batch, slot, round);

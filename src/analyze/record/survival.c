@@ -1,0 +1,100 @@
+// How long chaos lives at least. Escapes from the remains of an attractor are a Poisson process: times are distributed
+// exponentially (Grebogi, Ott, Yorke 1983; Lai, Tel 2011), so that n copies which go on for T revolutions each without
+// an end have the chance exp(-n T/tau), and exclude mean lives tau below n T/3 at 95 %. See docs/theory.md, "Transient
+// chaos".
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "numerics.h"
+#include "record.h"
+
+/// Copies that go side by side, and those of systems that go alone; revolutions that count at least, and those that are
+/// then looked at.
+enum { COPIES = 64, COPIES_ALONE = 32, LEAST_LIVED = 200, LOOKED_AT = 128 };
+
+/// Mean lives that are excluded, over the revolutions that were watched.
+static const double long_against_watch = 2.0;
+
+/// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may part.
+static const double displacement = 1e-6, longest_parting = 600.0;
+
+typedef struct copies {
+    const whirl_system *system;
+    double *starts; ///< [count][dimension]
+    int count, begun;
+    whirl_survival *survival;
+} copies;
+
+static bool survival_next(void *context, whirl_task *task) {
+    copies *all = context;
+    if (all->begun == all->count) return false;
+    *task = (whirl_task){all->system, all->starts + (size_t)all->begun++ * all->system->dimension, NULL};
+    return true;
+}
+
+/// Whether a copy is no longer chaotic: it is lost, returns or comes closer and closer to that, or is regular.
+static bool survival_is_over(const whirl_record *record) {
+    const double near_return = 0.02, shrinks = 0.5, regular_walk = 0.2, regular_digits = 4.0;
+    if (record->motion != WHIRL_BOUNDED) return true;
+    const section points = record_points(record);
+    const double size = motion_size(record);
+    const recurrence returns = recurrence_find(&points, record->record_count, size, recurrence_tolerance);
+    if (returns.distance <= recurrence_tolerance || (returns.distance <= near_return && returns.trend <= shrinks))
+        return true;
+    return zero_one_test(&points, size) <= regular_walk && regularity_find(&points, size).digits >= regular_digits;
+}
+
+static whirl_status survival_done(void *context, const whirl_task *task, whirl_record *record) {
+    copies *all = context;
+    (void)task;
+    all->survival->cost += record->revolutions;
+    all->survival->ended += survival_is_over(record);
+    whirl_record_free(record);
+    return whirl_ok();
+}
+
+static void survival_abandon(void *context, const whirl_task *task) {
+    (void)context, (void)task;
+}
+
+/// States of the section, from the first to the last, each displaced in a direction of its own, the same in every run.
+static void place_copies(const whirl_record *record, double share, copies *all) {
+    const size_t d = record->dimension, count = (size_t)all->count;
+    for (size_t c = 0; c < count; c++) {
+        const double *from = record->section + c * record->section_count / count * d;
+        for (size_t i = 0; i < d; i++) {
+            const double turn = fmod((double)((i + 1) * (c + 1)) * 0.6180339887498949, 1.0);
+            all->starts[c * d + i] = from[i] + share * (record->high[i] - record->low[i]) * (2.0 * turn - 1.0);
+        }
+    }
+}
+
+whirl_status whirl_record_survival(const whirl_system *system, const whirl_integrate_options *integrate,
+                                   const whirl_record *record, double exponent, whirl_survival *survival) {
+    *survival = (whirl_survival){0};
+    if (system->turns || record->motion != WHIRL_BOUNDED || record->section_count < COPIES || !(exponent > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "copies are followed of a bounded chaotic motion of %d sections without turning phases",
+                          COPIES);
+    const double share = fmax(displacement, exp(-longest_parting * exponent));
+    const int count = whirl_ensemble_takes(system, integrate) ? COPIES : COPIES_ALONE;
+    const int lived = (int)fmax(LEAST_LIVED, ceil(3.0 * long_against_watch * (double)record->section_count / count));
+    whirl_record_options options = whirl_record_default();
+    options.transient = (int)ceil(-log(share) / exponent) + lived;
+    options.record = options.watch = LOOKED_AT;
+    options.settle = true;
+    options.waveform = options.spectra = options.orbits = false;
+    options.waveform_revolutions = 0;
+    options.growth = WHIRL_GROWTH_NONE;
+    copies all = {.system = system, .count = count, .survival = survival};
+    all.starts = malloc((size_t)all.count * system->dimension * sizeof *all.starts);
+    if (!all.starts) return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow copies of a motion");
+    place_copies(record, share, &all);
+    const whirl_task_source source = {survival_next, survival_done, survival_abandon, &all, NULL};
+    const whirl_status status = whirl_record_motions(system, integrate, &options, &source, NULL);
+    free(all.starts);
+    survival->copies = count;
+    survival->revolutions = (double)count * lived;
+    return status;
+}

@@ -1,0 +1,224 @@
+// Scales of a user's coordinates: by what the library counts them, so that its tolerances, perturbations, returns and
+// bounds mean the same of micrometres, kelvins and pascals. Those that the user gives count. Others are 1 where motions
+// have an ordinary size, so that ordinary systems are computed as they are written; else powers of two, by which
+// numbers change no digit.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "user.h"
+#include "words.h"
+
+/// Sizes between these are ordinary.
+static const double smallest = 1e-2, largest = 1e2;
+
+/// A motion that has grown by more than this from one half of what is seen of it to the other says nothing of its size.
+static const double steady = 4.0;
+
+static whirl_status check(const whirl_user_system *system) {
+    const size_t d = system->displacements;
+    const double *scales = system->scales;
+    for (size_t k = 0; scales && k < system->dimension; k++) {
+        if (scales[k] > 0.0 && system->angles && system->angles[k] > 0.0)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "coordinate %zu is an angle with a scale, expected none: a turn is its scale", k);
+        if (k < d && scales[k] > 0.0 && scales[d + k] > 0.0 && scales[k] != scales[d + k])
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "displacement %zu has a scale of %g and its velocity one of %g, expected one for both", k,
+                              scales[k], scales[d + k]);
+    }
+    return whirl_ok();
+}
+
+/// What a study's points are looked at for.
+typedef struct look {
+    const whirl_user_system *system;
+    int transient, record; ///< revolutions; none recorded: the start alone
+    double *sizes;         ///< [dimension] raised to what is seen, in the user's units
+} look;
+
+static void raise_size(const look *at, size_t k, double value) {
+    const double unit = at->system->units ? at->system->units[k] : 1.0;
+    at->sizes[k] = fmax(at->sizes[k], fabs(value) * unit);
+}
+
+/// The start, and how far its slopes lead in a part of the period in which an oscillation turns by a radian.
+static void see_start(const look *at, const whirl_machine *machine, double *slopes) {
+    const whirl_system *system = machine->system;
+    const double radian = system->period / (2.0 * acos(-1.0)), t = 0.0;
+    system->rhs(system->model, t, &t, machine->start, slopes);
+    for (size_t k = 0; k < system->dimension; k++) {
+        raise_size(at, k, machine->start[k]);
+        if (isfinite(slopes[k])) raise_size(at, k, radian * slopes[k]);
+    }
+}
+
+/// A motion over its last revolutions; one that is lost is not looked at.
+static whirl_status see_motion(const look *at, const whirl_machine *machine, const whirl_integrate_options *options) {
+    whirl_record_options record = whirl_record_default();
+    whirl_integrate_options integrate = *options;
+    whirl_record *seen = NULL;
+    record.transient = at->transient;
+    record.record = record.watch = at->record;
+    record.waveform_revolutions = 0;
+    integrate.limit = 1e300;
+    whirl_system alone = *machine->system;
+    alone.lanes = NULL; // a single motion would not fill them
+    const whirl_status status = whirl_record_motion(&alone, &integrate, &record, machine->start, NULL, &seen);
+    for (size_t k = 0; status.code == WHIRL_OK && seen->motion == WHIRL_BOUNDED && k < alone.dimension; k++) {
+        raise_size(at, k, seen->low[k]);
+        raise_size(at, k, seen->high[k]);
+    }
+    whirl_record_free(seen);
+    return status;
+}
+
+/// The first, the middle and the last point.
+static whirl_status see_points(const whirl_study *study, const look *at) {
+    const whirl_batch *batch = &study->batches[0];
+    const size_t points[] = {0, batch->count / 2, batch->count - 1}, count = batch->count < 3 ? batch->count : 3;
+    double slopes[USER_MOST_STATES];
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
+        whirl_batch one = *batch;
+        whirl_machine machine;
+        if (batch->second_values) one.second_value = batch->second_values[points[i]];
+        if (batch->third_values) one.third_value = batch->third_values[points[i]];
+        status = study->machine(study->family, &one, batch->values ? batch->values[points[i]] : 0.0, &machine);
+        if (status.code != WHIRL_OK) break;
+        if (at->record > 0)
+            status = see_motion(at, &machine, &batch->integrate);
+        else
+            see_start(at, &machine, slopes);
+        if (machine.release) machine.release(machine.owner);
+    }
+    return status;
+}
+
+static bool is_ordinary(double size) {
+    return size == 0.0 || (size >= smallest && size <= largest);
+}
+
+/// Whether some coordinate needs a scale of which none was given.
+static bool are_ordinary(const whirl_user_system *system, const double *sizes) {
+    for (size_t k = 0; k < system->dimension; k++)
+        if (!is_ordinary(sizes[k]) && !(system->scales && system->scales[k] > 0.0)) return false;
+    return true;
+}
+
+static double nearest_power(double size) {
+    return exp2(round(log2(size)));
+}
+
+/// The unit of coordinate k by its size.
+static double unit_of(const whirl_user_system *system, size_t k, double size) {
+    const bool is_angle = system->angles && system->angles[k] > 0.0;
+    return is_angle || is_ordinary(size) ? 1.0 : nearest_power(size);
+}
+
+/// A displacement and its velocity have one unit.
+static void pair_units(whirl_user_system *system) {
+    const size_t d = system->displacements;
+    for (size_t k = 0; k < d; k++)
+        system->units[k] = system->units[d + k] = nearest_power(sqrt(system->units[k] * system->units[d + k]));
+}
+
+/// Scales of what was seen; sizes [3][dimension] at once, over half of a longer time and over all of it.
+static void take_sizes(whirl_user_system *system, const double *sizes) {
+    const size_t n = system->dimension;
+    for (size_t k = 0; k < n; k++) {
+        const double at_once = sizes[k], half = fmax(at_once, sizes[n + k]), all = fmax(half, sizes[2 * n + k]);
+        const double size = all <= steady * half ? all : at_once;
+        system->units[k] = unit_of(system, k, size);
+    }
+    pair_units(system);
+}
+
+static void take_given(whirl_user_system *system) {
+    const size_t d = system->displacements;
+    for (size_t k = 0; system->scales && k < system->dimension; k++) {
+        if (!(system->scales[k] > 0.0)) continue;
+        system->units[k] = system->scales[k];
+        if (k < 2 * d) system->units[k < d ? d + k : k - d] = system->scales[k];
+    }
+}
+
+/// Motions may grow to sizes that were not seen: no bound becomes tighter than it is without scales.
+static void widen_limit(const whirl_user_system *system, whirl_study *study) {
+    double least = 1.0;
+    for (size_t k = 0; k < system->dimension; k++)
+        if (!(system->scales && system->scales[k] > 0.0)) least = fmin(least, system->units[k]);
+    for (size_t i = 0; i < study->batch_count; i++) study->batches[i].integrate.limit /= least;
+}
+
+/// Sizes [3][dimension] at once, and where these are not ordinary over halves of a longer time. While motions are
+/// looked at coordinates are counted by what their starts say.
+static whirl_status see_sizes(whirl_user_system *system, const whirl_study *study, double *sizes) {
+    enum { AT_ONCE = 2, LONGER = 64 };
+    const size_t n = system->dimension;
+    double *units = system->units;
+    system->units = NULL;
+    whirl_status status = see_points(study, &(look){system, 0, 0, sizes});
+    system->units = units;
+    for (size_t k = 0; k < n; k++) units[k] = unit_of(system, k, sizes[k]);
+    pair_units(system);
+    memset(sizes, 0, n * sizeof *sizes);
+    if (status.code == WHIRL_OK) status = see_points(study, &(look){system, 0, AT_ONCE, sizes});
+    if (status.code != WHIRL_OK || are_ordinary(system, sizes)) return status;
+    status = see_points(study, &(look){system, 0, LONGER / 2, sizes + n});
+    return status.code == WHIRL_OK ? see_points(study, &(look){system, LONGER / 2, LONGER / 2, sizes + 2 * n}) : status;
+}
+
+whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
+    const size_t n = copy->dimension;
+    bool counts = false;
+    copy->units = NULL;
+    whirl_status status = check(copy);
+    if (status.code != WHIRL_OK) return status;
+    double *sizes = calloc(3 * n, sizeof *sizes);
+    copy->units = malloc(n * sizeof *copy->units);
+    if (!sizes || !copy->units) {
+        free(sizes);
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for scales");
+    }
+    // Where a motion cannot be seen the study itself says why.
+    if (see_sizes(copy, study, sizes).code != WHIRL_OK) memset(sizes, 0, 3 * n * sizeof *sizes);
+    take_sizes(copy, sizes);
+    take_given(copy);
+    free(sizes);
+    for (size_t k = 0; k < n; k++) counts = counts || copy->units[k] != 1.0;
+    if (counts) {
+        widen_limit(copy, study);
+        return status;
+    }
+    free(copy->units);
+    copy->units = NULL;
+    return status;
+}
+
+void user_tell_units(const whirl_user_system *system, FILE *out) {
+    char number[NUMBER_SIZE];
+    for (size_t k = 0; k < system->dimension; k++) {
+        number_text(system->units[k], number);
+        fprintf(out, "%s%s", k > 0 ? ", " : "; coordinates in ", number);
+    }
+}
+
+whirl_status user_warn_of_units(const whirl_user_system *system, whirl_result *result) {
+    const double far = 1e4;
+    char text[256];
+    size_t least = 0, most = 0;
+    for (size_t k = 0; system->units && k < system->dimension; k++) {
+        if (system->units[k] < system->units[least]) least = k;
+        if (system->units[k] > system->units[most]) most = k;
+    }
+    const bool given = system->scales && system->scales[least] > 0.0 && system->scales[most] > 0.0;
+    if (!system->units || given || !(system->units[most] > far * system->units[least])) return whirl_ok();
+    snprintf(
+        text, sizeof text,
+        "coordinates %zu and %zu have very different sizes, about %.1g and %.1g: their scales are taken from the first "
+        "revolutions; give them where motions have other sizes later",
+        least, most, system->units[least], system->units[most]);
+    return whirl_result_add_fact(result, "warning 1", text);
+}
