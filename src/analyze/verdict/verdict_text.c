@@ -160,7 +160,7 @@ static double change_in_hundred(double rate) {
 /// The main line of a motion beside whole orders, and how it changes.
 static void line_text(const whirl_verdict *v, char *text, size_t size) {
     char trend[96] = "";
-    if (v->line_trend != 0.0 && !isnan(v->line_trend))
+    if (fabs(v->line_trend) >= 1e-6) // what is less is rounding, or noise of the spectrum
         snprintf(trend, sizeof trend, ", which %s by %.2g %% in 100 revolutions",
                  v->line_trend > 0.0 ? "grows" : "falls", change_in_hundred(v->line_trend));
     snprintf(text, size, "a line at %.4g X has %.2g of the motion's size%s", v->line, v->line_share, trend);
