@@ -70,7 +70,7 @@ void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps) {
     if (wrong) {
         verdict->regime = WHIRL_UNDETERMINED;
         verdict->period = verdict->curves = verdict->frequencies = 0;
-        verdict->rests = false;
+        verdict->rests = verdict->settles = false;
         verdict->rotation = (double)NAN;
     }
     if (wrong || steps->error > coarse_error) {
