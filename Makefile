@@ -172,7 +172,9 @@ bench: dependencies-build-report-bench ## measured speed beside other programs; 
 	cmake --build $(BUILD) --parallel $(JOBS) --target bench
 	bench/run.py $(BUILD) --docs docs $(BENCH_OPTIONS)
 
+# What was installed since the build was configured, such as Octave's compiler, is looked for again.
 install: all    ## into PREFIX (/usr/local)
+	cmake $(BUILD) >/dev/null
 	cmake --build $(BUILD) --parallel $(JOBS)
 	cmake --install $(BUILD) --prefix $(abspath $(PREFIX))
 

@@ -69,7 +69,7 @@ int apply_settings(const case_arguments *arguments, whirl_case *object) {
 int load_case(const case_arguments *arguments, whirl_case **object) {
     whirl_problems problems = {0};
     if (is_other_than_case(arguments->path)) return EXIT_BAD_INPUT;
-    const whirl_status status = whirl_case_load(arguments->path, &problems, object);
+    const whirl_status status = read_case(arguments->path, &problems, object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     return apply_settings(arguments, *object);
 }

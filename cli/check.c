@@ -272,19 +272,6 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
     return status;
 }
 
-enum { LONGEST_CASE = (1 << 20) + 1 }; // one byte more than a case may have, so that a longer one is refused
-
-/// A case from standard input.
-static whirl_status load_input(const char *name, whirl_problems *problems, whirl_case **object) {
-    char *const text = malloc(LONGEST_CASE);
-    if (!text) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
-    const size_t length = fread(text, 1, LONGEST_CASE, stdin);
-    const whirl_status status = ferror(stdin) ? whirl_fail(WHIRL_BAD_INPUT, "%s cannot be read", name)
-                                              : whirl_case_parse(text, length, name, problems, object);
-    free(text);
-    return status;
-}
-
 /// Writes the drawing of the machine.
 static int draw_machine(const check_arguments *arguments, const char *path, const whirl_case *object) {
     whirl_result *told = calloc(1, sizeof *told);
@@ -308,12 +295,11 @@ static int draw_machine(const check_arguments *arguments, const char *path, cons
 
 static int check_file(const check_arguments *arguments, const char *argument) {
     const case_arguments *given = &arguments->given;
-    const bool input = strcmp(argument, "-") == 0;
-    const char *const path = input ? "standard input" : argument;
+    const char *const path = is_standard_input(argument) ? standard_input : argument;
     whirl_problems problems = {0};
     whirl_case *object = NULL;
-    if (!input && is_other_than_case(path)) return EXIT_BAD_INPUT;
-    whirl_status status = input ? load_input(path, &problems, &object) : whirl_case_load(path, &problems, &object);
+    if (is_other_than_case(argument)) return EXIT_BAD_INPUT;
+    whirl_status status = read_case(argument, &problems, &object);
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     const int set = apply_settings(given, object);
     if (set == EXIT_DONE) status = describe_case(path, object);

@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -27,9 +28,29 @@ static bool is_rotor_of_ross(const char *head) {
     return strstr(head, "ross_version") || strstr(head, "\"ShaftElement");
 }
 
+const char standard_input[] = "standard input";
+
+bool is_standard_input(const char *path) {
+    return strcmp(path, "-") == 0;
+}
+
+enum { LONGEST_CASE = (1 << 20) + 4 }; // more than a case may have with a byte order mark: a longer one is refused
+
+whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **object) {
+    if (!is_standard_input(path)) return whirl_case_load(path, problems, object);
+    char *const text = malloc(LONGEST_CASE);
+    if (!text) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
+    const size_t length = fread(text, 1, LONGEST_CASE, stdin);
+    const whirl_status status = ferror(stdin) ? whirl_fail(WHIRL_BAD_INPUT, "%s cannot be read", standard_input)
+                                              : whirl_case_parse(text, length, standard_input, problems, object);
+    free(text);
+    return status;
+}
+
 bool is_other_than_case(const char *path) {
     static const char signature[] = "\211HDF\r\n\032\n"; // HDF5 file format specification, III.A
     char head[HEAD_SIZE];
+    if (is_standard_input(path)) return false;
     const size_t length = read_head(path, head);
     if (length >= sizeof signature - 1 && memcmp(head, signature, sizeof signature - 1) == 0)
         complain(
@@ -46,7 +67,7 @@ bool is_other_than_case(const char *path) {
 static bool is_case(const char *path) {
     char head[HEAD_SIZE];
     if (read_head(path, head) == 0) return false;
-    return strncmp(head, "whirl:", 6) == 0 || strstr(head, "\nwhirl:");
+    return strncmp(head, "whirl:", 6) == 0 || strncmp(head, "\xEF\xBB\xBFwhirl:", 9) == 0 || strstr(head, "\nwhirl:");
 }
 
 static int load(const char *path, whirl_status (*read)(const char *, whirl_result **), whirl_result **result) {

@@ -4,11 +4,21 @@
 
 #include <stdbool.h>
 
+#include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 
 /// True when the file is a result, by its first bytes, or a rotor that ROSS has saved; complains then, and says what
 /// can be done with it.
 bool is_other_than_case(const char *path);
+
+/// What a case from standard input is called in messages and results.
+extern const char standard_input[];
+
+/// Whether the name of a case stands for standard input: "-".
+bool is_standard_input(const char *path);
+
+/// Reads a case, from standard input where the name says so. Errors as whirl_case_load.
+whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **object);
 
 /// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
 int load_result(const char *path, whirl_result **result);

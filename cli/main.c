@@ -22,8 +22,12 @@ typedef struct choice {
 } choice;
 
 static void print_version(FILE *stream, struct argp_state *state) {
+    const char *const revision = whirl_revision();
     (void)state;
-    fprintf(stream, "whirl %s\n", WHIRL_VERSION);
+    if (strcmp(revision, "unknown") == 0)
+        fprintf(stream, "whirl %s\n", WHIRL_VERSION);
+    else
+        fprintf(stream, "whirl %s (commit %s)\n", WHIRL_VERSION, revision);
 }
 
 /// The table of commands as argp shows it in the help text, beside the options.

@@ -36,7 +36,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         parse_study_argument(arguments, key, argument, state);
-        name_output(arguments);
+        name_output(arguments, state);
         return 0;
     default:
         return parse_study_argument(arguments, key, argument, state);

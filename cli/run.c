@@ -1,6 +1,7 @@
 /// whirl run: computes the study of a case, or a share of it.
 #include "command.h"
 
+#include "files.h"
 #include "ranks.h"
 #include "study.h"
 
@@ -42,9 +43,11 @@ static void check_arguments(study_arguments *arguments, const struct argp_state 
         bad_argument(state, "--json cannot be with --shard: what a shard computes is printed by 'whirl merge'");
     if (ranks_count() > 1 && arguments->share.count > 0)
         bad_argument(state, "--shard cannot be with several ranks: points are dealt out to them");
+    if (ranks_count() > 1 && is_standard_input(arguments->given.path))
+        bad_argument(state, "several ranks cannot read a case from standard input, expected CASE.yaml");
     if (ranks_count() > 1 && arguments->json && !arguments->output)
         bad_argument(state, "several ranks need the name of the result, -o RESULT.h5");
-    if (!arguments->json) name_output(arguments);
+    if (!arguments->json) name_output(arguments, state);
 }
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -71,8 +74,7 @@ static int run(int argc, char **argv) {
         .parser = parse,
         .args_doc = "CASE.yaml",
         .doc = "Computes the study of a case and writes the result as one HDF5 file. Where a motion diverges, that is "
-               "a result "
-               "and not a failure.",
+               "a result and not a failure. - stands for a case from standard input.",
     };
     study_arguments arguments = {.given.threads = ranks_threads()};
     return study_command(&argp, argc, argv, &arguments);

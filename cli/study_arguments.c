@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "files.h"
 #include "journal.h"
 
 void note_command_line(study_arguments *arguments, int argc, char **argv) {
@@ -55,9 +56,11 @@ whirl_share parse_share(const char *text, const struct argp_state *state) {
 }
 
 /// The case's name with .h5, in the current folder.
-void name_output(study_arguments *arguments) {
+void name_output(study_arguments *arguments, const struct argp_state *state) {
     const size_t length = strlen(arguments->given.path);
     if (arguments->output) return;
+    if (is_standard_input(arguments->given.path))
+        bad_argument(state, "a case from standard input has no name for its result, expected -o RESULT.h5");
     const bool short_ending = length > 4 && strcmp(arguments->given.path + length - 4, ".yml") == 0;
     char name[STUDY_PATH_SIZE - 4];
     base_name(arguments->given.path, short_ending ? ".yml" : ".yaml", name, sizeof name);

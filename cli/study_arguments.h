@@ -47,7 +47,7 @@ void note_command_line(study_arguments *arguments, int argc, char **argv);
 error_t parse_study_argument(study_arguments *arguments, int key, char *argument, struct argp_state *state);
 
 /// Gives the result the case's name with .h5, in the current folder, where it has none.
-void name_output(study_arguments *arguments);
+void name_output(study_arguments *arguments, const struct argp_state *state);
 
 /// A share as it is written, "2/7"; complains of anything else.
 whirl_share parse_share(const char *text, const struct argp_state *state);

@@ -20,9 +20,15 @@ install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-comp
 if(TARGET whirl-mpi)
   install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl-mpi)
 endif()
+if(NOT TARGET whirl-mpi)
+  install(CODE "message(STATUS \"Not installed: whirl-mpi, for mpirun; cmake ${PROJECT_BINARY_DIR} -DWHIRL_MPI=ON builds it, too\")")
+endif()
 # The explorer's template, where `make explorer` has built it.
 install(FILES ${PROJECT_BINARY_DIR}/explorer/template.html DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl
         RENAME explorer.html OPTIONAL)
+install(CODE "if(NOT EXISTS \"${PROJECT_BINARY_DIR}/explorer/template.html\")
+  message(STATUS \"Not installed: the explorer's page; make explorer builds it\")
+endif()")
 install(DIRECTORY cases DESTINATION ${CMAKE_INSTALL_DATADIR}/whirl FILES_MATCHING PATTERN "*.yaml")
 
 # The static library leaves its own libraries to the program that links it: those that have a pkg-config file by that

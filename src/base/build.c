@@ -27,3 +27,7 @@ const build_fact *build_facts(void) {
     };
     return facts;
 }
+
+const char *whirl_revision(void) {
+    return BUILD_REVISION;
+}

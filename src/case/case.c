@@ -267,6 +267,7 @@ whirl_status whirl_case_parse(const char *text, size_t length, const char *name,
     whirl_problems own = {0};
     *out = NULL;
     if (!problems) problems = &own;
+    text = utf8_skip_mark(text, &length);
     if (length > TREE_MAX_BYTES) length = TREE_MAX_BYTES + 1; // enough to be refused
     whirl_case *object = new_case(text, length, name);
     if (!object) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %.200s", name);

@@ -5,6 +5,7 @@
 
 #include "memory.h"
 #include "tree.h"
+#include "words.h"
 
 whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
                        void *into) {
@@ -54,6 +55,7 @@ whirl_status file_parse(const file_kind *kind, const char *text, size_t length, 
     making under_way = {kind, calloc(1, kind->size)};
     case_reader reader = {.arena = &arena, .problems = problems ? problems : &own, .parameters = &none};
     *made = NULL;
+    text = utf8_skip_mark(text, &length);
     const whirl_status status = under_way.made ? file_read(&reader, text, length, name, read_root, &under_way)
                                                : whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", name);
     arena_free(&arena);

@@ -9,6 +9,7 @@
 #include "ross.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
+#include "words.h"
 
 enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
 
@@ -102,11 +103,15 @@ whirl_status whirl_import_parse(const char *text, size_t length, const char *nam
     import_reader reader = {.file = name, .arena = &arena, .notes = {.arena = &arena}};
     value *root;
     *out = (whirl_imported){0};
+    text = utf8_skip_mark(text, &length);
     if (length > MOST_BYTES)
         return whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than %d MiB, expected a rotor saved by ROSS", name,
                           MOST_BYTES >> 20);
     whirl_status status = is_json(text, length) ? value_read_json(&arena, text, length, name, &root)
                                                 : value_read_toml(&arena, text, length, name, &root);
+    if (status.code == WHIRL_BAD_INPUT)
+        status = whirl_fail(WHIRL_BAD_INPUT, "%s; expected a rotor that ROSS has saved (Rotor.save), as TOML or JSON",
+                            status.message);
     if (status.code == WHIRL_OK) status = convert(&reader, root, out);
     arena_free(&arena);
     if (status.code != WHIRL_OK) whirl_imported_free(out);

@@ -24,6 +24,6 @@ done
 says <(cat docs/guide/*.md) "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
 says debian/changelog "$version" '1s/.*\((.*)\).*/\1/p'
 says debian/libwhirl1.symbols "$minor" 's/.*WHIRL_([0-9.]*\.[0-9.]*) .*/\1/p'
-says <("$2" --version) "$version" 's/^whirl //p'
+says <("$2" --version) "$version" 's/^whirl ([^ ]*).*/\1/p'
 [ $failures -eq 0 ] && echo "version $version everywhere"
 exit $((failures > 0))

@@ -541,6 +541,19 @@ def test_files_that_are_there_are_kept(good, good_file, tmp_path):
         good.save(tmp_path / name)
 
 
+def test_notebooks_find_the_explorer_beside_the_command(good, tmp_path, monkeypatch):
+    bin_folder, page = tmp_path / "bin", tmp_path / "share/whirl/explorer.html"
+    bin_folder.mkdir(), page.parent.mkdir(parents=True)
+    (bin_folder / "whirl").write_text("#!/bin/sh\n")
+    (bin_folder / "whirl").chmod(0o755)
+    monkeypatch.delenv("WHIRL_EXPLORER", raising=False)
+    monkeypatch.setenv("PATH", str(bin_folder))
+    if whirl.result.find_template() is None:  # of this computer's own
+        assert "make explorer" in good._repr_html_() and "<table>" in good._repr_html_()
+    page.write_text("@WHIRL-RUNS@")
+    assert whirl.result.find_template() == page and "<iframe" in good._repr_html_()
+
+
 def test_missing_files_are_missing_files(tmp_path):
     missing = tmp_path / "no.h5"
     reads = (whirl.open, whirl.read, whirl.Case, whirl.run, whirl.balance, whirl.bearing)

@@ -475,7 +475,7 @@ class Result:
         return (
             f"<p><b>{html.escape(self.title or self.case_name)}</b>{' (partial)' if self.partial else ''}</p>"
             f"{''.join(f'<p>Warning: {html.escape(words)}</p>' for words in self.warnings)}"
-            f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
+            f"{'' if find_template() else _NO_EXPLORER}<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
         )
 
     def __repr__(self) -> str:
@@ -485,16 +485,26 @@ class Result:
         return f"<whirl.Result {self.title!r}: {tables}{', partial' if self.partial else ''}{told}>"
 
 
+_NO_EXPLORER = (
+    "<p>The explorer would stand here, and its page is not installed: <code>make explorer</code> in a checkout of whirl "
+    "builds it, <code>make install</code> or pip then install it.</p>"
+)
 _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their file
 
 
 def find_template() -> str | os.PathLike | None:
-    """The explorer's template: as WHIRL_EXPLORER says, in the package, or where the system has it; None."""
+    """The explorer's template: as WHIRL_EXPLORER says, in the package, beside the command ``whirl`` or where the system
+    has it, or built in the checkout that the package is used from; None."""
+    command, own = shutil.which("whirl"), Path(__file__).resolve().parent
+    beside = Path(command).resolve().parent if command else own
     places = (
         os.environ.get("WHIRL_EXPLORER"),
-        Path(__file__).parent / "_native" / "explorer.html",
+        own / "_native" / "explorer.html",
+        beside.parent / "share" / "whirl" / "explorer.html",
+        beside / "explorer" / "template.html",
         "/usr/local/share/whirl/explorer.html",
         "/usr/share/whirl/explorer.html",
+        own.parents[2] / "build" / "explorer" / "template.html",
     )
     return next((place for place in places if place and os.path.exists(place)), None)
 

@@ -32,6 +32,13 @@ void number_text(double value, char text[NUMBER_SIZE]) {
 
 // ---------------------------------------------------------------- utf8
 
+const char *utf8_skip_mark(const char *text, size_t *length) {
+    static const char mark[] = "\xEF\xBB\xBF";
+    if (*length < sizeof mark - 1 || memcmp(text, mark, sizeof mark - 1) != 0) return text;
+    *length -= sizeof mark - 1;
+    return text + sizeof mark - 1;
+}
+
 size_t utf8_length(const char *text, size_t left) {
     const unsigned char *byte = (const unsigned char *)text;
     const unsigned char lead = byte[0];

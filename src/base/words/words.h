@@ -59,6 +59,10 @@ whirl_status unit_choice_read(const char *text, unit_choice *choice);
 // ---------------------------------------------------------------- utf8
 // UTF-8, as far as readers and reports need it.
 
+/// Skips the byte order mark that a text in UTF-8 may begin with (Unicode 15, 23.8; YAML 1.2, 5.2), as editors of
+/// Windows write it: gives the text behind it and shortens `length`.
+const char *utf8_skip_mark(const char *text, size_t *length);
+
 /// Bytes of the character at the start of `text` (1 to 4), of which `left` bytes may be read (at least one); 0 where
 /// there is no valid one: overlong forms, surrogates and cut characters are not valid.
 size_t utf8_length(const char *text, size_t left);

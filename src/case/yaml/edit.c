@@ -218,6 +218,7 @@ whirl_status whirl_case_edit(const char *text, size_t length, const char *path, 
     *edited = NULL;
     if (strlen(path) >= PATH_SIZE || (value && (strlen(value) >= PATH_SIZE - 64 || strpbrk(value, "\r\n"))))
         return whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be written, expected a short value in one line", path);
+    text = utf8_skip_mark(text, &length);
     whirl_status status = read_tree(text, length, &tree);
     const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
     const bool values_only = node && node->kind == NODE_LIST && (!node->last || node->last->kind == NODE_TEXT);
