@@ -38,7 +38,7 @@ html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sphinx = False
-# Summaries of what the search finds are fetched, which browsers refuse to pages from disk: the list would end there.
+# Summaries of what the search finds would be fetched from the pages, which browsers refuse to a site on disk.
 html_show_search_summary = False
 html_theme_options = {"navigation_with_keys": True}
 # Of those that Pygments has, two whose comments can be read: a contrast above 4.5.

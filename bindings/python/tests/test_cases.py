@@ -67,7 +67,7 @@ def test_broken_texts_are_refused(text):
 
 
 def test_a_file_that_is_not_there():
-    with pytest.raises(whirl.BadInput, match="cannot read the case nowhere.yaml: No such file"):
+    with pytest.raises(whirl.BadInput, match="cannot read the case 'nowhere.yaml': No such file"):
         whirl.Case("nowhere.yaml")
 
 

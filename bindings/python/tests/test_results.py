@@ -561,3 +561,17 @@ def test_missing_files_are_missing_files(tmp_path):
         with pytest.raises(FileNotFoundError, match="^cannot read .*no.h5'?: No such file") as caught:
             read(missing)
         assert isinstance(caught.value, whirl.BadInput) and caught.value.errno == errno.ENOENT
+
+
+def test_a_wrong_kind_of_thing_is_one_sentence(good, good_file):
+    for call, kind, words in (
+        (lambda: good.figure(3), whirl.BadInput, "3 is no text"),
+        (lambda: good.parameters["omgea"], KeyError, "there is no 'omgea', did you mean 'omega'"),
+        (lambda: good.plot.bifurcation(ax=3), whirl.BadInput, "ax is 3, expected axes of Matplotlib"),
+        (lambda: whirl.Case(good_file), whirl.BadInput, "is a result, expected a case: whirl.open"),
+        (lambda: whirl.open(GOOD), whirl.BadInput, "it is no HDF5 file, expected a result"),
+        (lambda: whirl.Case([1]), TypeError, r"a case is \[1\], expected the name of a file or a dict"),
+        (lambda: whirl.Case(GOOD).spend("10 s"), whirl.BadInput, "to spend are '10 s', expected a number"),
+    ):
+        with pytest.raises(kind, match=words):
+            call()

@@ -334,6 +334,22 @@ def test_what_is_wrong_is_said():
         ("no option rtoll, did you mean rtol", lambda: make(period=1).response(rtoll=1)),
         ("no analysis poincar", lambda: make(period=1).response(analyze=["poincar"])),
         ("is 1 after 2", lambda: make(period=1).sweep("F", [1, 2, 1])),
+        ("values of F are .*, expected numbers in SI", lambda: make(period=1).sweep("F", ["a"])),
+        (
+            "the parameter c is '1 mm', expected a number in SI",
+            lambda: System(oscillator, [0], {"c": "1 mm"}, period=1),
+        ),
+        ("parameters are .*, expected a dict", lambda: System(oscillator, [0], [1, 2], period=1)),
+        ("angles are .*, expected a dict", lambda: make(period=1, angles=[1])),
+        ("the period is '1 s', expected a number in SI", lambda: make(period="1 s")),
+        ("speed is 3, expected the name of a parameter", lambda: make(speed=3)),
+        ("no parameter omgea that has a unit, did you mean omega", lambda: make(period=1, units={"omgea": "rad/s"})),
+        ("an axis of the map is 'F', expected", lambda: make(period=1).map("F", "omega")),
+        ("no option stepp, did you mean step", lambda: make(period=1).branch("F", 0, 1, stepp=1)),
+        (
+            r"rates gave \['a', 'b'\], expected a number",
+            lambda: System(lambda t, x, p: ["a", "b"], [0, 0], period=1).response(),
+        ),
     ]:
         with pytest.raises(whirl.BadInput, match=words):
             build()

@@ -68,7 +68,11 @@ class FileSource:
         try:
             self.file = h5py.File(path, "r")
         except OSError as failure:
-            reason = os.strerror(failure.errno) if failure.errno else "it is no HDF5 file"
+            reason = (
+                os.strerror(failure.errno)
+                if failure.errno
+                else "it is no HDF5 file, expected a result, which whirl.run() computes of a case"
+            )
             raise errors.BadInput(f"cannot read the result '{self.path}': {reason}") from None
         if _word(self.file.attrs.get("format", b"")) != "whirl result":
             self.file.close()

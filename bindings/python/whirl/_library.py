@@ -68,6 +68,8 @@ def check(status):
 
 def word_bytes(word):
     """A text as the library takes it, which ends at the first NUL: none may be within."""
+    if not isinstance(word, str):
+        raise errors.BadInput(f"{word!r} is no text, where one is expected")
     try:
         data = word.encode()
     except UnicodeEncodeError:

@@ -16,6 +16,13 @@ class ReadOnly(dict):
     __setitem__ = __delitem__ = __ior__ = _refuse
     update = setdefault = pop = popitem = clear = _refuse
 
+    def __missing__(self, key):
+        from difflib import get_close_matches
+
+        near = get_close_matches(str(key), self, 1)
+        words = f"did you mean {near[0]!r}?" if near else f"expected one of: {', '.join(self) or 'none'}"
+        raise KeyError(f"there is no {key!r}, {words}")
+
     def __reduce__(self):
         return dict, (dict(self),)
 

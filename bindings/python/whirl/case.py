@@ -143,6 +143,8 @@ class Case:
             except RecursionError:
                 raise errors.BadInput("the dict of a case holds itself") from None
         elif source is not None:
+            if not isinstance(source, (str, os.PathLike)):
+                raise TypeError(f"a case is {source!r}, expected the name of a file or a dict")
             name = name or str(source)
             path_bytes(source)
             require_file(source, "the case")
@@ -150,6 +152,8 @@ class Case:
                 text = Path(source).read_bytes()
             except OSError as failure:
                 raise errors.BadInput(f"cannot read the case {name}: {failure.strerror}") from None
+            if text.startswith(b"\x89HDF"):
+                raise errors.BadInput(f"'{name}' is a result, expected a case: whirl.open() reads it")
         if not isinstance(text, (str, bytes, bytearray)):
             raise TypeError(f"the text of a case is {text!r}, expected a str")
         self._handle = self._check(_encoded(text), name or "case.yaml")
@@ -206,7 +210,10 @@ class Case:
     def spend(self, revolutions: float = 0.0, seconds: float = 0.0) -> Case:
         """Lets runs do points in doubt again, within so many revolutions or seconds; without any number as many
         revolutions as the study itself (``--refine`` of the command)."""
-        check(lib.whirl_case_spend(self._handle, revolutions, seconds))
+        for what, number in (("revolutions", revolutions), ("seconds", seconds)):
+            if isinstance(number, str) or not hasattr(number, "__float__"):
+                raise errors.BadInput(f"the {what} to spend are {number!r}, expected a number")
+        check(lib.whirl_case_spend(self._handle, float(revolutions), float(seconds)))
         return self
 
     def outline(self) -> Result:

@@ -231,6 +231,8 @@ def draw_panel(ax: Axes, panel: dict[str, Any], document: dict[str, Any], style:
 def new_axes(ax: Axes | None) -> Axes:
     """Those that were given, or those of a new figure."""
     if ax is not None:
+        if not hasattr(ax, "get_shared_x_axes"):
+            raise errors.BadInput(f"ax is {ax!r}, expected axes of Matplotlib")
         return ax
     import matplotlib.pyplot as plt
 

@@ -265,8 +265,8 @@ class Plots:
         at: float | str | None = None,
         **style,
     ) -> Axes:
-        """The path of a station at a point, with a mark at every revolution where sections were taken; ``point`` and ``at``
-        as for :meth:`poincare`."""
+        """The path of a station at a point, with a mark at every revolution where sections were taken; ``point`` and
+        ``at`` as for :meth:`poincare`."""
         return self._of_point(self._table(table, FIELD.WAVEFORM_SAMPLES, True), point, at, station, "orbit", ax, style)
 
     def spectrum(

@@ -475,7 +475,8 @@ class Result:
         return (
             f"<p><b>{html.escape(self.title or self.case_name)}</b>{' (partial)' if self.partial else ''}</p>"
             f"{''.join(f'<p>Warning: {html.escape(words)}</p>' for words in self.warnings)}"
-            f"{'' if find_template() else _NO_EXPLORER}<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
+            f"{'' if find_template() else _NO_EXPLORER}"
+            f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
         )
 
     def __repr__(self) -> str:
@@ -486,8 +487,8 @@ class Result:
 
 
 _NO_EXPLORER = (
-    "<p>The explorer would stand here, and its page is not installed: <code>make explorer</code> in a checkout of whirl "
-    "builds it, <code>make install</code> or pip then install it.</p>"
+    "<p>The explorer would stand here, and its page is not installed: <code>make explorer</code> in a checkout of "
+    "whirl builds it, <code>make install</code> or pip then install it.</p>"
 )
 _LARGEST_SHOWN = 64 << 20  # bytes of a result: notebooks keep the page in their file
 

@@ -22,6 +22,7 @@ import tempfile
 import warnings
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
+from difflib import get_close_matches
 from keyword import iskeyword
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -117,6 +118,8 @@ def compile_c(source: str, name: str = "rates", flags: Sequence[str] = ("-O3", "
     """
     compiler = shlex.split(os.environ.get("CC") or "cc")
     flags = shlex.split(flags) if isinstance(flags, str) else flags
+    if not isinstance(flags, Sequence) or not all(isinstance(flag, str) for flag in flags):
+        raise errors.BadInput(f"the flags are {flags!r}, expected texts for the compiler")
     if not shutil.which(compiler[0]):
         raise errors.MissingProgram(f"there is no C compiler '{compiler[0]}' (CC names another)")
     if not isinstance(source, str):
@@ -181,6 +184,27 @@ def _row(values, what):
     return numbers
 
 
+def _number(value, what):
+    """A number in SI; texts with units are none."""
+    try:
+        if not isinstance(value, str):
+            return float(value)
+    except (TypeError, ValueError):
+        pass
+    raise errors.BadInput(f"{what} is {value!r}, expected a number in SI")
+
+
+def _mapping(given, what):
+    if given is not None and not isinstance(given, Mapping):
+        raise errors.BadInput(f"the {what} are {given!r}, expected a dict: their names with what they are")
+    return dict(given or {})
+
+
+def _did_you_mean(name, names):
+    near = get_close_matches(str(name), list(names), 1)
+    return f", did you mean {near[0]}?" if near else ""
+
+
 def _count(number, what):
     """A whole number from 0 on."""
     whole = -1 if isinstance(number, (bool, np.bool_)) else number
@@ -231,9 +255,12 @@ def _followed(result):
     return result
 
 
-def _numbers(values):
-    """An array of numbers, and where it lies."""
-    values = np.ascontiguousarray(values, dtype=float).ravel()
+def _numbers(values, name):
+    """An array of numbers of a parameter, and where it lies."""
+    try:
+        values = np.ascontiguousarray(values, dtype=float).ravel()
+    except (TypeError, ValueError):
+        raise errors.BadInput(f"the values of {name} are {values!r}, expected numbers in SI") from None
     return values, ffi.cast("double *", values.ctypes.data)
 
 
@@ -248,11 +275,12 @@ class _Study:
     def put(self, handle):
         """Tells the library."""
         for name, values in self.vary.items():
-            values, pointer = _numbers(values)
+            values, pointer = _numbers(values, name)
             check(lib.whirl_user_system_vary(handle, word_bytes(name), pointer, len(values)))
         if self.branch is not None:
             name, first, last, at = self.branch
-            at, pointer = _numbers(at)
+            at, pointer = _numbers(at, name)
+            first, last = (_number(bound, f"a bound of {name}") for bound in (first, last))
             check(lib.whirl_user_system_branch(handle, word_bytes(name), float(first), float(last), pointer, len(at)))
         if self.curves is not None:
             name, first, last = self.curves
@@ -336,17 +364,30 @@ class System:
         if (speed is None) == (period is None):
             raise errors.BadInput("a system has a period, or a parameter that is its speed: give one of both")
         self.start = _row(start, "start")
-        self.parameters = {str(name): float(value) for name, value in (parameters or {}).items()}
+        self.parameters = {
+            str(name): _number(value, f"the parameter {name}")
+            for name, value in _mapping(parameters, "parameters").items()
+        }
+        if speed is not None and not isinstance(speed, str):
+            raise errors.BadInput(f"speed is {speed!r}, expected the name of a parameter")
+        period = None if period is None else _number(period, "the period")
         self.speed, self.period, self.lanes = speed, period, _flag(lanes, "lanes")
         self.displacements = _count(displacements, "displacements")
-        self.angles = {_count(index, "an angle"): float(turn) for index, turn in (angles or {}).items()}
-        self.scales = {_count(index, "a scale"): float(scale) for index, scale in (scales or {}).items()}
-        self.stations, self.kinked, self.title = dict(stations or {}), _flag(kinked, "kinked"), str(title)
-        self.units, self.rates, self.tangent = dict(units or {}), rates, tangent
+        self.angles = {
+            _count(index, "an angle"): _number(turn, f"a turn of the angle {index}")
+            for index, turn in _mapping(angles, "angles").items()
+        }
+        self.scales = {
+            _count(index, "a scale"): _number(scale, f"the scale of coordinate {index}")
+            for index, scale in _mapping(scales, "scales").items()
+        }
+        self.stations, self.kinked, self.title = _mapping(stations, "stations"), _flag(kinked, "kinked"), str(title)
+        self.units, self.rates, self.tangent = _mapping(units, "units"), rates, tangent
         self.identity = None if identity is None else str(identity)
         unknown = set(self.units) - set(self.parameters)
         if unknown:
-            raise errors.BadInput(f"there is no parameter {sorted(unknown)[0]} that has a unit")
+            name = sorted(unknown)[0]
+            raise errors.BadInput(f"there is no parameter {name} that has a unit{_did_you_mean(name, self.parameters)}")
         self._rates_at = address_of("rates", "lanes" if self.lanes else "rates", rates)
         self._tangent_at = None if tangent is None else address_of("tangent", "tangent", tangent)
         for name in self.parameters if self._rates_at is None else ():
@@ -373,7 +414,10 @@ class System:
             raised.setdefault("value", value)
 
         def put(slopes, to, shape):
-            found = np.asarray(slopes, dtype=float)
+            try:
+                found = np.asarray(slopes, dtype=float)
+            except (TypeError, ValueError):
+                raise errors.BadInput(f"rates gave {slopes!r}, expected a number for every slope") from None
             if found.shape != shape:
                 raise errors.BadInput(f"rates gave slopes of shape {found.shape}, expected {shape}")
             to[...] = found
@@ -558,7 +602,13 @@ class System:
         if rest:
             named[_TRACE + "rest"] = True
         study = _Study(options=named, branch=(parameter, from_, to, at), curves=curves)
-        return self._run(study, threads, progress, journal, resume)
+        try:
+            return self._run(study, threads, progress, journal, resume)
+        except errors.BadInput as refusal:  # the library knows options of branches by longer names
+            for name in named:
+                if str(refusal) == f"there is no option {name}" and _did_you_mean(name, _OF_BRANCHES):
+                    raise errors.BadInput(f"{refusal}{_did_you_mean(name, _OF_BRANCHES)}") from None
+            raise
 
     def _run(self, study, threads, progress, journal, resume):
         if threads is None:
@@ -599,6 +649,11 @@ class System:
     ) -> Result:
         """Motions over two parameters or three, each (name, values): rows along x; see :meth:`run`."""
         axes = [x, y] + ([z] if z is not None else [])
+        for axis in axes:
+            if isinstance(axis, str) or not isinstance(axis, Sequence) or len(axis) != 2:
+                raise errors.BadInput(
+                    f"an axis of the map is {axis!r}, expected a parameter with its values: (name, values)"
+                )
         if len({name for name, _ in axes}) < len(axes):
             raise errors.BadInput(f"a map over {' and '.join(name for name, _ in axes)}, expected different parameters")
         return self.run(dict(axes), **more)
