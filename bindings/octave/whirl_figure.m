@@ -31,6 +31,9 @@ if strcmp(places{1}, 'list')
     end
     return
 end
+if ~isempty(places{1}) && ~is_text(text_of(places{1}))
+    error('whirl:badInput', 'the name of a figure is a text: whirl_figure(RESULT, ''list'') gives them');
+end
 if ~isempty(places{1})
     arguments = [arguments ' ' quoted(file_of(places{1}))];
 end

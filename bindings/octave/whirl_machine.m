@@ -38,6 +38,10 @@ settings = cell(1, numel(varargin) / 2);
 for i = 1:numel(settings)
     settings{i} = setting(varargin{2 * i - 1}, varargin{2 * i});
 end
+if exist('whirl_mex', 'file') ~= 3
+    error('whirl:noGateway', ...
+        'the gateway whirl_mex is not installed, which single elements need (docs/octave.md, Setting up)');
+end
 number = whirl_mex('machine', text, name, settings{:});
 machine = whirl_mex('about', number);
 machine.number = number;

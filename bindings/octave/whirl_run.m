@@ -29,12 +29,18 @@ for i = 1:2:numel(varargin)
     name = text_of(varargin{i});
     value = text_of(varargin{i + 1});
     if strcmp(name, 'output')
+        if ~is_text(value)
+            error('whirl:badInput', '''output'' takes the name of a result file, a text');
+        end
         output = value;
     elseif strcmp(name, 'overwrite')
-        overwrite = value;
+        overwrite = truth(name, value);
     elseif strcmp(name, 'progress')
-        shown = value;
+        shown = truth(name, value);
     elseif strcmp(name, 'threads')
+        if ~isnumeric(value) || numel(value) ~= 1
+            error('whirl:badInput', '''threads'' takes a number');
+        end
         arguments = [arguments ' --threads=' sprintf('%d', value)];
     else
         arguments = [arguments ' --set ' quoted(setting(name, value))];
@@ -75,6 +81,12 @@ end
 remove(written, file);
 if status == 3
     warning('whirl:unfinished', 'the run ended before its last point');
+end
+end
+
+function value = truth(name, value)
+if ~(islogical(value) || isnumeric(value)) || numel(value) ~= 1
+    error('whirl:badInput', '''%s'' takes true or false', name);
 end
 end
 

@@ -21,6 +21,15 @@ catch problem
   assert(~isempty(strfind(problem.message, 'is kept: ''overwrite'', true replaces it')), problem.message);
 end
 assert(isequal(before, dir('a.h5')));
+for given = {{'output', 3}, {'overwrite', 'yes'}, {'progress', 'no'}, {'threads', 'all'}}
+  try
+    whirl_run(good, given{1}{:});
+    error('no error');
+  catch problem
+    assert(problem.identifier, 'whirl:badInput');
+    assert(~isempty(strfind(problem.message, ['''' given{1}{1} ''' takes'])), problem.message);
+  end
+end
 result = whirl_run(good, 'kappa', 0.1 + 0.2, 'output', 'a.h5', 'overwrite', true, 'progress', false, 'threads', 1);
 again = whirl_read('a.h5');
 assert(isequaln(result, again));
