@@ -87,6 +87,15 @@ static bool dump_margins(const whirl_result *result, FILE *stream) {
     return well;
 }
 
+// What is asked of the machine and whether it holds, where anything is.
+static bool dump_asked(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *asked = asked_json(&well, result);
+    if (json_array_size(asked) > 0) return dump_member(",\n", "asked", asked, stream) && well;
+    json_decref(asked);
+    return well;
+}
+
 enum { MOST_ATTRACTORS = 64 };
 
 // Attractors of a basin, that of most starts first: the first point (from 1 in "points") that came to rest there.
@@ -289,7 +298,7 @@ static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {
         "whirl",    "title",      "case",   "speed",      "length_scale", "force_scale",    "partial",    "table",
         "points",   "parameters", "jumps",  "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined",
-        "warnings", "margins",    "beyond", "held",       "unfound",      "fits",           "amplitudes"};
+        "warnings", "margins",    "beyond", "held",       "unfound",      "fits",           "amplitudes", "asked"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))
@@ -305,8 +314,8 @@ static whirl_status write_document(const whirl_result *result, bool full, FILE *
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], full, stream);
-    well = well && dump_jumps(result, stream) && dump_margins(result, stream) && dump_attractors(result, stream) &&
-           dump_refined(result, stream);
+    well = well && dump_jumps(result, stream) && dump_margins(result, stream) && dump_asked(result, stream) &&
+           dump_attractors(result, stream) && dump_refined(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));

@@ -57,6 +57,15 @@ static void add_unbalances(const paragraph *p) {
     if (record->placed_factor != 1.0) add(p, ", %.4g times as large", record->placed_factor);
 }
 
+/// Motions that were not judged: how many there are, and how long they are.
+static void add_count(const paragraph *p) {
+    size_t done = 0;
+    for (size_t i = 0; i < p->table->count; i++) done += whirl_table_done(p->table, i);
+    add(p, "%zu motion%s, not judged (analyze: regime): %d revolutions%s", done, done == 1 ? "" : "s",
+        p->table->record.record, p->table->record.transient == 0 ? " from the start" : " after a transient");
+    if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
+}
+
 static void add_regimes(const paragraph *p) {
     size_t done = 0, periodic = 0, doubtful = 0, diverged = 0;
     for (size_t i = 0; i < p->table->count; i++) {
@@ -179,13 +188,17 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
     whirl_case *machine = machine_of(view);
     const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
-    add_regimes(&p);
+    const bool judged = whirl_layout_has_verdict(&table->layout);
+    judged ? add_regimes(&p) : add_count(&p);
     add(&p, ", ");
     add_unbalances(&p);
     add_clearance(&p);
     for (size_t c = 0; c < view->contact_count; c++)
         if (whirl_layout_field(&table->layout, WHIRL_FIELD_RUB_SHARE)) add_contact(&p, c);
-    add_beside(&p);
+    if (judged)
+        add_beside(&p);
+    else
+        add(&p, ".");
     whirl_case_free(machine);
 }
 

@@ -343,7 +343,7 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
     axis_show(&panel->x, range_of(&v));
     axis_show(&panel->y, damping_of(&v, WHIRL_FIELD_MODES_DECREMENT, 1.6));
     whirl_series *zero = panel_level(figure, panel, 0.0, "#9A9A9A", 0.4);
-    whirl_series *asked = panel_level(figure, panel, margin_decrement, "#9A9A9A", 0.4);
+    whirl_series *asked = panel_level(figure, panel, asked_decrement, "#9A9A9A", 0.4);
     if (zero) zero->dashed = true;
     if (asked) asked->dashed = true;
     add_lines(figure, panel, &v, WHIRL_FIELD_MODES_DECREMENT, true, true);
@@ -351,7 +351,7 @@ static void describe_decrement(const drawing *of, const figure_place *place, whi
              "Logarithmic decrement of the lowest modes over %s, followed by shape and frequency from value to value. "
              "Names count by rising frequency at the last value, then those that end before it; F: forward (solid), B: "
              "backward, M: to and fro (dashed). Grey: 0, below which a mode grows, and %g.",
-             v.table->parameter, margin_decrement);
+             v.table->parameter, asked_decrement);
     mode_lines_free(&v.lines);
 }
 

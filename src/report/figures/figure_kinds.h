@@ -87,7 +87,7 @@ bool table_is_sweep(const drawing *of, const whirl_table *table);
 
 extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
     torus_figure, campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure,
-    stability_figure, screening_figure, orbits_figure, point_figure, field_figure;
+    stability_figure, screening_figure, orbits_figure, transient_figure, point_figure, field_figure;
 
 // ---------------------------------------------------------------- bifurcation
 // What a bifurcation diagram of a station shows, and what its panels share.

@@ -251,20 +251,27 @@ static bool is_there(const whirl_table *table, size_t point, size_t station) {
             point_spectrum(table, point, station).at || point_lines(table, point, station).at);
 }
 
+/// ": P-1", or nothing of a motion that was not judged.
+static void name_verdict(const whirl_table *table, size_t point, char text[LABEL_SIZE + 2]) {
+    const whirl_verdict verdict = whirl_table_verdict(table, point);
+    char name[LABEL_SIZE];
+    whirl_verdict_name(&verdict, name, sizeof name);
+    snprintf(text, LABEL_SIZE + 2, whirl_layout_has_verdict(&table->layout) ? ": %s" : "", name);
+}
+
 static void add_to_list(figure_list *to, const drawing *of, const whirl_table *table, size_t i, size_t station) {
-    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], name[200];
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], name[200];
     const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
     const char *station_name = of->result->stations[station].name;
     const figure_place place = {.kind = &point_figure, .table = table, .point = (long)i, .station = station};
-    const whirl_verdict verdict = whirl_table_verdict(table, i);
     units_point_label(of->units, table, i, point, sizeof point);
-    whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+    name_verdict(table, i, verdict_text);
     if (*table->parameter)
         snprintf(name, sizeof name, "%.63s-%.6g%.20s-%.63s", table->parameter, table->values[i] / unit.size, unit.name,
                  station_name);
     else
         snprintf(name, sizeof name, "%.63s-%.63s", table->name, station_name);
-    list_figure(to, &place, name, "%.80s, %.60s: %.54s", point, station_name, verdict_text);
+    list_figure(to, &place, name, "%.80s, %.60s%.56s", point, station_name, verdict_text);
 }
 
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
@@ -348,8 +355,7 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     static const char *const panel_names[] = {"waveform", "orbit",         "spectrum",
                                               "section",  "full-spectrum", "full-spectrum"};
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
-    const whirl_verdict verdict = whirl_table_verdict(of.table, of.point);
-    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE], panels[280];
+    char point[UNIT_LABEL_SIZE], verdict_text[LABEL_SIZE + 2], panels[280];
     bool there[PANEL_COUNT];
     char letter = 'a';
     panels_there(&of, there);
@@ -364,9 +370,9 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
         adders[i](figure, panel, &of);
     }
     units_point_label(of.units, of.table, of.point, point, sizeof point);
-    whirl_verdict_name(&verdict, verdict_text, sizeof verdict_text);
+    name_verdict(of.table, of.point, verdict_text);
     name_panels(&of, panels, sizeof panels);
-    snprintf(figure->caption, sizeof figure->caption, "%.120s, %.60s: %.100s.%s.%s", point,
+    snprintf(figure->caption, sizeof figure->caption, "%.120s, %.60s%.102s.%s.%s", point,
              of.result->stations[of.station].name, verdict_text, panels,
              of.waveform.at ? "" : " No waveform was kept.");
 }

@@ -32,7 +32,7 @@ static void add_mark(whirl_figure *figure, whirl_panel *panel, double at, double
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const double mega = 1e6;
-    const double least = margin_decrement;
+    const double least = asked_decrement;
     const whirl_table *table = place->table;
     const size_t point = (size_t)place->point;
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_STABILITY_CURVE);

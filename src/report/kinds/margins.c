@@ -29,24 +29,6 @@ bool margin_probed(const whirl_result *result, const whirl_table *table, size_t 
     return probed;
 }
 
-const double margin_decrement = 0.1;
-
-double margin_coupling(const whirl_table *table, size_t point) {
-    return whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0) > 0.5 ? 10.0 : 2.0;
-}
-
-bool margin_level_one(const whirl_table *table, size_t point) {
-    const double anticipated = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
-    const double limit = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0);
-    return whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0) >= margin_decrement &&
-           !(limit < margin_coupling(table, point) * anticipated); // not known: far above
-}
-
-bool margin_level_two_asked(const whirl_table *table, size_t point) {
-    return !(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0) > 0.0) ||
-           !margin_level_one(table, point);
-}
-
 const char *margin_lacks(const whirl_table *table) {
     static const double rounding = 1e-9;
     double low, high, first = INFINITY, last = 0.0;
@@ -166,5 +148,10 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table, 
             all.held += row->holds;
         }
     }
+    if (margin_asked(table)) all.lacks = margin_lacks(table);
+    all.verdict = all.held < all.told ? ASKED_FAILS
+                  : all.lacks         ? ASKED_UNKNOWN
+                  : all.told > 0      ? ASKED_HOLDS
+                                      : ASKED_NOTHING;
     return all;
 }

@@ -77,6 +77,27 @@ static json_t *scaled_json(bool *well, const whirl_result *result, const whirl_t
     return object;
 }
 
+json_t *asked_json(bool *well, const whirl_result *result) {
+    json_t *array = json_array();
+    whirl_shown_units units; // sentences are those of the report, in its units
+    *well = *well && whirl_result_shown_units(result, NULL, &units).code == WHIRL_OK;
+    for (size_t t = 0; t < result->table_count && *well; t++) {
+        const whirl_table *table = &result->tables[t];
+        const asked_rows all = asked_of(&units, table);
+        for (const asked_row *row = all.rows; row < all.rows + all.count; row++) {
+            json_t *one = json_object();
+            document_put(well, one, "table", document_text(table->name));
+            document_put(well, one, "what", document_text(row->what));
+            document_put(well, one, "asked", document_text(row->asked));
+            document_put(well, one, "found", document_text(row->found));
+            document_put(well, one, "verdict", document_text(asked_verdict_name(row->verdict)));
+            document_put(well, one, "told", document_text(row->told));
+            document_append(well, array, one);
+        }
+    }
+    return array;
+}
+
 json_t *margins_json(bool *well, const whirl_result *result) {
     json_t *object = json_object();
     for (size_t t = 0; t < result->table_count; t++) {

@@ -59,6 +59,70 @@ void mode_lines_free(mode_lines *lines);
 /// Of a mode of a point; "" of none, and where there are no lines.
 const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
 
+// ---------------------------------------------------------------- asked
+// What is asked of a machine, what was found, and whether it holds: the one place that all who tell it ask. After API
+// 617; which edition counts is for the user to check.
+
+/// Rising: of several verdicts the largest counts.
+typedef enum asked_verdict { ASKED_NOTHING, ASKED_HOLDS, ASKED_UNKNOWN, ASKED_FAILS } asked_verdict;
+
+/// "none asked for", "holds", "not known", "fails". Static text.
+const char *asked_verdict_name(asked_verdict verdict);
+
+enum { ASKED_TEXT = 320, ASKED_ROWS = 8 };
+
+/// The logarithmic decrement that is asked for.
+extern const double asked_decrement;
+
+/// Stability at a point. Numbers that were not found are NaN.
+typedef struct asked_stability {
+    bool stages;               ///< cross coupling is anticipated, so that there is a Level I
+    double anticipated, limit; ///< cross coupling, N/m; a limit of NaN: at no less than 1000 times the anticipated
+    double ratio, factor;      ///< limit over anticipated, and what is asked of it: 10 in region B, else 2
+    double region;             ///< of the screening diagram: 0: A, 1: B
+    double decrement;          ///< with bearings and stages
+    double complete;           ///< with seals and impellers, too
+    asked_verdict level_one;   ///< of bearings and stages; ASKED_NOTHING without stages
+    bool decides;              ///< seals and impellers are to be counted (Level II): Level I does not hold
+    asked_verdict level_two;   ///< of the whole machine: the verdict of the point
+} asked_stability;
+
+asked_stability asked_stability_at(const whirl_table *table, size_t point);
+
+/// "decrement above 0.1 and limit above 2 times the anticipated: holds by Level I".
+void asked_stability_told(const asked_stability *at, char text[ASKED_TEXT]);
+
+/// Stability at all points of a table.
+typedef struct asked_stability_tally {
+    size_t points, without;  ///< that are done, and those without a mode that does not go backward
+    size_t screened, dense;  ///< in the screening diagram, and in its region B
+    asked_stability least;   ///< of the least decrement with seals and impellers; that is NaN where no point has one
+    asked_stability coupled; ///< where the limit of the cross coupling lacks most; without stages: none
+    double decrement;        ///< the least with bearings and stages, of points with stages
+    asked_verdict level_one, level_two;
+} asked_stability_tally;
+
+asked_stability_tally asked_stability_count(const whirl_table *table);
+
+/// One thing that is asked for: of a table, with its clause.
+typedef struct asked_row {
+    const char *what, *clause; ///< static texts
+    asked_verdict verdict;
+    char asked[ASKED_TEXT], found[ASKED_TEXT];
+    char told[ASKED_TEXT]; ///< the verdict in words, with what goes with it: "not known: points do not ..."
+} asked_row;
+
+typedef struct asked_rows {
+    size_t count;
+    asked_row rows[ASKED_ROWS];
+} asked_rows;
+
+/// All that is asked of a table.
+asked_rows asked_of(const whirl_shown_units *units, const whirl_table *table);
+
+/// The same of all tables of a result as a JSON array.
+json_t *asked_json(bool *well, const whirl_result *result);
+
 // ---------------------------------------------------------------- margins
 // Critical speeds as peaks of a response to unbalance, and their margins.
 
@@ -72,18 +136,6 @@ bool margin_asked(const whirl_table *table);
 
 /// Whether margins are asked of the peaks of a station: it is one of probes_at, or these are not said.
 bool margin_probed(const whirl_result *result, const whirl_table *table, size_t station);
-
-/// The logarithmic decrement that is asked for (API 617; which edition counts is for the user to check).
-extern const double margin_decrement;
-
-/// By how much the limit of the cross coupling of stages shall exceed the anticipated one at a point, 10 times in
-/// region B of the screening diagram, else 2; and whether it does and the decrement with stages is large enough, so
-/// that bearings and stages tell enough (Level I).
-double margin_coupling(const whirl_table *table, size_t point);
-bool margin_level_one(const whirl_table *table, size_t point);
-
-/// Whether seals and impellers decide at a point (Level II): it has no stages, or Level I does not hold.
-bool margin_level_two_asked(const whirl_table *table, size_t point);
 
 /// Why peaks of a response that tells running speeds may have escaped: its points lie along another parameter, or do
 /// not reach over these speeds; NULL where they do.
@@ -116,8 +168,11 @@ size_t margin_response(const whirl_result *result, const whirl_table *table, siz
 size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]);
 
-/// All peaks of a response of which a margin is asked for.
+/// All peaks of a response of which a margin is asked for. `verdict` is that of the response: where all peaks that were
+/// found have their margin but others may have escaped, it is not known.
 typedef struct margin_tally {
+    asked_verdict verdict;
+    const char *lacks; ///< why peaks may have escaped (margin_lacks); NULL: none has, or nothing is asked for
     size_t told, held;
     size_t unjudged;  ///< peaks of an amplification of 2.5 or more at stations that are none of probes_at
     margin_row worst; ///< the first that lacks most of its margin or, where none does, has least more than that

@@ -6,45 +6,10 @@
 #include "shown_kinds.h"
 #include "summary.h"
 
-enum { SENTENCE = 256 };
-
 static const double two_pi = 6.283185307179586476925;
 
 static double number(const whirl_table *table, size_t point, const char *field) {
     return whirl_table_number(table, point, field, 0);
-}
-
-/// Whether bearings and stages alone tell enough, and of the whole machine whether it is damped as asked for (API 617;
-/// which edition counts is for the user to check).
-static void judge(const whirl_table *table, size_t point, char text[SENTENCE]) {
-    const double least = margin_decrement, coupling = margin_coupling(table, point);
-    const double decrement = number(table, point, WHIRL_FIELD_STABILITY_DECREMENT);
-    const double complete = number(table, point, WHIRL_FIELD_STABILITY_COMPLETE);
-    const char *whole = complete > least ? "holds" : "fails";
-    if (isnan(decrement))
-        snprintf(text, SENTENCE, "no mode was found that does not go backward");
-    else if (!(number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED) > 0.0))
-        snprintf(text, SENTENCE,
-                 "no stages: seals and impellers decide; decrement %.3g with them, above %g asked for: %s", complete,
-                 least, whole);
-    else if (margin_level_one(table, point) && complete <= least)
-        snprintf(text, SENTENCE,
-                 "decrement above %g and limit above %g times the anticipated, as Level I asks for, but decrement %.3g "
-                 "with seals and impellers, above %g asked for: fails",
-                 least, coupling, complete, least);
-    else if (margin_level_one(table, point))
-        snprintf(text, SENTENCE, "decrement above %g and limit above %g times the anticipated: holds by Level I", least,
-                 coupling);
-    else if (decrement < least)
-        snprintf(text, SENTENCE,
-                 "decrement too small: seals and impellers are to be counted (Level II); decrement %.3g with them, "
-                 "above %g asked for: %s",
-                 complete, least, whole);
-    else
-        snprintf(text, SENTENCE,
-                 "%slimit below %g times the anticipated: seals and impellers are to be counted (Level II); decrement "
-                 "%.3g with them, above %g asked for: %s",
-                 coupling > 2.0 ? "region B and " : "", coupling, complete, least, whole);
 }
 
 /// The critical speed ratio and, where the density of the gas is said, the region.
@@ -62,11 +27,11 @@ static void print_screening(FILE *out, const whirl_table *table, size_t point) {
 
 static void print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;
-    char text[SENTENCE];
-    const double anticipated = number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED);
-    const double limit = number(table, point, WHIRL_FIELD_STABILITY_LIMIT);
-    if (isnan(number(table, point, WHIRL_FIELD_STABILITY_DECREMENT))) {
-        fputs("    no mode was found that does not go backward\n", out);
+    char text[ASKED_TEXT];
+    const asked_stability at = asked_stability_at(table, point);
+    asked_stability_told(&at, text);
+    if (isnan(at.decrement)) {
+        fprintf(out, "    %s\n", text);
         return;
     }
     const double basic = number(table, point, WHIRL_FIELD_STABILITY_BASIC);
@@ -74,15 +39,15 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
             isnan(basic) ? "    logarithmic decrement: bearings alone none, as no mode swings"
                          : "    logarithmic decrement: bearings alone %.4g",
             basic);
-    if (anticipated > 0.0) fprintf(out, ", with stages %.4g", number(table, point, WHIRL_FIELD_STABILITY_DECREMENT));
-    fprintf(out, " (at %.5g Hz), with seals and impellers %.4g\n",
-            number(table, point, WHIRL_FIELD_STABILITY_FREQUENCY) / two_pi,
-            number(table, point, WHIRL_FIELD_STABILITY_COMPLETE));
-    if (anticipated > 0.0 && isfinite(limit))
-        fprintf(out, "    cross coupling: anticipated %.6g N/m, limit %.6g N/m, %.4g times as much\n", anticipated,
-                limit, limit / anticipated);
-    else if (anticipated > 0.0)
-        fprintf(out, "    cross coupling: anticipated %.6g N/m, no limit below 1000 times as much\n", anticipated);
+    if (at.stages) fprintf(out, ", with stages %.4g", at.decrement);
+    fprintf(out, " (at %.5g Hz)", number(table, point, WHIRL_FIELD_STABILITY_FREQUENCY) / two_pi);
+    if (isfinite(at.complete)) fprintf(out, ", with seals and impellers %.4g", at.complete);
+    fputc('\n', out);
+    if (at.stages && isfinite(at.ratio))
+        fprintf(out, "    cross coupling: anticipated %.6g N/m, limit %.6g N/m, %.4g times as much\n", at.anticipated,
+                at.limit, at.ratio);
+    else if (at.stages)
+        fprintf(out, "    cross coupling: anticipated %.6g N/m, no limit below 1000 times as much\n", at.anticipated);
     else
         fputs("    cross coupling: none is anticipated without stages, so that no limit is found\n", out);
     print_screening(out, table, point);
@@ -91,7 +56,6 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
         if (own && isfinite(*own))
             fprintf(out, "    bearings and what is at %s: %.4g\n", result->stations[station].name, *own);
     }
-    judge(table, point, text);
     fprintf(out, "    %s\n", text);
 }
 
@@ -147,17 +111,17 @@ static void section(const page *to, size_t index, const whirl_table *table) {
           "<th class=\"number\">gas (kg/m3)</th><th>region</th><th>what follows</th></tr></thead>\n<tbody>\n",
           to->stream);
     for (size_t point = 0; point < table->count; point++) {
-        char text[SENTENCE];
+        char text[ASKED_TEXT];
         if (!whirl_table_done(table, point)) continue;
+        const asked_stability at = asked_stability_at(table, point);
+        asked_stability_told(&at, text);
         if (*table->parameter)
             fprintf(to->stream, "<tr><th class=\"number\">%.6g %s</th>", table->values[point] / unit.size, unit.name);
         else
             fputs("<tr><th>the speed of the case</th>", to->stream);
         for (size_t i = 0; i < sizeof shown / sizeof *shown; i++)
             html_number(to->stream, number(table, point, shown[i]));
-        judge(table, point, text);
-        const double region = number(table, point, WHIRL_FIELD_STABILITY_REGION);
-        fprintf(to->stream, "<td>%s</td>", !isfinite(region) ? "" : region > 0.5 ? "B" : "A");
+        fprintf(to->stream, "<td>%s</td>", !isfinite(at.region) ? "" : at.region > 0.5 ? "B" : "A");
         fputs("<td>", to->stream);
         html_text(to->stream, text);
         fputs("</td></tr>\n", to->stream);

@@ -63,6 +63,14 @@ static void print_scaled(FILE *out, const whirl_shown_units *units, const whirl_
     free(rows);
 }
 
+/// "  separation margin: fails: 2 of 6 peaks", of all that is asked of responses.
+static void print_asked(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+    const asked_rows all = asked_of(units, table);
+    for (const asked_row *row = all.rows; row < all.rows + all.count; row++)
+        fprintf(out, "  %s%s%s%s%s: %s\n", row->what, *row->asked ? ", " : "", row->asked, *row->found ? ": " : "",
+                row->found, row->told);
+}
+
 /// The largest response of every station, and where, and its peaks.
 static void summarize(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     const whirl_result *result = units->result;
@@ -94,6 +102,7 @@ static void summarize(FILE *out, const whirl_shown_units *units, const whirl_tab
         print_peaks(out, units, table, station);
     }
     print_scaled(out, units, table);
+    print_asked(out, units, table);
 }
 
 /// What scaled responses take of clearances, and the unbalances that they are by.

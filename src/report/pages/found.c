@@ -15,7 +15,9 @@ size_t found_each(const page *to, found_part part, const char *field, each_table
     for (size_t r = part.first; r < part.end; r++)
         for (size_t t = 0; t < to->results[r]->table_count; t++) {
             const whirl_table *table = &to->results[r]->tables[t];
-            if (table->count == 0 || !whirl_layout_field(&table->layout, field)) continue;
+            if (table->count == 0 ||
+                !(field ? whirl_layout_field(&table->layout, field) != NULL : shown_kind_of(table) == NULL))
+                continue;
             if (act) act(to, r, table, context);
             count++;
         }
@@ -85,6 +87,7 @@ static void count_swept(const page *to, size_t result, const whirl_table *table,
 
 /// Peaks with margins, of all responses.
 typedef struct peak_count {
+    asked_verdict verdict; ///< of all of them
     size_t told, held, tables, unjudged;
     bool probed;       ///< stations with probes are said
     double more;       ///< what the worst has more than is asked for, % (margin_tally)
@@ -96,9 +99,9 @@ static void count_peaks(const page *to, size_t result, const whirl_table *table,
     peak_count *const all = context;
     const margin_tally own = margin_count(to->results[result], table, &to->units[result]);
     all->tables += margin_asked(table);
-    if (margin_asked(table) && margin_lacks(table) && !*all->unknown)
-        snprintf(all->unknown, sizeof all->unknown, "Peaks of %s may be missing: %s.", table->name,
-                 margin_lacks(table));
+    if (own.verdict > all->verdict) all->verdict = own.verdict;
+    if (own.lacks && !*all->unknown)
+        snprintf(all->unknown, sizeof all->unknown, "Peaks of %s may be missing: %s.", table->name, own.lacks);
     all->told += own.told;
     all->unjudged += own.unjudged;
     all->probed = all->probed || *table->record.probes_at;
@@ -136,33 +139,24 @@ static void find_tightest(const page *to, size_t result, const whirl_table *tabl
     snprintf(found->where, sizeof found->where, "%s (%s)", own->stations[row.station].name, table->name);
 }
 
-/// The least decrement of the whole machine.
-typedef struct least_decrement {
-    double complete, decrement, ratio;
-    size_t without;         ///< points that have no mode
-    bool asked;             ///< seals and impellers decide there
-    size_t screened, dense; ///< points in the screening diagram, and in its region B
+/// Stability of all tables, and the one of the least decrement.
+typedef struct stability_count {
+    asked_stability_tally all;
     const char *where;
-} least_decrement;
+} stability_count;
 
-static void find_decrement(const page *to, size_t result, const whirl_table *table, void *context) {
-    least_decrement *const found = context;
+static void count_stability(const page *to, size_t result, const whirl_table *table, void *context) {
+    stability_count *const count = context;
+    const asked_stability_tally own = asked_stability_count(table);
     (void)to, (void)result;
-    for (size_t point = 0; point < table->count; point++) {
-        const double complete = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_COMPLETE, 0);
-        const double region = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0);
-        found->without += whirl_table_done(table, point) && isnan(complete);
-        found->screened += whirl_table_done(table, point) && isfinite(region);
-        found->dense += whirl_table_done(table, point) && region > 0.5;
-        if (!whirl_table_done(table, point)) continue;
-        if (!(complete < found->complete)) continue;
-        found->asked = margin_level_two_asked(table, point);
-        found->complete = complete;
-        found->decrement = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DECREMENT, 0);
-        found->ratio = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) /
-                       whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0);
-        found->where = table->name;
-    }
+    count->all.points += own.points;
+    count->all.without += own.without;
+    count->all.screened += own.screened;
+    count->all.dense += own.dense;
+    if (own.level_two > count->all.level_two) count->all.level_two = own.level_two;
+    if (count->where && !(own.least.complete < count->all.least.complete)) return;
+    count->all.least = own.least;
+    if (isfinite(own.least.complete)) count->where = table->name;
 }
 
 static void write_critical(const page *to, found_part part) {
@@ -182,14 +176,17 @@ static void write_margins(const page *to, found_part part) {
     begin_sentence(to, "Separation margins");
     if (peaks.tables == 0)
         fputs("Not told: no response to unbalance has its running speeds (running_from, running_to).", to->stream);
-    else if (peaks.told == 0 && *peaks.unknown)
+    else if (peaks.verdict == ASKED_UNKNOWN && peaks.told == 0)
         fputs("Not known.", to->stream);
-    else if (peaks.told == 0)
+    else if (peaks.verdict == ASKED_UNKNOWN)
+        html_printf(to->stream, "Not known: all %zu peaks that were found and of which a margin is asked for have it.",
+                    peaks.told);
+    else if (peaks.verdict == ASKED_NOTHING)
         html_printf(to->stream,
                     "No peak%s at the speeds that were looked at has an amplification of 2.5 or more: no margin is "
                     "asked for.",
                     peaks.probed ? " that a probe sees" : "");
-    else if (peaks.told == peaks.held)
+    else if (peaks.verdict == ASKED_HOLDS)
         html_printf(to->stream, "All %zu peaks of which a margin is asked for have it.", peaks.told);
     else
         html_printf(to->stream, "%zu of %zu peaks lack the margin that is asked for; the worst is %s.",
@@ -218,30 +215,34 @@ static void write_clearances(const page *to, found_part part) {
 }
 
 static void write_stability(const page *to, found_part part) {
-    least_decrement least = {.complete = INFINITY};
-    if (found_each(to, part, WHIRL_FIELD_STABILITY_COMPLETE, find_decrement, &least) == 0 && !part.all) return;
+    stability_count count = {.all = {.least = {.complete = NAN}}};
+    if (found_each(to, part, WHIRL_FIELD_STABILITY_COMPLETE, count_stability, &count) == 0 && !part.all) return;
+    const asked_stability_tally *const all = &count.all;
+    const asked_stability *const least = &all->least;
     begin_sentence(to, "Stability");
-    if (isfinite(least.complete)) {
+    if (count.where) {
         html_printf(to->stream,
                     "The least logarithmic decrement is %.3g with seals and impellers (%s), %.3g with bearings "
                     "and stages",
-                    least.complete, least.where, least.decrement);
-        if (least.ratio == 0.0)
+                    least->complete, count.where, least->decrement);
+        if (least->ratio == 0.0)
             fputs(", below 0 without any cross coupling", to->stream);
-        else if (isfinite(least.ratio))
+        else if (isfinite(least->ratio))
             html_printf(to->stream, ", whose cross coupling is at its limit when it is %.3g times as large",
-                        least.ratio);
+                        least->ratio);
         html_printf(to->stream,
-                    least.complete > margin_decrement ? "; above %g: holds."
-                    : least.asked                     ? "; not above %g: fails."
-                                                      : "; not above %g: fails, though Level I holds there.",
-                    margin_decrement);
-        if (least.screened > 0)
-            html_printf(to->stream, " In the screening diagram %zu of %zu points are in region B.", least.dense,
-                        least.screened);
-        if (least.without > 0) html_printf(to->stream, " At %zu points there is no such mode.", least.without);
-    } else if (least.without > 0) {
-        fputs("No mode was found that does not go backward.", to->stream);
+                    least->level_two == ASKED_HOLDS ? "; above %g: holds%s."
+                    : least->decides                ? "; not above %g: fails%s."
+                                                    : "; not above %g: fails%s, though Level I holds there.",
+                    asked_decrement, all->without > 0 ? " there" : "");
+        if (all->screened > 0)
+            html_printf(to->stream, " In the screening diagram %zu of %zu points are in region B.", all->dense,
+                        all->screened);
+        if (all->without > 0)
+            html_printf(to->stream, " Not known at %zu of %zu points: no mode that does not go backward.", all->without,
+                        all->points);
+    } else if (all->without > 0) {
+        fputs("Not known: no mode was found that does not go backward.", to->stream);
     } else {
         fputs("Not looked for (study: stability).", to->stream);
     }
@@ -319,6 +320,8 @@ static void tell_table(FILE *out, const whirl_shown_units *units, const whirl_ta
     const shown_kind *kind = shown_kind_of(table);
     if (kind) {
         kind->summarize(out, units, table);
+    } else if (!whirl_layout_has_verdict(&table->layout)) {
+        summarize_motions(out, units, table);
     } else if (is_single(table)) {
         summarize_response(out, units, table);
     } else {

@@ -40,7 +40,7 @@ static void write_found(const page *to) {
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
     found_at_rest(to, everything(to));
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, everything(to), WHIRL_FIELD_REGIME_CODE, tell_motions, &told);
+    found_each(to, everything(to), NULL, tell_motions, &told);
     if (!told) fputs("Not computed (study: motions beside these).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
@@ -153,7 +153,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     }
 }
 
-/// A chapter is of all tables that have a field.
+/// A chapter is of all tables that have a field, or (NULL) of all motions.
 typedef struct chapter {
     const char *title, *about, *field;
 } chapter;
@@ -177,8 +177,7 @@ static const chapter chapters[] = {
      "to the vibration limit beside clearances.",
      WHIRL_FIELD_UNBALANCE_AMPLITUDE},
     {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC},
-    {"Nonlinear motions", "Motions in the real films with contacts, computed in time and judged.",
-     WHIRL_FIELD_REGIME_CODE},
+    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL},
 };
 enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };
 

@@ -105,7 +105,8 @@ static void write_result_contents(const page *to, size_t r) {
     fputs("</a>\n<ul>\n", to->stream);
     if (has_figures(to, r, true)) write_entry(to->stream, "diagrams", r + 1, page_diagrams_title(result));
     if (has_figures(to, r, false)) write_entry(to->stream, "motions", r + 1, "Single points");
-    if (sweep && sweep->count > 0) write_entry(to->stream, "regimes", r + 1, "Regimes");
+    if (sweep && sweep->count > 0 && whirl_layout_has_verdict(&sweep->layout))
+        write_entry(to->stream, "regimes", r + 1, "Regimes");
     for (size_t t = 0; t < result->table_count; t++) {
         char name[256], anchor[256];
         if (!section_of(&result->tables[t])) continue;

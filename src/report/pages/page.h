@@ -84,7 +84,8 @@ typedef struct found_part {
 /// What is done with a table.
 typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
 
-/// Does it (NULL: nothing) with every table that has points and the field; how many have.
+/// Does it (NULL: nothing) with every table that has points and the field, or, of no field (NULL), whose points are
+/// motions; how many have.
 size_t found_each(const page *to, found_part part, const char *field, each_table *act, void *context);
 
 /// Critical speeds with damping, margins, clearances, stability.

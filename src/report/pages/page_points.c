@@ -82,7 +82,7 @@ static void write_merged(FILE *stream, const shown_table *of, const regime_inter
 void page_intervals(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
     const whirl_table *table = whirl_result_table(result, "sweep");
-    if (!table || table->count == 0) return;
+    if (!table || table->count == 0 || !whirl_layout_has_verdict(&table->layout)) return;
     regime_interval *intervals = malloc(table->count * sizeof *intervals);
     if (!intervals) return;
     const size_t count = regime_intervals(table, result->contact_count, intervals, table->count);
@@ -236,6 +236,7 @@ static void write_verdict(const point_page *to, size_t point) {
 }
 
 static void write_verdicts(const point_page *to) {
+    if (!whirl_layout_has_verdict(&to->table->layout)) return;
     begin_table(to, "Verdicts on the points in detail");
     fputs("<th>Regime</th><th>Confidence</th><th class=\"number\">Largest exponent<br>(1/revolution)</th>", to->stream);
     if (has_rub(to->table, to->result->contact_count))
@@ -313,6 +314,9 @@ static void write_size(const point_page *to, size_t point, size_t s) {
 }
 
 static void write_sizes(const point_page *to) {
+    if (!whirl_layout_field(&to->table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS) &&
+        !whirl_layout_field(&to->table->layout, WHIRL_FIELD_SPECTRUM_LINES))
+        return;
     char radius[UNIT_LABEL_SIZE], amplitude[UNIT_LABEL_SIZE];
     units_length_label(to->units, WHIRL_ZERO_TO_PEAK, "radius", radius, sizeof radius);
     units_length_label(to->units, WHIRL_AMPLITUDE, "larger amplitude of x and y", amplitude, sizeof amplitude);

@@ -49,8 +49,7 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
     if (*whirl_result_fact(units->result, name)) fprintf(out, "  with %s\n", whirl_result_fact(units->result, name));
 }
 
-/// What motions beside a lateral analysis do to clearances.
-static void print_told(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
     motions_told(units, units->result, table, text);
     fprintf(out, "  %s\n", text);
@@ -78,7 +77,7 @@ static whirl_status print_table(FILE *out, const whirl_shown_units *units, const
     print_given(out, units, table);
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
-    if (!kind && motions_beside(table)) print_told(out, units, table);
+    if (!kind && motions_beside(table)) summarize_motions(out, units, table);
     if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
     if (table->count > 0 || whirl_analysis_kind(table->analyses)->found)
         kind->summarize(out, units, table);

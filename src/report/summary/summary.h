@@ -31,6 +31,9 @@ whirl_unit summary_length_unit(const whirl_shown_units *units);
 /// The one point of a response, or every attractor that its starts lead to. WHIRL_NO_MEMORY.
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
+/// What motions do to clearances and contacts, in one paragraph (motions_told).
+void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table);
+
 /// Tells a point of a table.
 typedef void summary_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point);
 
