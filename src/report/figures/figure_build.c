@@ -144,8 +144,9 @@ void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *te
 }
 
 void axis_show(whirl_axis *axis, span range) {
-    axis->low = range.low;
-    axis->high = range.high;
+    const bool finite = isfinite(range.low) && isfinite(range.high) && isfinite(range.high - range.low);
+    axis->low = finite ? range.low : (double)NAN;
+    axis->high = finite ? range.high : (double)NAN;
 }
 
 whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, const char *colour, double width) {

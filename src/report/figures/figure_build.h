@@ -47,7 +47,8 @@ void series_value(whirl_figure *figure, whirl_series *series, double value); ///
 /// A tick with a text of its own.
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text);
 
-/// What an axis shows; a logarithmic one only where all of it is above 0.
+/// What an axis shows; a logarithmic one only where all of it is above 0. A range that is not finite leaves the axis to
+/// figure_finish, which shows its finite numbers.
 void axis_show(whirl_axis *axis, span range);
 
 /// A line from edge to edge of a panel at a height, or at a place; the axes are shown.

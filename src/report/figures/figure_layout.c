@@ -64,7 +64,7 @@ static span around(span range, double margin) {
 
 static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, bool log) {
     const span all = range_of(panel, upright);
-    const bool open = isnan(axis->low) || isnan(axis->high);
+    const bool open = !isfinite(axis->low) || !isfinite(axis->high);
     const double most = fmax(fabs(all.low), fabs(all.high));
     const bool may = axis->logarithmic || (axis->tick_count == 0 && !panel->equal);
     if (log && may && all.high > 0.0) {
@@ -81,7 +81,15 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     else if (open)
         axis_show(axis, span_with_margin(all, 0.05, most > 0.0 ? 1e-9 * most : 1.0));
     if (!(axis->low > 0.0)) axis->logarithmic = false;
-    if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, 1.0));
+    const double wide = fmax(1.0, 1e-6 * fabs(axis->low)); // of one number alone
+    if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));
+}
+
+/// An axis of which no range could be made, such as one of infinite numbers alone, goes from 0 to 1.
+static void bound_axis(whirl_axis *axis) {
+    if (isfinite(axis->low) && isfinite(axis->high) && axis->low < axis->high) return;
+    axis->logarithmic = false;
+    axis_show(axis, (span){0.0, 1.0});
 }
 
 // ---------------------------------------------------------------- the legend
@@ -209,6 +217,9 @@ static void fill_scale_ticks(whirl_figure *figure) {
     whirl_colour_scale *scale = &figure->scale;
     whirl_axis axis = {.low = scale->low, .high = scale->high, .logarithmic = scale->logarithmic};
     if (!*scale->label) return;
+    if (!isfinite(axis.low) || !isfinite(axis.high)) axis = (whirl_axis){.low = 0.0, .high = 1.0};
+    scale->low = axis.low;
+    scale->high = axis.high;
     axis_fill_ticks(figure, &axis, (int)fmax(3.0, figure->height / 1.5));
     scale->tick_count = axis.tick_count;
     scale->ticks = axis.ticks;
@@ -221,6 +232,8 @@ void figure_finish(whirl_figure *figure, const char *log) {
         whirl_panel *panel = figure->panels[i];
         fit_axis(panel, &panel->x, false, log && strchr(log, 'x'));
         fit_axis(panel, &panel->y, true, log && strchr(log, 'y'));
+        bound_axis(&panel->x);
+        bound_axis(&panel->y);
         break_label(figure, panel);
     }
     fill_ticks(figure, true);

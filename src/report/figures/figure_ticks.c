@@ -53,8 +53,10 @@ static void fill_even(whirl_figure *figure, whirl_axis *axis, double step) {
     const double first = ceil(axis->low / step - 1e-9);
     // Of numbers so large beside their differences no digits would tell one tick from the next.
     for (int k = 0; k < MOST && fabs(first) < 1e9 && (first + k) * step <= axis->high + 1e-9 * step; k++) {
-        number_as_tick((first + k) * step, step, text, sizeof text);
-        axis_tick(figure, axis, (first + k) * step, text);
+        const double at = (first + k) * step;
+        if (!isfinite(at)) return;
+        number_as_tick(at, step, text, sizeof text);
+        axis_tick(figure, axis, at, text);
     }
 }
 
@@ -85,7 +87,7 @@ static void fill_powers(whirl_figure *figure, whirl_axis *axis, int most) {
         for (int digit = 1; digit < 10; digit++) {
             const double at = digit * pow(10.0, k);
             const bool named = digit == 1 ? (k - first) % step == 0 : all && (digit == 2 || digit == 5);
-            if (!named || at < axis->low * (1.0 - 1e-9) || at > axis->high * (1.0 + 1e-9)) continue;
+            if (!named || !isfinite(at) || at < axis->low * (1.0 - 1e-9) || at > axis->high * (1.0 + 1e-9)) continue;
             log_text(at, k, digit, text, sizeof text);
             axis_tick(figure, axis, at, text);
         }
