@@ -18,6 +18,7 @@
 // Elements outside the library find these by names of the library.
 #define element_on whirl_element_on
 #define element_between whirl_element_between
+#define element_beside_none whirl_element_beside_none
 #define element_in_housing whirl_element_in_housing
 #define doubt_value whirl_doubt_value
 
@@ -214,6 +215,10 @@ void element_on(const key_value *at, const assembly *to, axis first, element *ou
 /// station where it sits. WHIRL_BAD_INPUT where both are one, or a station does not move so.
 whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
                              element *out);
+
+/// WHIRL_BAD_INPUT where both stations of `between` lie on one shaft of finite elements: what stands for a shaft
+/// between them would be one beside it, and add its stiffness.
+whirl_status element_beside_none(const key_value *between, const assembly *to);
 
 /// The same in x and y of an element at a station, in a housing that is the station of `from`, or else the ground.
 whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out);

@@ -28,6 +28,18 @@ whirl_status element_between(const key_value *between, const assembly *to, const
     return status.code == WHIRL_OK ? find_place(to, other, axes, count, out->port + count) : status;
 }
 
+whirl_status element_beside_none(const key_value *between, const assembly *to) {
+    const size_t one = between->station[0], other = between->station[1];
+    if (one == GROUND || other == GROUND || to->stations[one].shaft == NO_SHAFT ||
+        to->stations[one].shaft != to->stations[other].shaft)
+        return whirl_ok();
+    return whirl_fail(
+        WHIRL_BAD_INPUT,
+        "would lie beside the segments that join '%s' and '%s' and add its stiffness to theirs, expected "
+        "stations that no shaft of finite elements joins (segments have flats and diameters of their own)",
+        to->stations[one].name, to->stations[other].name);
+}
+
 whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out) {
     static const axis plane[] = {AXIS_X, AXIS_Y};
     const size_t housing = from->given ? from->station[0] : GROUND;

@@ -53,6 +53,34 @@ static void test_stations(void **state) {
     whirl_design_free(design);
 }
 
+/// A crack or a shaft between two places of one shaft of finite elements would only make it stiffer.
+static void test_shaft_beside_segments(void **state) {
+    static const char *const elements[] = {"crack", "shaft"};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        whirl_design *design = design_with_disc();
+        whirl_rotor *rotor;
+        const bool crack = i % 2 == 0, apart = i >= 2;
+        const whirl_setting own[] = {
+            {"between", 0, apart ? "a, disc" : "a, b"}, {crack ? "stiffness" : "k1", 1e6, NULL}, {"loss", 0.2, NULL}};
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(
+                whirl_design_station(design, k ? "b" : "a", (whirl_setting[]){{"position", k, NULL}}, 1).code,
+                WHIRL_OK);
+        assert_int_equal(
+            whirl_design_element(design, "segment", (whirl_setting[]){{"length", 1, NULL}, {"outer", 0.05, NULL}}, 2)
+                .code,
+            WHIRL_OK);
+        assert_int_equal(whirl_design_element(design, elements[i % 2], own, crack ? 3 : 2).code, WHIRL_OK);
+        if (apart)
+            assert_int_equal(whirl_rotor_new(design, &rotor).code, WHIRL_OK); // from shaft to a disc beside it
+        else
+            refused(whirl_rotor_new(design, &rotor), "beside the segments that join 'a' and 'b'");
+        if (apart) whirl_rotor_free(rotor);
+        whirl_design_free(design);
+    }
+}
+
 /// Mass may come from an element, so it is missed when the rotor is built.
 static void test_inertia(void **state) {
     const whirl_setting tilts_alone[] = {{"polar", 1, NULL}, {"mass", 1, NULL}},
@@ -236,6 +264,7 @@ int main(void) {
         cmocka_unit_test(test_frame),
         cmocka_unit_test(test_stations),
         cmocka_unit_test(test_inertia),
+        cmocka_unit_test(test_shaft_beside_segments),
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_contradictions),
         cmocka_unit_test(test_own_types),

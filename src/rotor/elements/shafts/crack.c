@@ -61,7 +61,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const bool square = values[LAW].choice == LAW_SQUARE;
     if (values[TERMS].given && !square)
         return whirl_fail(WHIRL_BAD_INPUT, "has terms, which only law square uses, expected law: square, or no terms");
-    const whirl_status status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
+    whirl_status status = element_beside_none(&values[BETWEEN], to);
+    if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
     out->law = square ? (int)values[TERMS].number : 0;
     out->number[CRACK_STIFFNESS] = stiffness;

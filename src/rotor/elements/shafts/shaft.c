@@ -83,7 +83,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
         station[0] = values[BETWEEN].station[1];
         station[1] = values[BETWEEN].station[0];
     }
-    const whirl_status status = element_between(&between, to, axes, 2, out);
+    whirl_status status = element_beside_none(&between, to);
+    if (status.code == WHIRL_OK) status = element_between(&between, to, axes, 2, out);
     if (status.code != WHIRL_OK) return status;
     const double k1 = values[K1].number, k2 = values[K2].given ? values[K2].number : k1;
     const double mean = 0.5 * (k1 + k2), half = 0.5 * (k1 - k2);
