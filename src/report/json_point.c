@@ -238,6 +238,12 @@ static json_t *station_synchronous(bool *well, const whirl_table *table, size_t 
     return object;
 }
 
+// Share of the motion that these lines hold.
+static json_t *station_share(bool *well, const whirl_table *table, size_t point, size_t station) {
+    (void)well;
+    return document_number(whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_SHARE, station));
+}
+
 typedef json_t *(*station_part)(bool *well, const whirl_table *table, size_t point, size_t station);
 
 static void put_stations(bool *well, json_t *object, const char *key, station_part part, const whirl_result *result,
@@ -436,6 +442,8 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
         put_stations(well, object, "poincare", station_section, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES))
         put_stations(well, object, "spectrum", station_lines, result, table, point);
+    if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SHARE))
+        put_stations(well, object, "spectrum_share", station_share, result, table, point);
     if (whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_SYNCHRONOUS))
         put_stations(well, object, "synchronous", station_synchronous, result, table, point);
     return object;

@@ -31,6 +31,10 @@ numbers point_spectrum(const whirl_table *table, size_t point, size_t station) {
     return array_of(table, point, WHIRL_FIELD_SPECTRUM_AMPLITUDE, station, 5);
 }
 
+double line_share(const whirl_table *table, size_t point, size_t station) {
+    return whirl_table_number(table, point, WHIRL_FIELD_SPECTRUM_SHARE, station);
+}
+
 numbers point_lines(const whirl_table *table, size_t point, size_t station) {
     return array_of(table, point, WHIRL_FIELD_SPECTRUM_LINES, station, 5);
 }

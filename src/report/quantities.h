@@ -28,6 +28,11 @@ numbers point_waveform(const whirl_table *table, size_t point, size_t station); 
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
 numbers point_lines(const whirl_table *table, size_t point, size_t station); ///< the same, of the peaks, largest first
 
+/// Share of a station's motion that these peaks hold (spectrum/share), NaN where it is not known; below FEW_LINES
+/// summary and report tell it.
+double line_share(const whirl_table *table, size_t point, size_t station);
+#define FEW_LINES 0.9
+
 /// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is
 /// neither.
 whirl_estimate point_exponent(const whirl_table *table, size_t point);

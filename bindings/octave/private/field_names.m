@@ -24,6 +24,7 @@ names.spectrum_lines = 'spectrum/lines';
 names.spectrum_amplitude = 'spectrum/amplitude';
 names.spectrum_synchronous = 'spectrum/synchronous';
 names.spectrum_synchronous_lag = 'spectrum/synchronous_lag';
+names.spectrum_share = 'spectrum/share';
 names.lyapunov_largest = 'lyapunov/largest';
 names.lyapunov_error = 'lyapunov/error';
 names.exponents_values = 'exponents/values';

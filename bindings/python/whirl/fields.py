@@ -26,6 +26,7 @@ class FIELD:
     SPECTRUM_AMPLITUDE = "spectrum/amplitude"
     SPECTRUM_SYNCHRONOUS = "spectrum/synchronous"
     SPECTRUM_SYNCHRONOUS_LAG = "spectrum/synchronous_lag"
+    SPECTRUM_SHARE = "spectrum/share"
     LYAPUNOV_LARGEST = "lyapunov/largest"
     LYAPUNOV_ERROR = "lyapunov/error"
     EXPONENTS_VALUES = "exponents/values"

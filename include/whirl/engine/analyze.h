@@ -234,10 +234,12 @@ typedef struct whirl_spectrum {
     double *x, *y, *forward, *backward; ///< [count] amplitudes, zero to peak; one block, freed by whirl_spectrum_free
     size_t line_count;                  ///< of lines
     whirl_line lines[WHIRL_MAX_LINES];  ///< interpolated peaks, largest first
-    whirl_synchronous synchronous;      ///< NaN where there are fewer than 3 samples per revolution
+    double line_share; ///< of the motion's mean square about its mean that the lines hold; NaN where nothing moves
+    whirl_synchronous synchronous; ///< NaN where there are fewer than 3 samples per revolution
 } whirl_spectrum;
 
-/// Spectrum of probe `probe` up to `highest_order`. WHIRL_BAD_INPUT when the record has no waveform.
+/// Spectrum of probe `probe` up to `highest_order`; lines also above it, as far as 99 % of the motion reach.
+/// WHIRL_BAD_INPUT when the record has no waveform.
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
                                 whirl_spectrum **spectrum);
 

@@ -33,6 +33,7 @@
 #define WHIRL_FIELD_SPECTRUM_AMPLITUDE "spectrum/amplitude"
 #define WHIRL_FIELD_SPECTRUM_SYNCHRONOUS "spectrum/synchronous"
 #define WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG "spectrum/synchronous_lag"
+#define WHIRL_FIELD_SPECTRUM_SHARE "spectrum/share"
 
 #define WHIRL_FIELD_LYAPUNOV_LARGEST "lyapunov/largest"
 #define WHIRL_FIELD_LYAPUNOV_ERROR "lyapunov/error"

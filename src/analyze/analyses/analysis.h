@@ -137,9 +137,10 @@ enum { SPECTRUM_COLUMNS = 5 };
 /// Bins 0 ... of a record up to an order, below half the sampling frequency.
 size_t spectrum_bins(size_t revolutions, size_t samples_per_revolution, double highest_order);
 
-/// The spectrum of two coordinates [count] over whole revolutions; as whirl_spectrum_new.
+/// The spectrum of two coordinates [count] over whole revolutions; as whirl_spectrum_new. further: lines may lie above
+/// the highest order.
 whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t samples_per_revolution,
-                         double highest_order, whirl_spectrum **spectrum);
+                         double highest_order, bool further, whirl_spectrum **spectrum);
 
 /// A row for every line [line_count][SPECTRUM_COLUMNS], and for every bin [count][SPECTRUM_COLUMNS] unless NULL.
 void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins);

@@ -39,19 +39,41 @@ static bool window_samples(const double *samples, const double *window, size_t c
     return largest > 1e-12 * scale;
 }
 
-/// The whole bins, and the lines between them. `power` has room for all `bins`.
-static void fill(whirl_spectrum *spectrum, const wave_transform *wave, size_t bins, double *power) {
+static double squares_of(const double *samples, size_t count) {
+    double sum = 0.0;
+    for (size_t j = 0; j < count; j++) sum += samples[j] * samples[j];
+    return sum;
+}
+
+/// Share of the motion below which lines are looked for at higher orders, too; and the size of motions over their
+/// largest displacement below which they are rests.
+static const double enough = 0.99, at_rest = 1e-7;
+
+/// The whole bins, and the lines between them: of `bins` bins, or of twice, four times ... as many of `most` until
+/// these hold enough of the mean square of the motion. By Parseval's theorem squares of all bins sum to 3 times that,
+/// the window being squared. `power` has room for `most`. Returns the mean square of the lines.
+static double fill(whirl_spectrum *spectrum, const wave_transform *wave, double square, size_t bins, size_t most,
+                   double *power) {
+    double held = 0.0, lines = 0.0;
     for (size_t k = 0; k < bins; k++) {
         const whirl_line bin = spectrum_line((double)k, wave_transform_at(wave, (double)k));
         power[k] = bin.x * bin.x + bin.y * bin.y;
-        if (k >= spectrum->count) continue;
-        spectrum->x[k] = bin.x;
-        spectrum->y[k] = bin.y;
-        spectrum->forward[k] = bin.forward;
-        spectrum->backward[k] = bin.backward;
+        held += power[k];
+        if (k < spectrum->count) {
+            spectrum->x[k] = bin.x;
+            spectrum->y[k] = bin.y;
+            spectrum->forward[k] = bin.forward;
+            spectrum->backward[k] = bin.backward;
+        }
+        if (k + 1 == bins && held < 3.0 * enough * square) bins = 2 * bins < most ? 2 * bins : most;
     }
     spectrum->line_count = spectrum_lines(wave, power, bins, spectrum->lines);
-    for (size_t l = 0; l < spectrum->line_count; l++) spectrum->lines[l].order *= spectrum->resolution;
+    for (size_t l = 0; l < spectrum->line_count; l++) {
+        whirl_line *line = &spectrum->lines[l];
+        line->order *= spectrum->resolution;
+        lines += 0.5 * (line->x * line->x + line->y * line->y);
+    }
+    return lines;
 }
 
 static double largest_of(const double *samples, size_t count) {
@@ -60,10 +82,11 @@ static double largest_of(const double *samples, size_t count) {
     return largest;
 }
 
-/// Into a spectrum with room for its bins, of `turn` samples per revolution. false: no memory.
-static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins,
+/// Into a spectrum with room for its bins, of `turn` samples per revolution; lines of `bins` bins, up to `most` where
+/// there is more of the motion. false: no memory.
+static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins, size_t most,
                     whirl_spectrum *spectrum) {
-    double *x = malloc((3 * count + bins) * sizeof *x);
+    double *x = malloc((3 * count + most) * sizeof *x);
     if (!x) return false;
     double *y = x + count, *window = y + count, *power = window + count;
     hann_window(count, window);
@@ -71,8 +94,13 @@ static bool analyse(const double *of_x, const double *of_y, size_t count, size_t
     const bool moves_y = window_samples(of_y, window, count, y);
     wave_transform *wave = moves_x || moves_y ? wave_transform_new(x, y, count, 0.5 * (double)count) : NULL;
     if (wave) {
-        fill(spectrum, wave, bins, power);
-        spectrum->synchronous = synchronous_part(wave, turn, fmax(largest_of(of_x, count), largest_of(of_y, count)));
+        // Squares of the window have the mean 3/8.
+        const double largest = fmax(largest_of(of_x, count), largest_of(of_y, count));
+        const double square = (squares_of(x, count) + squares_of(y, count)) / (0.375 * (double)count);
+        const bool still = sqrt(square) < at_rest * largest;
+        const double lines = fill(spectrum, wave, square, bins, still ? bins : most, power);
+        if (!still) spectrum->line_share = fmin(lines / square, 1.0);
+        spectrum->synchronous = synchronous_part(wave, turn, largest);
     }
     const bool done = wave || (!moves_x && !moves_y);
     wave_transform_free(wave);
@@ -84,6 +112,7 @@ static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
     whirl_spectrum *spectrum = calloc(1, sizeof *spectrum + 4 * bins * sizeof(double));
     if (!spectrum) return NULL;
     spectrum->synchronous = synchronous_none();
+    spectrum->line_share = NAN;
     spectrum->count = bins;
     spectrum->resolution = resolution;
     spectrum->x = (double *)(spectrum + 1);
@@ -94,7 +123,7 @@ static whirl_spectrum *empty_spectrum(size_t bins, double resolution) {
 }
 
 whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t samples_per_revolution,
-                         double highest_order, whirl_spectrum **spectrum) {
+                         double highest_order, bool further, whirl_spectrum **spectrum) {
     *spectrum = NULL;
     if (!(highest_order > 0.0)) {
         return whirl_fail(WHIRL_BAD_INPUT, "the highest order is %g, expected a number above 0", highest_order);
@@ -104,8 +133,10 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
     // Two bins more, so that a line at the highest order has a right side.
     const size_t bins = spectrum_bins(revolutions, samples_per_revolution, highest_order + 2.0 / (double)revolutions);
 
+    const size_t most = further ? spectrum_bins(revolutions, samples_per_revolution, INFINITY) : bins;
+
     whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
-    if (!made || !analyse(x, y, count, samples_per_revolution, bins, made)) {
+    if (!made || !analyse(x, y, count, samples_per_revolution, bins, most, made)) {
         whirl_spectrum_free(made);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     }
@@ -141,7 +172,7 @@ whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     fill_seen(record, probe, count, x);
     const whirl_status status =
-        spectrum_of(x, x + count, count, record->samples_per_revolution, highest_order, spectrum);
+        spectrum_of(x, x + count, count, record->samples_per_revolution, highest_order, true, spectrum);
     free(x);
     if (status.code == WHIRL_OK && record->probes[probe].clockwise) swap_directions(*spectrum);
     return status;
@@ -161,7 +192,7 @@ static size_t kept_bins(const block_shape *shape) {
     return spectrum_bins((size_t)shape->options->record, shape->samples_per_revolution, shape->options->highest_order);
 }
 
-enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, FIELD_COUNT };
+enum { LINES, AMPLITUDE, SYNCHRONOUS, LAG, SHARE, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
     [LINES] = {WHIRL_FIELD_SPECTRUM_LINES, "length", "order, x, y, forward, backward (0-p amplitudes)",
@@ -170,6 +201,8 @@ static const field_plan fields[FIELD_COUNT] = {
                    WHIRL_PER_STATION, SPECTRUM_COLUMNS, kept_bins},
     [SYNCHRONOUS] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS, "length", "x, y, forward, backward (0-p amplitudes)",
                      WHIRL_PER_STATION, 4, NULL},
+    [SHARE] = {WHIRL_FIELD_SPECTRUM_SHARE, "1", "share of the motion's mean square about its mean that the lines hold",
+               WHIRL_PER_STATION, 1, NULL},
     [LAG] = {WHIRL_FIELD_SPECTRUM_SYNCHRONOUS_LAG, "deg", "x, y, forward, backward", WHIRL_PER_STATION, 4, NULL},
 };
 
@@ -191,6 +224,7 @@ void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins) 
 static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view, size_t station) {
     spectrum_rows(spectrum, view_numbers(view, LINES, station), view_numbers(view, AMPLITUDE, station));
     memcpy(view_numbers(view, SYNCHRONOUS, station), spectrum->synchronous.amplitude, 4 * sizeof(double));
+    *view_numbers(view, SHARE, station) = spectrum->line_share;
     memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
 }
 

@@ -40,7 +40,7 @@ whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t cou
     double *nothing = y ? NULL : calloc(count, sizeof *nothing);
     if (!y && !nothing) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     whirl_spectrum *spectrum;
-    status = spectrum_of(x, y ? y : nothing, count, samples, highest_order, &spectrum);
+    status = spectrum_of(x, y ? y : nothing, count, samples, highest_order, false, &spectrum);
     free(nothing);
     if (status.code != WHIRL_OK) return status;
     *line_count = spectrum->line_count;

@@ -288,6 +288,8 @@ static void write_lines(const point_page *to, size_t point, size_t station) {
         html_printf(to->stream, ":\u00a0%.3g", amplitude * fmax(line[1], line[2]));
     }
     if (!lines.at) fputs("&ndash;", to->stream);
+    const double share = line_share(to->table, point, station);
+    if (share < FEW_LINES) html_printf(to->stream, " (lines hold %.3g\u00a0%% of the motion)", 100.0 * share);
     fputs("</td>", to->stream);
 }
 

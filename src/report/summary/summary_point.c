@@ -89,6 +89,16 @@ static void print_named_of(FILE *out, const whirl_shown_units *units, const whir
     whirl_case_free(machine);
 }
 
+/// "lines of its spectrum hold 61 % of the motion of disc", of stations where much of the motion is in none.
+static void print_shares(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
+    for (size_t s = 0; s < result->station_count; s++) {
+        const double share = line_share(table, point, s);
+        if (share < FEW_LINES)
+            fprintf(out, "  lines of its spectrum hold %.3g %% of the motion of %s\n", 100.0 * share,
+                    result->stations[s].name);
+    }
+}
+
 /// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(FILE *out, const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
@@ -137,6 +147,7 @@ static void print_point(FILE *out, const whirl_shown_units *units, const whirl_t
     print_radii(out, units, table, point);
     print_synchronous(out, units, table, point);
     print_named_of(out, units, table, point);
+    print_shares(out, units->result, table, point);
 }
 
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table) {

@@ -161,10 +161,10 @@ static void hann_lobe(void **state) {
     }
 }
 
-/// The bins: orders 0 to 5, a hundredth apart; a line at the highest order is found, one beyond is not.
+/// The bins: orders 0 to 5, a hundredth apart; a line at the highest order is found, a small one beyond is not.
 static void range(void **state) {
     (void)state;
-    const tone tones[] = {{5.0, 0.1, 0.0, 0.1, 0.3}, {5.5, 0.2, 0.0, 0.1, 0.3}};
+    const tone tones[] = {{5.0, 0.1, 0.0, 0.1, 0.3}, {5.5, 0.005, 0.0, 0.005, 0.3}};
     whirl_spectrum *spectrum = spectrum_of(tones, 2);
     assert_int_equal(spectrum->count, 501);
     assert_near(spectrum->resolution, 0.01, 1e-15);
@@ -198,6 +198,34 @@ static void standstill(void **state) {
     whirl_spectrum_free(spectrum);
 }
 
+/// Lines lie where the motion is, also above the highest order, and their squares are those of the waveform.
+static void lines_hold_the_motion(void **state) {
+    // 1X, and a backward whirl far above 5X; to half of the samples.
+    static const double orders[] = {5.65, 11.3, 29.7};
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        const tone tones[] = {{1.0, 0.15, 0.0, 0.15, -0.25 * two_pi},
+                              {orders[i], 20.0, 0.3, 20.0, 0.3 + 0.25 * two_pi}};
+        whirl_spectrum *spectrum = spectrum_of(tones, 2);
+        assert_line(&spectrum->lines[0], orders[i], 20.0, 20.0, 0.0, 20.0, 1e-3);
+        assert_near(spectrum->line_share, 1.0, 1e-4);
+        assert_near((double)(spectrum->count - 1) * spectrum->resolution, 5.0, 1e-12);
+        whirl_spectrum_free(spectrum);
+    }
+    // A motion below 5X has its lines there alone: a small one above is left out.
+    const tone below[] = {{1.0, 1.0, 0.0, 1.0, 1.0}, {7.0, 0.05, 0.0, 0.05, 1.0}};
+    whirl_spectrum *spectrum = spectrum_of(below, 2);
+    assert_int_equal(spectrum->line_count, 1);
+    assert_near(spectrum->line_share, 1.0 / (1.0 + 0.05 * 0.05), 1e-6);
+    whirl_spectrum_free(spectrum);
+    // Of thirty lines alike sixteen are kept.
+    tone many[30];
+    for (int i = 0; i < 30; i++) many[i] = (tone){0.5 + (double)i, 1.0, 0.7 * i * i, 1.0, 1.3 * i * i};
+    spectrum = spectrum_of(many, 30);
+    assert_near(spectrum->line_share, 16.0 / 30.0, 1e-3);
+    whirl_spectrum_free(spectrum);
+}
+
 static void bad_input(void **state) {
     (void)state;
     whirl_spectrum *spectrum;
@@ -212,9 +240,11 @@ static void bad_input(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(circles),          cmocka_unit_test(ellipse),    cmocka_unit_test(several_tones),
-        cmocka_unit_test(synchronous_part), cmocka_unit_test(hann_lobe),  cmocka_unit_test(range),
-        cmocka_unit_test(few_lines),        cmocka_unit_test(standstill), cmocka_unit_test(bad_input),
+        cmocka_unit_test(circles),       cmocka_unit_test(ellipse),
+        cmocka_unit_test(several_tones), cmocka_unit_test(synchronous_part),
+        cmocka_unit_test(hann_lobe),     cmocka_unit_test(range),
+        cmocka_unit_test(few_lines),     cmocka_unit_test(standstill),
+        cmocka_unit_test(bad_input),     cmocka_unit_test(lines_hold_the_motion),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
