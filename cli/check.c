@@ -13,6 +13,7 @@
 #include "limit.h"
 #include "output.h"
 #include "whirl/engine/figure.h"
+#include "whirl/engine/film_tables.h"
 #include "whirl/engine/report.h"
 
 typedef struct check_arguments {
@@ -174,14 +175,15 @@ static void print_time(double seconds, bool settle, int cores) {
 }
 
 /// "  sweep: omega from 2000 to 12000 rpm; about 12 s on 2 cores"
-static whirl_status tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch) {
+static whirl_status tell_extent(const whirl_result *told, const whirl_study *study, const whirl_batch *batch,
+                                bool timed) {
     const int cores = available_cores();
     const char *parameter;
     size_t count;
     const double *values = whirl_batch_values(batch, 0, &parameter, &count);
     const bool varies = values != NULL;
-    double seconds;
-    const whirl_status status = estimate_seconds(study, batch, cores, &seconds);
+    double seconds = (double)NAN;
+    const whirl_status status = timed ? estimate_seconds(study, batch, cores, &seconds) : whirl_ok();
     if (status.code != WHIRL_OK || (!varies && isnan(seconds))) return status;
     printf("  %s: ", batch->name);
     for (size_t i = 1; values; values = whirl_batch_values(batch, i++, &parameter, &count)) {
@@ -196,13 +198,13 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
 
 /// Says how far a study goes, where the steps of a sweep do not meet its end, and what a result of the case would warn
 /// of.
-static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study) {
+static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study, bool timed) {
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
     whirl_status status = whirl_case_describe_result(object, told);
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++) {
         const whirl_batch *batch = &study->batches[i];
-        status = tell_extent(told, study, batch);
+        status = tell_extent(told, study, batch, timed);
         if (status.code == WHIRL_OK && batch->values)
             whirl_result_write_end(told, batch->name, batch->parameter, batch->values[0], stdout);
     }
@@ -242,14 +244,40 @@ static void tell_notes(const whirl_rotor *rotor) {
     for (size_t i = 0; whirl_rotor_note(rotor, i, text); i++) printf("  %s\n", text);
 }
 
+/// Tables of films that are to be made before the machines of a study move: what depends on forces is not told then.
+/// Outlines of all values are built, for some tenths of a second.
+static whirl_status count_tables(const whirl_study *study, size_t *missing) {
+    enum { SHORT_TIME = 1 };
+    const volatile bool *over = limit_begin(SHORT_TIME);
+    whirl_status status = whirl_ok();
+    size_t asked = 0;
+    whirl_film_tables_watch();
+    for (size_t b = 0; b < study->batch_count && status.code == WHIRL_OK; b++) {
+        whirl_batch batch = study->batches[b];
+        batch.outline = true;
+        for (size_t point = 0; point < batch.count && status.code == WHIRL_OK && !*over; point++) {
+            whirl_machine machine;
+            status = whirl_study_machine(study, &batch, point, &machine);
+            if (status.code == WHIRL_OK && machine.release) machine.release(machine.owner);
+            if (point == 0) (void)whirl_film_tables_missing(&asked);
+            if (asked == 0) break; // its machines have no pads
+        }
+    }
+    limit_end();
+    *missing = whirl_film_tables_missing(&asked);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
 /// A case that reads well must also give a rotor and a study.
 static whirl_status describe_case(const char *path, const whirl_case *object) {
     whirl_rotor *rotor = NULL;
-    whirl_status status = whirl_case_rotor(object, NULL, 0, &rotor);
+    size_t missing = 0;
+    whirl_status status = whirl_case_rotor_outline(object, NULL, 0, &rotor);
     if (status.code != WHIRL_OK) return status;
     whirl_study study;
     status = whirl_case_study(object, &study);
-    if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&study);
+    if (status.code == WHIRL_OK) status = count_tables(&study, &missing);
+    if (status.code == WHIRL_OK && missing == 0) status = whirl_study_choose_methods(&study);
     if (status.code == WHIRL_OK) {
         const whirl_system *const system = whirl_rotor_system(rotor);
         char name[WHIRL_MESSAGE_SIZE];
@@ -263,9 +291,13 @@ static whirl_status describe_case(const char *path, const whirl_case *object) {
         status = tell_shafts(object);
         tell_notes(rotor);
         summarize_study(&study);
-        if (status.code == WHIRL_OK) status = tell_result(path, object, &study);
+        if (missing > 0)
+            printf("  before the first point: %zu film table%s to be made, about a second of processor time each; how "
+                   "long points take and whether steps are short enough is not known until then\n",
+                   missing, missing == 1 ? " is" : "s are");
+        if (status.code == WHIRL_OK) status = tell_result(path, object, &study, missing == 0);
         if (status.code == WHIRL_OK) status = tell_phases(&study, &study.batches[0], rotor);
-        for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK; i++)
+        for (size_t i = 0; i < study.batch_count && status.code == WHIRL_OK && missing == 0; i++)
             status = warn_of_steps(path, &study, &study.batches[i]);
     }
     whirl_rotor_free(rotor);

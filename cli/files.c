@@ -9,19 +9,9 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "whirl/engine/input.h"
 
 enum { HEAD_SIZE = 4096 };
-
-/// The first bytes of a regular file or what else can be read twice; 0 of them where there is none.
-static size_t read_head(const char *path, char head[HEAD_SIZE]) {
-    FILE *const file = fopen(path, "rb");
-    if (!file) return 0;
-    // A pipe would lose what is read here.
-    const size_t length = fseek(file, 0, SEEK_CUR) == 0 ? fread(head, 1, HEAD_SIZE - 1, file) : 0;
-    fclose(file);
-    head[length] = '\0';
-    return length;
-}
 
 /// Among the first lines of what Rotor.save writes, as TOML or JSON.
 static bool is_rotor_of_ross(const char *head) {
@@ -51,7 +41,7 @@ bool is_other_than_case(const char *path) {
     static const char signature[] = "\211HDF\r\n\032\n"; // HDF5 file format specification, III.A
     char head[HEAD_SIZE];
     if (is_standard_input(path)) return false;
-    const size_t length = read_head(path, head);
+    const size_t length = whirl_input_head(path, head, sizeof head);
     if (length >= sizeof signature - 1 && memcmp(head, signature, sizeof signature - 1) == 0)
         complain(
             "'%s' is a result, expected a case: 'whirl show %s' says what was found, 'whirl report %s -o DIR' draws it",
@@ -66,7 +56,7 @@ bool is_other_than_case(const char *path) {
 /// The key that every case begins with, at the start of a line.
 static bool is_case(const char *path) {
     char head[HEAD_SIZE];
-    if (read_head(path, head) == 0) return false;
+    if (whirl_input_head(path, head, sizeof head) == 0) return false;
     return strncmp(head, "whirl:", 6) == 0 || strncmp(head, "\xEF\xBB\xBFwhirl:", 9) == 0 || strstr(head, "\nwhirl:");
 }
 

@@ -58,10 +58,12 @@ static void print_watch(const phases *seen, int watched) {
 whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor) {
     const size_t most = 1000, count = batch->values && batch->count < most ? batch->count : batch->values ? most : 1;
     phases seen = {0};
+    whirl_batch own = *batch;
+    own.outline = true;
     for (size_t i = 0; i < count; i++) {
         whirl_machine machine;
         const size_t at = batch->count * i / count;
-        const whirl_status status = whirl_study_machine(study, batch, at, &machine);
+        const whirl_status status = whirl_study_machine(study, &own, at, &machine);
         if (status.code != WHIRL_OK) return status;
         const bool turning = machine.system->turns != NULL;
         note(&seen, machine.system);

@@ -41,6 +41,11 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
         snprintf(round, sizeof round,
                  "%s, round %d: ", progress->stage == WHIRL_STAGE_NEIGHBOURS ? "from neighbours" : "refining",
                  progress->round);
+    if (progress->stage == WHIRL_STAGE_TABLES) {
+        snprintf(text, size, "%3.0f %%, %zu of %zu film tables made", floor(100 * done_share(progress)),
+                 progress->points_done, progress->points_total);
+        return;
+    }
     // Points at rest, which no revolutions are counted of, count one each.
     const bool resting = progress->revolutions_total == (double)progress->points_total;
     snprintf(text, size, "%s%3.0f %%, %zu of %zu points%s, %.0f %s/s, %s left", round,

@@ -78,6 +78,20 @@ static int compute(const study_arguments *arguments, const whirl_case *object, r
     return outcome;
 }
 
+/// Makes the tables of films that the study needs, before a journal is begun.
+static int prepare(const study_arguments *arguments, const whirl_case *object) {
+    progress_view view = progress_begin();
+    const whirl_run_options how = {.threads = arguments->given.threads,
+                                   .progress = arguments->quiet ? NULL : progress_show,
+                                   .context = &view,
+                                   .stop = interrupt_watch()};
+    whirl_study study;
+    whirl_status status = whirl_case_study(object, &study);
+    if (status.code == WHIRL_OK) status = whirl_study_prepare(&study, &how);
+    progress_end(&view);
+    return outcome_of(&status, &(together){.failed = false});
+}
+
 // ---------------------------------------------------------------- how it was computed
 
 static void now_text(char *text, size_t size) {
@@ -228,7 +242,9 @@ static int open_and_compute(const study_arguments *arguments, const whirl_case *
     run_journal journal = {.journal = NULL};
     whirl_result *finished = NULL;
     bool all_done = false;
-    int outcome = arguments->output ? open_together(&wish, object, &journal, &finished, &all_done) : EXIT_DONE;
+    int outcome = ranks_agree(prepare(arguments, object));
+    if (outcome == EXIT_DONE && arguments->output)
+        outcome = open_together(&wish, object, &journal, &finished, &all_done);
     if (outcome != EXIT_DONE && ranks_count() == 1) tell_of_tasks(arguments);
     if (outcome == EXIT_DONE && finished)
         outcome = show(arguments, finished);

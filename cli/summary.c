@@ -1,6 +1,7 @@
 #include "console.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static const char *plural(double count) {
     return count == 1 ? "" : "s";
@@ -52,6 +53,10 @@ void summarize_study(const whirl_study *study) {
         else
             printf(": %s%.0f point%s, %.0f revolution%s each", batch->refine > 0 ? "at most " : "", points,
                    plural(points), revolutions, plural(revolutions));
+        if (strcmp(name, "auto") == 0) { // not chosen yet
+            printf(" by auto%s\n", batch->confirm ? ", confirmed" : "");
+            continue;
+        }
         if (whirl_method_find(name, &method).code == WHIRL_OK && method->adaptive) {
             printf(" by %s%s%s\n", name, batch->integrate.chosen ? " (chosen by auto)" : "",
                    batch->confirm ? ", confirmed at a tolerance 16 times smaller" : "");

@@ -60,7 +60,8 @@ void whirl_case_free(whirl_case *object);
 typedef struct whirl_job whirl_job;
 
 /// Is told how far a run has come, a few times a second from one thread at a time, and at the end. `stage` says what is
-/// being done, in a word: "compute", "confirm", "neighbours", "follow", "refine". The rest is as in whirl_progress.
+/// being done, in a word: "compute", "confirm", "neighbours", "follow", "refine", or "tables": tables of films, in
+/// the place of points, are made before. The rest is as in whirl_progress.
 typedef void (*whirl_job_progress_fn)(void *context, const char *stage, double points_done, double points_total,
                                       double revolutions_done, double revolutions_total, double seconds);
 
@@ -80,6 +81,11 @@ void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
 
 /// Asks a run to end early, and those after it. May be called from any thread and from a signal handler.
 void whirl_job_stop(whirl_job *job);
+
+/// Makes what the study of a case needs before its first point (tables of films, some seconds), with progress, until a
+/// stop: for who asks for whirl_case_outline before the run, which makes it otherwise without an end. WHIRL_STOPPED,
+/// WHIRL_NO_MEMORY.
+whirl_status whirl_job_prepare(whirl_job *job);
 
 /// Runs the study, as whirl_case_run. Stopped, it gives WHIRL_STOPPED and a partial result too. *result is NULL where
 /// there is none; else it is freed by whirl_result_free.

@@ -16,6 +16,7 @@
 #define BUILD_LIBRARIES "unknown"
 #define BUILD_REVISION "unknown"
 #define BUILD_SOURCES "unknown"
+#define BUILD_FILM_SOURCES "unknown"
 #endif
 
 const build_fact *build_facts(void) {
@@ -30,4 +31,8 @@ const build_fact *build_facts(void) {
 
 const char *whirl_revision(void) {
     return BUILD_REVISION;
+}
+
+const char *build_film_sources(void) {
+    return BUILD_FILM_SOURCES;
 }

@@ -11,4 +11,7 @@ typedef struct build_fact {
 /// What is not known (a source archive has no revision) is "unknown".
 const build_fact *build_facts(void);
 
+/// A SHA-256 of the sources that tables of films follow from, or "unknown".
+const char *build_film_sources(void);
+
 #endif

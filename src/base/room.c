@@ -1,6 +1,7 @@
 #define _DEFAULT_SOURCE // madvise; NOLINT(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 #include "memory.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -51,8 +52,11 @@ void *room_map(whirl_room **room, size_t count, size_t size) {
 }
 
 void *room_take(whirl_room **room, size_t count, size_t size, size_t least) {
+    const int before = errno;
     void *array = count >= least / size ? room_map(room, count, size) : NULL;
-    return array ? array : calloc(count > 0 ? count : 1, size);
+    if (array) return array;
+    errno = before; // a file that is not to be had is nobody's want of memory
+    return calloc(count > 0 ? count : 1, size);
 }
 
 void room_drop(whirl_room **room, void *array) {

@@ -476,12 +476,22 @@ whirl_status whirl_case_parameter(const whirl_case *object, const char *name, do
     return status;
 }
 
+/// The outline that was built becomes a rotor, or is freed.
+static whirl_status hold(whirl_status status, whirl_rotor **rotor) {
+    if (status.code == WHIRL_OK) status = whirl_rotor_hold(*rotor, NULL);
+    if (status.code == WHIRL_OK) return status;
+    whirl_rotor_free(*rotor);
+    *rotor = NULL;
+    return status;
+}
+
 whirl_status whirl_case_element(const whirl_case *object, const char *element, whirl_rotor **rotor) {
     valuation v;
     *rotor = NULL;
     const int before = exhausted_watch();
     whirl_status status = valuation_open(&v, &object->content.parameters, NULL, 0);
     if (status.code == WHIRL_OK) status = machine_build_element(&object->content.machine, &v, element, rotor);
+    status = hold(status, rotor);
     if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an element");
     valuation_close(&v);
     return status;
@@ -494,6 +504,10 @@ static bool any_moves(const study_plan *plan) {
 }
 
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
+    return hold(whirl_case_rotor_outline(object, name, value, rotor), rotor);
+}
+
+whirl_status whirl_case_rotor_outline(const whirl_case *object, const char *name, double value, whirl_rotor **rotor) {
     const whirl_given given = {name, value};
     valuation v;
     *rotor = NULL;

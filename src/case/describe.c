@@ -46,7 +46,7 @@ static whirl_status describe_ranges(const whirl_system *system, whirl_result *re
 
 static whirl_status describe_rotor(const whirl_case *object, whirl_result *result) {
     whirl_rotor *rotor;
-    const whirl_status status = whirl_case_rotor(object, NULL, 0.0, &rotor);
+    const whirl_status status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
     if (status.code != WHIRL_OK) return status;
     const whirl_system *system = whirl_rotor_system(rotor);
     result->speed = whirl_rotor_speed(rotor);
@@ -211,7 +211,7 @@ static whirl_status find_change(const whirl_case *object, const axis_values *axi
     *found = false;
     for (size_t i = 0; i < 3 && axis->count > 0 && status.code == WHIRL_OK; i++) {
         whirl_rotor *rotor;
-        status = whirl_case_rotor(object, axis->name, axis->values[i * (axis->count - 1) / 2], &rotor);
+        status = whirl_case_rotor_outline(object, axis->name, axis->values[i * (axis->count - 1) / 2], &rotor);
         if (status.code != WHIRL_OK) break;
         const double clock = whirl_rotor_clock(rotor);
         if (i == 0) first = clock;
@@ -276,7 +276,7 @@ static void forget(whirl_result *result) {
 
 whirl_status whirl_case_speed(const whirl_case *object, const char *name, double value, double *speed) {
     whirl_rotor *rotor;
-    const whirl_status status = whirl_case_rotor(object, name, value, &rotor);
+    const whirl_status status = whirl_case_rotor_outline(object, name, value, &rotor);
     *speed = status.code == WHIRL_OK ? whirl_rotor_speed(rotor) : (double)NAN;
     whirl_rotor_free(rotor);
     return status;

@@ -76,6 +76,7 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
+    if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
     valuation_close(&v);
@@ -88,13 +89,13 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     if (!m) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     const int before = exhausted_watch();
     whirl_status status = make_member(&object->content, batch, value, m);
-    if (status.code != WHIRL_OK && exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
+    if (exhausted(before)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     if (status.code != WHIRL_OK) {
         release(m);
         char at[PLAN_GIVEN_TEXT];
         whirl_given given[PLAN_MAX_GIVEN];
         const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
-        if (status.code == WHIRL_NO_MEMORY || count == 0) return status;
+        if (status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED || count == 0) return status;
         given_text(&object->content.parameters, given, count, at, sizeof at);
         return whirl_fail(status.code, "at %s: %.300s", at, status.message);
     }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "whirl/engine/linear.h"
 
 /// An eigenvalue in SI.
@@ -39,7 +40,7 @@ static bool by_tables(const case_content *content, valuation *v, eigenvalue near
     whirl_rotor *rotor;
     double least = INFINITY;
     if (machine_build_with(&content->machine, v, 0.0, &choice, &rotor).code != WHIRL_OK) return false;
-    whirl_modes *modes = modes_of(rotor);
+    whirl_modes *modes = whirl_rotor_hold(rotor, NULL).code == WHIRL_OK ? modes_of(rotor) : NULL;
     for (size_t i = 0; modes && i < modes->count + modes->real_count; i++) {
         const eigenvalue own = value_of(modes, i, whirl_rotor_clock(rotor));
         const double apart = hypot(own.real - near.real, own.imaginary - near.imaginary);
@@ -111,8 +112,12 @@ static whirl_status tell(const case_content *content, valuation *v, const whirl_
                          whirl_result *result, char doubt[WHIRL_MESSAGE_SIZE]) {
     char note[WHIRL_MESSAGE_SIZE];
     whirl_rotor *moving;
-    if (machine_build(&content->machine, v, true, &moving).code != WHIRL_OK) return whirl_ok();
-    whirl_status status = whirl_ok();
+    whirl_status status = machine_build(&content->machine, v, true, &moving);
+    if (status.code == WHIRL_OK) status = whirl_rotor_hold(moving, NULL);
+    if (status.code != WHIRL_OK) {
+        whirl_rotor_free(moving);
+        return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+    }
     for (size_t i = 0; status.code == WHIRL_OK && whirl_rotor_note(moving, i, note); i++)
         status = add_fit(result, at, note);
     if (status.code == WHIRL_OK) compare(content, v, moving, whirl_rotor_system(tables), doubt);
@@ -134,6 +139,7 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
     valuation v;
     *doubt = '\0';
     if (!has_tables(&content->machine)) return whirl_ok();
+    const int before = exhausted_watch();
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, false, &tables);
     if (count > 0) given_text(&content->parameters, given, count, at, sizeof at);
@@ -141,5 +147,6 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
         status = tell(content, &v, tables, at, result, doubt);
     whirl_rotor_free(tables);
     valuation_close(&v);
+    if (exhausted(before)) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare tables with functions");
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }

@@ -94,11 +94,9 @@ void whirl_job_stop(whirl_job *job) {
 }
 
 static void pass_on(void *context, const whirl_progress *progress) {
-    static const char *const stages[] = {[WHIRL_STAGE_COMPUTE] = "compute",
-                                         [WHIRL_STAGE_CONFIRM] = "confirm",
-                                         [WHIRL_STAGE_FOLLOW] = "follow",
-                                         [WHIRL_STAGE_REFINE] = "refine",
-                                         [WHIRL_STAGE_NEIGHBOURS] = "neighbours"};
+    static const char *const stages[] = {
+        [WHIRL_STAGE_COMPUTE] = "compute", [WHIRL_STAGE_CONFIRM] = "confirm",       [WHIRL_STAGE_FOLLOW] = "follow",
+        [WHIRL_STAGE_REFINE] = "refine",   [WHIRL_STAGE_NEIGHBOURS] = "neighbours", [WHIRL_STAGE_TABLES] = "tables"};
     const whirl_job *job = context;
     const size_t stage = (size_t)progress->stage;
     job->tell(job->context, stage < sizeof stages / sizeof *stages ? stages[stage] : "compute",
@@ -106,13 +104,25 @@ static void pass_on(void *context, const whirl_progress *progress) {
               progress->revolutions_total, progress->seconds);
 }
 
+static whirl_run_options options_of(whirl_job *job) {
+    return (whirl_run_options){.threads = job->threads,
+                               .progress = job->tell ? pass_on : NULL,
+                               .context = job,
+                               .stop = &job->stop,
+                               .keeper = job->keeper,
+                               .memory = SIZE_MAX};
+}
+
+whirl_status whirl_job_prepare(whirl_job *job) {
+    const whirl_run_options options = options_of(job);
+    whirl_study study;
+    if (job->run != run_case) return whirl_ok();
+    const whirl_status status = whirl_case_study(job->subject, &study);
+    return status.code == WHIRL_OK ? whirl_study_prepare(&study, &options) : status;
+}
+
 whirl_status whirl_job_run(whirl_job *job, whirl_result **result) {
-    const whirl_run_options options = {.threads = job->threads,
-                                       .progress = job->tell ? pass_on : NULL,
-                                       .context = job,
-                                       .stop = &job->stop,
-                                       .keeper = job->keeper,
-                                       .memory = SIZE_MAX};
+    const whirl_run_options options = options_of(job);
     *result = NULL;
     return job->run(job->subject, &options, result);
 }

@@ -297,7 +297,7 @@ static whirl_status make_design(const machine_parts *machine, valuation *v, doub
 /// Ends the design.
 static whirl_status build_and_free(whirl_status status, whirl_design *design, whirl_rotor **rotor) {
     *rotor = NULL;
-    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, rotor);
+    if (status.code == WHIRL_OK) status = whirl_rotor_outline(design, rotor);
     whirl_design_free(design);
     return status;
 }
@@ -454,7 +454,7 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     teller to = {reader, machine};
     whirl_status status = make_design(machine, v, 0.0, &design);
     if (status.code == WHIRL_OK) {
-        status = whirl_rotor_new(design, &rotor);
+        status = whirl_rotor_outline(design, &rotor);
         if (status.code == WHIRL_BAD_INPUT) {
             const whirl_status checked = whirl_rotor_check(design, tell_of_element, &to, &problems);
             if (checked.code != WHIRL_OK || problems > 0) status = checked;
@@ -482,7 +482,7 @@ static whirl_status build_alone(const machine_parts *machine, const setting_list
         if (is_usable(machine->stations.names[i]))
             status = whirl_design_station(design, machine->stations.names[i], unit, 2);
     if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
-    if (status.code == WHIRL_OK) status = whirl_rotor_new(design, &rotor);
+    if (status.code == WHIRL_OK) status = whirl_rotor_outline(design, &rotor);
     whirl_rotor_free(rotor);
     whirl_design_free(design);
     return status;

@@ -31,7 +31,7 @@ void machine_check(case_reader *reader, valuation *v, const machine_parts *machi
 void machine_settle(valuation *v, machine_parts *machine);
 
 /// Builds a rotor with the values of `valuation`, which turns at the speed of the case; in_time: as
-/// whirl_design_in_time does.
+/// whirl_design_in_time does. It is an outline (whirl_rotor_outline), as are those of the functions below.
 whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor);
 
 /// What a machine has in the place of its own.

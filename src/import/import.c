@@ -1,11 +1,11 @@
 // A file of another program in, a case out.
 #include "whirl/engine/import.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "ross.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
@@ -56,7 +56,7 @@ static void note_machine(note_list *notes, const char *text, size_t length, cons
     whirl_case *object = NULL;
     whirl_rotor *rotor = NULL;
     whirl_status status = whirl_case_parse(text, length, file, &problems, &object);
-    if (status.code == WHIRL_OK) status = whirl_case_rotor(object, NULL, 0.0, &rotor);
+    if (status.code == WHIRL_OK) status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
     notes->no_memory = notes->no_memory || status.code == WHIRL_NO_MEMORY;
     for (size_t i = 0; rotor && whirl_rotor_note(rotor, i, told); i++)
         note_add(notes, "Motions at the speed of the case have, of a table over frequencies of whirl, %s.", told);
@@ -118,21 +118,15 @@ whirl_status whirl_import_parse(const char *text, size_t length, const char *nam
     return status;
 }
 
-static whirl_status cannot_read(const char *path, int error) {
-    return whirl_fail(error == ENOMEM ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "%.200s cannot be read: %s", path,
-                      strerror(error));
-}
-
 whirl_status whirl_import_load(const char *path, whirl_imported *out) {
+    input_file in;
+    char *text;
+    size_t length;
     *out = (whirl_imported){0};
-    FILE *const file = fopen(path, "rb");
-    if (!file) return cannot_read(path, errno);
-    char *const text = malloc(MOST_BYTES + 1);
-    errno = 0;
-    const size_t length = text ? fread(text, 1, MOST_BYTES + 1, file) : 0;
-    const int error = !text ? ENOMEM : ferror(file) ? errno : 0;
-    fclose(file);
-    const whirl_status status = error ? cannot_read(path, error) : whirl_import_parse(text, length, path, out);
+    if (!input_read(path, MOST_BYTES + 1, &in, &text, &length))
+        return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "%.200s cannot be read: %s", path,
+                          in.reason);
+    const whirl_status status = whirl_import_parse(text, length, path, out);
     free(text);
     return status;
 }

@@ -1,5 +1,4 @@
 // Modes: eigenvalues of the Jacobian at the equilibrium, or Floquet exponents of a periodic motion.
-#include <errno.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -7,6 +6,7 @@
 
 #include "linear_parts.h"
 #include "matrix.h"
+#include "memory.h"
 #include "numerics.h"
 
 /// Real and imaginary parts below this part of an eigenvalue are rounding.
@@ -207,7 +207,7 @@ static bool sharpen_slowest(size_t n, solving *s) {
     const size_t slow = sort_slowest(n, s->real, s->imaginary, near_rounding * least, order);
     matrix_balance(n, matrix, scale);
     for (size_t i = 0; i < n; i++) numbers[i * n + i] = 1.0;
-    errno = 0;
+    const int before = exhausted_watch();
     bool good = slow > 0 && matrix_solve(n, matrix, n, numbers);
     for (size_t i = 0; i < n && good; i++) // right-hand sides stand row by row
         for (size_t k = 0; k < n; k++) matrix[k * n + i] = numbers[i * n + k];
@@ -223,7 +223,7 @@ static bool sharpen_slowest(size_t n, solving *s) {
     }
     free(numbers);
     free(order);
-    return good || errno != ENOMEM;
+    return !exhausted(before);
 }
 
 /// Of the Jacobian, or of the monodromy matrix over a period > 0; free motions are left out of the former.
@@ -238,8 +238,9 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
         room = solved = free_motions_take_out(n, matrix, s.place, &left, &displaced, &zeros);
     }
     if (solved) memcpy(s.copy, matrix, left * left * sizeof *matrix);
-    errno = 0;
+    const int before = exhausted_watch();
     solved = solved && matrix_eigen_rounding(left, matrix, s.real, s.imaginary, s.vectors, s.noise);
+    const bool no_memory = exhausted(before);
     if (solved && period == 0.0) room = solved = sharpen_slowest(left, &s);
     if (solved) put_back(n, left, zeros, &s);
     for (size_t i = 0; i < left && solved; i++) {
@@ -255,7 +256,7 @@ static whirl_status solve(const mean_system *m, double *matrix, double period, c
     free_motions_end(zeros);
     solving_end(&s);
     *out = modes;
-    if (room && !solved && errno != ENOMEM)
+    if (room && !solved && !no_memory)
         return whirl_fail(WHIRL_BAD_INPUT, "the eigenvalues of the Jacobian where the machine rests were not found");
     return modes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for the modes of %zu coordinates", n);
 }

@@ -1,12 +1,12 @@
 #include "report_parts.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "figure_build.h"
+#include "input.h"
 
 /// Stands in the template where the results go.
 static const char mark[] = "@WHIRL-RUNS@";
@@ -21,28 +21,15 @@ static whirl_status unreadable(const char *path, const char *why) {
 
 /// Reads a file into memory, with a zero byte at its end.
 static whirl_status read_template(const char *path, char **text) {
+    input_file in;
+    size_t length;
+    if (!input_read(path, MOST_TEMPLATE + 1, &in, text, &length))
+        return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT,
+                          "the explorer's template %.200s cannot be read: %s", path, in.reason);
+    if (length <= MOST_TEMPLATE) return whirl_ok();
+    free(*text);
     *text = NULL;
-    FILE *stream = fopen(path, "rb");
-    if (!stream)
-        return whirl_fail(WHIRL_BAD_INPUT, "the explorer's template %.200s cannot be read: %s", path, strerror(errno));
-    char *read = NULL;
-    whirl_status status = unreadable(path, "cannot be read");
-    if (fseek(stream, 0, SEEK_END) == 0) {
-        const long size = ftell(stream);
-        rewind(stream);
-        if (size > MOST_TEMPLATE) status = unreadable(path, "is larger than 64 MiB");
-        if (size >= 0 && size <= MOST_TEMPLATE) read = malloc((size_t)size + 1);
-        if (read && fread(read, 1, (size_t)size, stream) == (size_t)size) {
-            read[size] = '\0';
-            status = whirl_ok();
-        }
-    }
-    fclose(stream);
-    if (status.code == WHIRL_OK)
-        *text = read;
-    else
-        free(read);
-    return status;
+    return unreadable(path, "is larger than 64 MiB");
 }
 
 static void write_parameters(FILE *stream, const whirl_result *result) {

@@ -150,6 +150,11 @@ typedef struct whirl_element_type {
     /// act on nothing. False where there is no such balance (a wall is touched). Idle ones may stay where they are.
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
+    /// Optional: sees to it that what its kernels read beside its numbers is there until `release`; gives up where
+    /// *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then nothing is held.
+    whirl_status (*hold)(const element *own, const volatile bool *stop);
+    void (*release)(const element *own);
+
     /// With states that turn at a constant rate: how often what follows from one comes round in a revolution. NULL:
     /// they never fit revolutions.
     double (*rounds)(const element *own, size_t state);

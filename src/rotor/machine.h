@@ -43,6 +43,7 @@ struct whirl_rotor {
     bool turning;          ///< some of them are not 0
     size_t repeats;        ///< as whirl_system has them
     bool kinked;           ///< as whirl_system has it
+    size_t held;           ///< elements, the first ones, whose `hold` is behind them
     bool mute;             ///< there is friction whose power is not known
     size_t *contacts;      ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 32];

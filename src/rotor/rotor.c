@@ -357,7 +357,7 @@ whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tel
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
+whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) {
     size_t order[INSTANCE_STATIONS];
     lanes_instance found;
     building b = {0};
@@ -385,7 +385,28 @@ whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
     return status;
 }
 
+whirl_status whirl_rotor_hold(whirl_rotor *rotor, const volatile bool *stop) {
+    whirl_status status = whirl_ok();
+    while (rotor->held < rotor->element_count && status.code == WHIRL_OK) {
+        const element *own = &rotor->elements[rotor->held];
+        if (own->type->hold) status = own->type->hold(own, stop);
+        rotor->held += status.code == WHIRL_OK;
+    }
+    return status;
+}
+
+whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **out) {
+    whirl_status status = whirl_rotor_outline(design, out);
+    if (status.code == WHIRL_OK) status = whirl_rotor_hold(*out, NULL);
+    if (status.code == WHIRL_OK) return status;
+    whirl_rotor_free(*out);
+    *out = NULL;
+    return status;
+}
+
 void whirl_rotor_free(whirl_rotor *rotor) {
+    for (size_t i = 0; rotor && i < rotor->held; i++)
+        if (rotor->elements[i].type->hold) rotor->elements[i].type->release(&rotor->elements[i]);
     free(rotor);
 }
 

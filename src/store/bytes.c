@@ -1,10 +1,10 @@
 #include "store.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "input.h"
 
 int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size) {
     unsigned char *next = to;
@@ -62,24 +62,13 @@ static whirl_status cannot_read(const char *path, const char *reason) {
 }
 
 whirl_status bytes_open(byte_file *file, const char *path) {
-    struct stat found;
+    input_file in;
     file->start = file->length = 0;
-    // Opening a pipe without a writer must not wait.
-    do file->descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    while (file->descriptor < 0 && errno == EINTR);
-    if (file->descriptor < 0) return cannot_read(path, strerror(errno));
-    whirl_status status = whirl_ok();
-    if (fstat(file->descriptor, &found) != 0)
-        status = cannot_read(path, strerror(errno));
-    else if (S_ISDIR(found.st_mode))
-        status = cannot_read(path, "it is a folder");
-    else if (!S_ISREG(found.st_mode))
-        status = cannot_read(path, "it is no ordinary file");
-    if (status.code == WHIRL_OK)
-        file->source = (byte_source){read_file, file, (uint64_t)found.st_size};
-    else
-        bytes_close(file);
-    return status;
+    const bool open = input_open(path, &in);
+    file->descriptor = in.descriptor;
+    if (!open) return cannot_read(path, in.reason);
+    file->source = (byte_source){read_file, file, in.size};
+    return whirl_ok();
 }
 
 void bytes_close(byte_file *file) {

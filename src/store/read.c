@@ -479,6 +479,7 @@ static void get_result(whirl_status *status, hid_t file, size_t limit, const blo
     get_contacts(status, file, result);
     get_provenance(status, file, result);
     get_tables(status, file, &how, result);
+    stored_check_texts(status, file);
 }
 
 whirl_status read_result(const byte_source *source, const char *name, const block_taker *taker, whirl_result **result) {

@@ -158,6 +158,10 @@ void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline);
 void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
 void stored_free(stored_array *array);
 
+/// Reads all texts and attributes of a result, for what nobody reads (a verdict's name and reason follow from numbers)
+/// may be damaged, too. WHIRL_BAD_INPUT.
+void stored_check_texts(whirl_status *status, hid_t file);
+
 /// Opens a result that has been read through before (see whirl_result_read_outline), calls `write` with its root, and
 /// closes it.
 typedef void (*stored_writer)(whirl_status *status, void *context, hid_t root);

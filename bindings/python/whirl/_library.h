@@ -27,6 +27,7 @@ whirl_status whirl_job_threads(whirl_job *job, int threads);
 void whirl_job_progress(whirl_job *job, whirl_job_progress_fn tell, void *context);
 void whirl_job_keep(whirl_job *job, const whirl_keeper *keeper);
 void whirl_job_stop(whirl_job *job);
+whirl_status whirl_job_prepare(whirl_job *job);
 whirl_status whirl_job_run(whirl_job *job, whirl_result **result);
 
 typedef struct whirl_user_system whirl_user_system;

@@ -10,6 +10,7 @@ from ._library import (
     STATIONS,
     TABLES,
     check,
+    ensure_allowed,
     ffi,
     lib,
     path_bytes,
@@ -53,6 +54,7 @@ class MemorySource:
     @classmethod
     def read(cls, path):
         """All of a file, checked by the library before a number of it is believed."""
+        ensure_allowed()
         out, name = ffi.new("whirl_result **"), path_bytes(path)
         require_file(path, "the result")
         check(lib.whirl_result_read(name, out))

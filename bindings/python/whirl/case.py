@@ -6,13 +6,13 @@ import json
 import os
 import re
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import errors
-from ._library import BAD_INPUT, check, ffi, lib, path_bytes, require_file, text, word_bytes
+from ._input import read_input
+from ._library import BAD_INPUT, check, ensure_allowed, ffi, lib, path_bytes, require_file, text, word_bytes
 
 if TYPE_CHECKING:
     from .result import Parameter, Result
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["Case"]
 
 _PROBLEMS = 1 << 16
+_LONGEST = (1 << 20) + 1  # bytes: one more than a case may have, so that a longer one is refused
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
 
 
@@ -85,7 +86,7 @@ def _document(source, key, name):
         path_bytes(source)
         require_file(source, "the file")
         try:
-            return Path(source).read_bytes(), name
+            return read_input(source, _LONGEST), name
         except (OSError, ValueError) as failure:
             raise errors.BadInput(f"cannot read {name}: {getattr(failure, 'strerror', None) or failure}") from None
     said = {own: value for own, value in source.items() if value is not None}
@@ -149,7 +150,7 @@ class Case:
             path_bytes(source)
             require_file(source, "the case")
             try:
-                text = Path(source).read_bytes()
+                text = read_input(source, _LONGEST)
             except OSError as failure:
                 raise errors.BadInput(f"cannot read the case {name}: {failure.strerror}") from None
             if text.startswith(b"\x89HDF"):
@@ -161,6 +162,7 @@ class Case:
 
     @staticmethod
     def _check(data, name):
+        ensure_allowed()
         problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("whirl_case **")
         status = lib.whirl_case_check(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
         _accept(status, problems)

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Callable
 from contextlib import contextmanager
 
-from ._library import STOPPED, check, ffi, lib, path_bytes, text
+from ._library import STOPPED, check, ensure_allowed, ffi, forbid, lib, path_bytes, text
 from ._memory import MemorySource
 from .case import Case
 from .errors import BadInput
@@ -27,6 +27,20 @@ _MOST_THREADS = 1024  # as whirl_job_threads has it
 
 _underway: set[_Work] = set()
 _leaving = threading.Event()  # Python does: no run begins any more
+
+
+def _after_fork() -> None:
+    """A child has none of the threads of a run, and the library's locks as they happened to be."""
+    if _underway:
+        _underway.clear()
+        forbid(
+            "this process was forked while another thread of its parent was at a run, so that the library is in no "
+            "known state: begin processes before runs, or with multiprocessing's 'spawn' or 'forkserver'"
+        )
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
 
 
 @atexit.register
@@ -173,6 +187,12 @@ class _Work:
 
     def _run(self):
         out, outcome = ffi.new("whirl_result **"), self.outcome
+        prepared = lib.whirl_job_prepare(self.job)
+        if prepared.code:
+            outcome.update(code=prepared.code, message=text(prepared.message))
+            if "raised" not in outcome:
+                _finish(None, outcome, self.started, self.threads)
+            return
         with _journal(self.describe, self.journal, self.resume) as (keeper, all_done):
             lib.whirl_job_keep(self.job, keeper)
             status = lib.whirl_job_run(self.job, out)
@@ -271,6 +291,7 @@ def compute(
 ) -> Result:
     """The result of a job that ``new_job`` makes, which works with what is ``borrowed``, and of which ``describe``
     gives the outline; the rest as for run."""
+    ensure_allowed()
     started, out = _now(), ffi.new("whirl_job **")
     check(new_job(out))
     job = ffi.gc(out[0], lib.whirl_job_free)

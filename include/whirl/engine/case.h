@@ -70,6 +70,9 @@ whirl_status whirl_case_speed(const whirl_case *object, const char *name, double
 /// does (whirl_design_in_time). Freed by whirl_rotor_free. Thread-safe.
 whirl_status whirl_case_rotor(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
 
+/// The same as an outline, to be looked at (whirl_rotor_outline).
+whirl_status whirl_case_rotor_outline(const whirl_case *object, const char *name, double value, whirl_rotor **rotor);
+
 /// One element of the case alone: the stations of the case, each a free mass of 1 kg, on which that element acts, so
 /// that their accelerations (whirl_rotor_rates) are its forces in N; gravity's are those on 1 kg. `element` is its kind
 /// ("film"), or "film[2]" for the second of that kind. WHIRL_BAD_INPUT where there is no such element, or where it

@@ -182,7 +182,17 @@ typedef void whirl_rotor_tell(void *context, size_t element, const whirl_status 
 whirl_status whirl_rotor_check(const whirl_design *design, whirl_rotor_tell *tell, void *context, size_t *problems);
 
 /// Builds the rotor. The design is not kept. WHIRL_BAD_INPUT for a design that is no machine (no station, ...).
+/// Bearings of pads read tables of films, which may have to be made first, in some seconds.
 whirl_status whirl_rotor_new(const whirl_design *design, whirl_rotor **rotor);
+
+/// Builds a rotor to be looked at: what it has and what it is called is known, what its bearings of pads do is not, as
+/// if they had no film, until whirl_rotor_hold. Errors as whirl_rotor_new.
+whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **rotor);
+
+/// Sees to it that the tables of films that a rotor reads are there as long as it lives; threads that want the same
+/// ones make them together. Gives up where *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then the
+/// rotor is an outline still.
+whirl_status whirl_rotor_hold(whirl_rotor *rotor, const volatile bool *stop);
 
 /// Frees a rotor; NULL is none.
 void whirl_rotor_free(whirl_rotor *rotor);

@@ -76,6 +76,7 @@ typedef struct whirl_batch {
     /// from which it was not started before, up to WHIRL_MAX_NEIGHBOUR_STARTS in all. They end once no place lacks any.
     /// The table has these points after all others; they count in no share. 0: none. Only beside several starts.
     size_t neighbours;
+    bool outline;          ///< the machine that is asked for is to be looked at (whirl_rotor_outline)
     double speed;          ///< of the machine that is asked for, rad/s; 0, and of the batch itself: its own
     bool asynchronous;     ///< coefficients over the frequency of whirl of the machine that is asked for are those at
     double frequency;      ///< rad/s, in place of that of the shaft
@@ -151,7 +152,8 @@ typedef enum whirl_stage {
     WHIRL_STAGE_CONFIRM,     ///< ... at the second tolerance; the revolutions of both stages are told together
     WHIRL_STAGE_NEIGHBOURS,  ///< starts from neighbours; every round has revolutions and seconds of its own
     WHIRL_STAGE_FOLLOW,      ///< copies of chaotic motions that may be on their way, with revolutions of their own
-    WHIRL_STAGE_REFINE       ///< points in doubt; every round has revolutions and seconds of its own
+    WHIRL_STAGE_REFINE,      ///< points in doubt; every round has revolutions and seconds of its own
+    WHIRL_STAGE_TABLES       ///< tables of films, before the points; points and revolutions are numbers of tables
 } whirl_stage;
 
 /// How far a run has come.
@@ -275,12 +277,18 @@ double whirl_study_revolutions(const whirl_study *study);
 /// whirl_case_describe_result). Freed by whirl_result_free.
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **outline);
 
+/// Makes the tables of films that a study needs for its first points, on options->threads, with progress. Runs do it by
+/// themselves; who wants an outline before, whose methods are to be chosen, calls it to be told and stopped meanwhile.
+/// WHIRL_STOPPED, WHIRL_NO_MEMORY.
+whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_options *options);
+
 /// Runs all batches. `result` gets one table a batch; the rest of it is empty (see whirl_case_describe_result).
 /// The first error of a point ends the run, without a result. WHIRL_STOPPED when stopped before the last point, or
 /// before the last one was confirmed or refined: then there is a result too, of the points that are done
-/// (whirl_table_done); the numbers of the others are NaN. With a budget the blocks have the fields "refine/...":
-/// rounds, what was spent, and the options that count at last. No bit of a result depends on which points a keeper
-/// knew. The result is freed by whirl_result_free.
+/// (whirl_table_done); the numbers of the others are NaN; without a result where it was stopped in whirl_study_prepare.
+/// WHIRL_NO_MEMORY where memory ran out anywhere: no number depends on how much there was. With a budget the blocks
+/// have the fields "refine/...": rounds, what was spent, and the options that count at last. No bit of a result depends
+/// on which points a keeper knew. The result is freed by whirl_result_free.
 whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *options, whirl_result **result);
 
 #ifdef __cplusplus

@@ -1,41 +1,19 @@
 #include "tree.h"
 
-#include <errno.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "input.h"
 #include "words.h"
 
-static whirl_status cannot_read(const char *path, int error) {
-    char reason[128] = "unknown reason";
-    if (error == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.240s", path);
-    if (strerror_r(error, reason, sizeof reason) != 0) snprintf(reason, sizeof reason, "error %d", error);
-    return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, reason);
-}
-
-static whirl_status read_bounded(FILE *file, const char *path, char **text, size_t *length) {
-    char *bytes = malloc(TREE_MAX_BYTES + 1);
-    if (!bytes) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.200s", path);
-    *length = fread(bytes, 1, TREE_MAX_BYTES + 1, file);
-    if (ferror(file)) {
-        const int error = errno;
-        free(bytes);
-        return cannot_read(path, error);
-    }
-    *text = bytes;
-    return whirl_ok();
-}
-
 whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length) {
-    *text = NULL;
+    input_file in;
     if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
-    FILE *file = fopen(path, "rb");
-    if (!file) return cannot_read(path, errno);
-    const whirl_status status = read_bounded(file, path, text, length);
-    fclose(file);
-    return status;
+    if (input_read(path, TREE_MAX_BYTES + 1, &in, text, length)) return whirl_ok();
+    if (in.no_memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.240s", path);
+    return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, in.reason);
 }
 
 /// What no case needs: characters that steer a terminal, or turn a line so that it reads otherwise than it is computed.

@@ -5,7 +5,9 @@
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 // ---------------------------------------------------------------- centred
 // How a pad lies before a journal in the middle of its bearing.
@@ -68,12 +70,22 @@ typedef struct pad_table {
     _Alignas(64) double rows[PAD_ROWS];
 } pad_table;
 
-/// Solves the films of all nodes, some seconds' work, of pads of less than half a turn: coefficients alone. To be
-/// freed. Errors as pad_solve.
-whirl_status pad_table_new(const pad_table_key *key, pad_table **out);
-
 /// A table of zeros, to be freed; NULL without memory.
 pad_table *pad_table_empty(void);
+
+/// The film of a table's nodes, with its grid.
+pad_film pad_table_film(const pad_table_key *key);
+
+/// Fills in the values at the nodes of one t, from 0 to PAD_T_NODES - 1, in place of coefficients: some hundredths of a
+/// second's work, of pads of less than half a turn. Errors as pad_solve.
+whirl_status pad_table_fill(pad_table *table, const pad_film *film, pad_workspace *work, int t);
+
+/// Makes coefficients of the values at all nodes.
+void pad_table_splines(pad_table *table);
+
+/// Whether films that are solved anew, at some places all over the table, have the forces that the table has: a table
+/// from a file may be another program's. Errors as pad_solve.
+whirl_status pad_table_confirm(const pad_table *table, const pad_table_key *key, bool *confirmed);
 
 /// Fills in `rows` from the coefficients.
 void pad_table_rows(pad_table *table);
@@ -81,20 +93,46 @@ void pad_table_rows(pad_table *table);
 /// Fills in `lean` of a pad whose pivot lies `lead` before its middle.
 void pad_table_lean(pad_table *table, double lead);
 
+// ---------------------------------------------------------------- table files
+// Tables in the user's cache folder, $XDG_CACHE_HOME/whirl or ~/.cache/whirl, for other runs.
+
+/// Fowler, Noll, Vo 1991 over the coefficients, as words of 64 bits.
+uint64_t pad_table_checksum(const pad_table *table);
+
+/// Whether there is a file for such a table, which is not read.
+bool pad_table_file_is_there(const pad_table_key *key);
+
+/// Reads the coefficients. *found is false where there is no plain file, or one that is damaged, of other sources or
+/// not confirmed. Errors as pad_table_confirm.
+whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, bool *found);
+
+/// Leaves a table for other runs, in one step; where that fails they make it again. The files that were used least
+/// recently go where there are more than PAD_TABLE_FILES.
+void pad_table_file_write(const pad_table_key *key, const pad_table *table);
+
+enum { PAD_TABLE_FILES = 512 }; ///< of 2 MB each
+
 // ---------------------------------------------------------------- tables
-// The tables of all pads of the process, by number: each is made once and lasts.
+// The tables of all pads of the process, by number. Machines hold the tables of their pads; a table is read from its
+// file or made when it is first held, and freed when nobody has held it for long.
 
-enum { MAX_PAD_TABLES = 4096 };
+/// Tables in memory that nobody holds, of 4 MB each.
+enum { MAX_IDLE_PAD_TABLES = 64 };
 
-/// The number of the table of such a pad. WHIRL_BAD_INPUT for more tables than MAX_PAD_TABLES.
+/// The number of the table of such a pad, which need not be there. WHIRL_BAD_INPUT for more tables than
+/// WHIRL_MAX_FILM_TABLES.
 whirl_status pad_table_number(const pad_table_key *key, double *number);
 
 /// What that is of.
 pad_table_key pad_table_key_of(double number);
 
-/// The table of a number. Where it is asked for first it is read from the user's cache folder ($XDG_CACHE_HOME/whirl,
-/// or ~/.cache/whirl) if it is whole there, else it is made, which takes seconds, and left there. Not-a-numbers where
-/// there is no memory for it: what moves by it diverges.
+/// Sees to it that the table is there until pad_table_release. Making it takes a second; all threads that want the
+/// table make it together, and give up where *stop becomes true (NULL: never). A film that cannot be solved gives a
+/// table of not-a-numbers: what moves by it diverges. WHIRL_NO_MEMORY, WHIRL_STOPPED: then it is not held.
+whirl_status pad_table_hold(double number, const volatile bool *stop);
+void pad_table_release(double number);
+
+/// The table of a number that somebody holds; else one of zeros.
 const pad_table *pad_table_of(double number);
 
 // ---------------------------------------------------------------- turbulence

@@ -202,6 +202,25 @@ void pads_begin(const element *own, double *states) {
     for (size_t p = 0; p < (size_t)own->law; p++) states[pads_are_light(own) ? p : 2 * p] = tilt;
 }
 
+static double table_of(const element *own, size_t pad) {
+    return own->number[PADS_FIRST + pad * PAD_NUMBERS + PAD_TABLE];
+}
+
+whirl_status pads_hold(const element *own, const volatile bool *stop) {
+    whirl_status status = whirl_ok();
+    size_t held = 0;
+    while (held < (size_t)own->law && status.code == WHIRL_OK) {
+        status = pad_table_hold(table_of(own, held), stop);
+        held += status.code == WHIRL_OK;
+    }
+    while (status.code != WHIRL_OK && held > 0) pad_table_release(table_of(own, --held));
+    return status;
+}
+
+void pads_release(const element *own) {
+    for (size_t p = 0; p < (size_t)own->law; p++) pad_table_release(table_of(own, p));
+}
+
 void pads_note(const element *own, double length, double clock, char *text, size_t size) {
     (void)length, (void)clock;
     // Measured over places of pads of 40 to 160 degrees, L/D 0.25 to 2.

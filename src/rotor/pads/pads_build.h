@@ -72,6 +72,10 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
 /// All pads lie alike before a journal in the middle: the states of a bearing of pads that tilt.
 void pads_begin(const element *own, double *states);
 
+/// Holds the tables of its pads (pad_table_hold), or none of them; lets them go.
+whirl_status pads_hold(const element *own, const volatile bool *stop);
+void pads_release(const element *own);
+
 /// In length scales: the circle in which the journal moves; 0 where the housing moves.
 double pads_clearance(const element *own);
 

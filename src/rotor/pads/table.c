@@ -18,21 +18,25 @@ static double *coefficient(double *all, int t, int w, int alpha) {
 
 // ---------------------------------------------------------------- values
 
-/// S at the nodes of one t and w, at all alphas.
-static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace *work, int t, int w) {
+/// S at a node.
+static whirl_status solve_node(const pad_film *film, pad_workspace *work, int t, int w, int k, double value[2]) {
     const double thickness = pow(PAD_LEAST_T + PAD_STEP_T * t, 2.0), x = 1.0 - thickness,
                  own = PAD_STEP_W * w - PAD_MOST_W;
     const double v = 2.0 * own / (1.0 + own * own), scale = (1.0 - v * v) * thickness * thickness;
-    const double y = v * largest_y(film->arc, x);
-    for (int k = 0; k < PAD_ALPHA_NODES; k++) {
-        const double alpha = PAD_STEP_ALPHA * k - PAD_HALF_TURN;
-        const pad_place at = {.x = x, .y = y, .a = cos(alpha), .b = sin(alpha)};
-        pad_answer answer;
-        const whirl_status status = pad_solve(work, film, &at, &answer);
-        if (status.code != WHIRL_OK) return status;
-        for (int i = 0; i < 2; i++) coefficient(all, t + 1, w + 1, k + 1)[i] = scale * answer.force[i];
-    }
-    return whirl_ok();
+    const double y = v * largest_y(film->arc, x), alpha = PAD_STEP_ALPHA * k - PAD_HALF_TURN;
+    const pad_place at = {.x = x, .y = y, .a = cos(alpha), .b = sin(alpha)};
+    pad_answer answer;
+    const whirl_status status = pad_solve(work, film, &at, &answer);
+    for (int i = 0; i < 2 && status.code == WHIRL_OK; i++) value[i] = scale * answer.force[i];
+    return status;
+}
+
+/// S at the nodes of one t and w, at all alphas.
+static whirl_status fill_nodes(double *all, const pad_film *film, pad_workspace *work, int t, int w) {
+    whirl_status status = whirl_ok();
+    for (int k = 0; k < PAD_ALPHA_NODES && status.code == WHIRL_OK; k++)
+        status = solve_node(film, work, t, w, k, coefficient(all, t + 1, w + 1, k + 1));
+    return status;
 }
 
 /// The pad is its own mirror image: with y and A the force along it changes its sign, and alpha becomes pi - alpha.
@@ -97,23 +101,8 @@ static void make_splines(double *all, double *work) {
 
 // ---------------------------------------------------------------- the whole
 
-/// Coefficients in place of values.
-static whirl_status fill(double *all, const pad_film *film) {
-    double line[4 * PAD_ALPHA_NODES];
-    pad_workspace *work;
-    whirl_status status = pad_workspace_new(film->around, film->along, &work);
-    for (int t = 0; t < PAD_T_NODES && status.code == WHIRL_OK; t++)
-        for (int w = PAD_W_NODES / 2; w < PAD_W_NODES && status.code == WHIRL_OK; w++) {
-            status = fill_nodes(all, film, work, t, w);
-            if (status.code == WHIRL_OK) mirror_nodes(all, t, w);
-        }
-    if (status.code == WHIRL_OK) make_splines(all, line);
-    pad_workspace_free(work);
-    return status;
-}
-
 /// The grid of a table: half as long as it is wide, or longer, a pad needs more volumes along it.
-static pad_film film_of(const pad_table_key *key) {
+pad_film pad_table_film(const pad_table_key *key) {
     const int around = 16 * (int)ceil(key->arc / (2.0 * PAD_HALF_TURN) * AROUND_A_TURN / 16.0), least = 64;
     const double along = 4.0 * ceil(4.0 * key->ratio / key->arc);
     return (pad_film){.arc = key->arc,
@@ -138,17 +127,18 @@ void pad_table_rows(pad_table *table) {
                    table->coefficients + place * PAD_ROW + 2 * cell, PAD_ALPHA_APART * sizeof(double));
 }
 
-whirl_status pad_table_new(const pad_table_key *key, pad_table **out) {
-    const pad_film film = film_of(key);
-    pad_table *table = pad_table_empty();
-    const whirl_status status =
-        table ? fill(table->coefficients, &film) : whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad");
-    if (status.code != WHIRL_OK) {
-        free(table);
-        table = NULL;
+whirl_status pad_table_fill(pad_table *table, const pad_film *film, pad_workspace *work, int t) {
+    whirl_status status = whirl_ok();
+    for (int w = PAD_W_NODES / 2; w < PAD_W_NODES && status.code == WHIRL_OK; w++) {
+        status = fill_nodes(table->coefficients, film, work, t, w);
+        if (status.code == WHIRL_OK) mirror_nodes(table->coefficients, t, w);
     }
-    *out = table;
     return status;
+}
+
+void pad_table_splines(pad_table *table) {
+    double line[4 * PAD_ALPHA_NODES];
+    make_splines(table->coefficients, line);
 }
 
 // ---------------------------------------------------------------- pads that tilt freely
@@ -201,4 +191,35 @@ void pad_table_lean(pad_table *table, double lead) {
             line_of(table, t, w, line);
             table->lean[t][w] = lean_of(line, lead);
         }
+}
+
+// ---------------------------------------------------------------- tables of other programs
+
+/// Places that are looked at, spread over all nodes by the golden ratio, and by how much of the largest force they may
+/// differ: rounding does by 1e-13, another solution by far more.
+enum { CONFIRMED = 24 };
+static const double confirmed_within = 1e-9;
+
+whirl_status pad_table_confirm(const pad_table *table, const pad_table_key *key, bool *confirmed) {
+    const int half = PAD_W_NODES / 2 + 1, all = PAD_T_NODES * half * PAD_ALPHA_NODES; // the others are mirror images
+    const pad_film film = pad_table_film(key);
+    pad_workspace *work;
+    double largest = 0.0, apart = 0.0;
+    whirl_status status = pad_workspace_new(film.around, film.along, &work);
+    for (int i = 0; i < CONFIRMED && status.code == WHIRL_OK; i++) {
+        const int node = (int)(all * fmod((i + 1) * 0.6180339887498949, 1.0));
+        const int k = node % PAD_ALPHA_NODES, w = PAD_W_NODES / 2 + node / PAD_ALPHA_NODES % half;
+        const int t = node / PAD_ALPHA_NODES / half;
+        double line[PAD_ROW], value[2] = {0.0, 0.0};
+        status = solve_node(&film, work, t, w, k, value);
+        line_of(table, t, w, line);
+        for (int n = 0; n < 2; n++) {
+            const double here = (line[2 * k + n] + 4.0 * line[2 * (k + 1) + n] + line[2 * (k + 2) + n]) / 6.0;
+            largest = fmax(largest, fabs(value[n]));
+            apart = fmax(apart, fabs(here - value[n]));
+        }
+    }
+    pad_workspace_free(work);
+    *confirmed = status.code == WHIRL_OK && apart <= confirmed_within * largest;
+    return status;
 }

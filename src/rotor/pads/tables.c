@@ -1,135 +1,46 @@
+// The tables of the process: who holds them, and how threads make them together.
 #include "pad_tables.h"
 
 #include <math.h>
 #include <stdatomic.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <time.h>
 
+#include "first_error.h"
 #include "lock.h"
+#include "memory.h"
+#include "whirl/engine/film_tables.h"
 
-/// Of the file: another number where nodes or the solution change.
-enum { FORMAT = 4, PATH_LENGTH = 1024 };
+enum { MAX_TABLES = WHIRL_MAX_FILM_TABLES };
+
+/// A table that is being made. Under the guard, but for the table: of every t somebody fills in what is his alone.
+typedef struct making {
+    pad_table *table;
+    pad_film film;
+    bool open;      ///< threads may join: the file was looked for, and values at nodes are left to be filled in
+    int next;       ///< the first t that nobody fills in
+    int done;       ///< how many of these are filled in
+    size_t workers; ///< threads at it
+    first_error error;
+} making;
+
+/// What is known of a table.
+typedef struct slot {
+    pad_table_key key;
+    size_t holders;
+    making *making; ///< NULL: nobody makes it
+    uint64_t left;  ///< when it was last left, by `clock`
+    bool asked;     ///< since whirl_film_tables_watch
+} slot;
 
 static lock guard = LOCK_OPEN;
-static _Atomic(const pad_table *) tables[MAX_PAD_TABLES];
-static pad_table_key keys[MAX_PAD_TABLES];
-static size_t table_count;
+static slot slots[MAX_TABLES];
+static size_t slot_count, idle_count;
+static uint64_t clock_of_tables;
+static _Atomic(pad_table *) tables[MAX_TABLES];
+static pad_table absent; ///< zeros
 
-// ---------------------------------------------------------------- files
-
-/// What stands before the coefficients.
-typedef struct file_head {
-    char magic[8];
-    int32_t format, law, turbulence, unused;
-    double arc, ratio, reynolds;
-    uint64_t count, checksum;
-} file_head;
-
-/// Fowler, Noll, Vo 1991 over words of 64 bits.
-static uint64_t checksum(const double *at, size_t count) {
-    uint64_t sum = 14695981039346656037u;
-    for (size_t i = 0; i < count; i++) {
-        uint64_t word;
-        memcpy(&word, &at[i], sizeof word);
-        sum = (sum ^ word) * 1099511628211u;
-        sum ^= sum >> 29;
-    }
-    return sum;
-}
-
-/// The user's cache folder; false where there is none.
-static bool cache_folder(char folder[PATH_LENGTH]) {
-    const char *cache = getenv("XDG_CACHE_HOME"), *home = getenv("HOME");
-    int length = -1;
-    if (cache && *cache == '/')
-        length = snprintf(folder, PATH_LENGTH, "%s/whirl", cache);
-    else if (home && *home == '/')
-        length = snprintf(folder, PATH_LENGTH, "%s/.cache/whirl", home);
-    return length > 0 && length < PATH_LENGTH;
-}
-
-/// The file of a table; false without a folder.
-static bool file_of(const pad_table_key *key, char path[PATH_LENGTH]) {
-    char folder[PATH_LENGTH];
-    if (!cache_folder(folder)) return false;
-    uint64_t of[3];
-    memcpy(&of[0], &key->arc, sizeof of[0]);
-    memcpy(&of[1], &key->ratio, sizeof of[1]);
-    memcpy(&of[2], &key->reynolds, sizeof of[2]);
-    const int length =
-        snprintf(path, PATH_LENGTH, "%s/pad-%d-%d-%d-%016llx-%016llx-%016llx", folder, FORMAT, (int)key->law,
-                 (int)key->turbulence, (unsigned long long)of[0], (unsigned long long)of[1], (unsigned long long)of[2]);
-    return length > 0 && length < PATH_LENGTH;
-}
-
-static file_head head_of(const pad_table_key *key, const pad_table *table) {
-    file_head head = {.format = FORMAT,
-                      .law = (int32_t)key->law,
-                      .turbulence = (int32_t)key->turbulence,
-                      .arc = key->arc,
-                      .ratio = key->ratio,
-                      .reynolds = key->reynolds,
-                      .count = PAD_COEFFICIENTS,
-                      .checksum = checksum(table->coefficients, PAD_COEFFICIENTS)};
-    memcpy(head.magic, "whirlpad", sizeof head.magic);
-    return head;
-}
-
-static bool same_head(const file_head *one, const file_head *other) {
-    return memcmp(one->magic, other->magic, sizeof one->magic) == 0 && one->format == other->format &&
-           one->law == other->law && one->turbulence == other->turbulence && one->arc == other->arc &&
-           one->ratio == other->ratio && one->reynolds == other->reynolds && one->count == other->count &&
-           one->checksum == other->checksum;
-}
-
-/// A table from its file; NULL where there is none, or it is damaged or another one.
-static pad_table *read_table(const pad_table_key *key) {
-    char path[PATH_LENGTH];
-    file_head head, own;
-    if (!file_of(key, path)) return NULL;
-    FILE *in = fopen(path, "rb");
-    pad_table *table = in ? pad_table_empty() : NULL;
-    bool good = table && fread(&head, sizeof head, 1, in) == 1 &&
-                fread(table->coefficients, sizeof(double), PAD_COEFFICIENTS, in) == PAD_COEFFICIENTS;
-    if (good) {
-        own = head_of(key, table);
-        good = same_head(&head, &own);
-    }
-    if (in) fclose(in);
-    if (good) return table;
-    free(table);
-    return NULL;
-}
-
-static void make_folders(char *folder) {
-    for (char *at = strchr(folder + 1, '/'); at; at = strchr(at + 1, '/')) {
-        *at = '\0';
-        (void)mkdir(folder, 0700);
-        *at = '/';
-    }
-    (void)mkdir(folder, 0700);
-}
-
-/// Leaves a table for other runs, in one step; where that fails they make it again.
-static void write_table(const pad_table_key *key, const pad_table *table) {
-    char path[PATH_LENGTH], folder[PATH_LENGTH], part[PATH_LENGTH + 32];
-    if (!file_of(key, path) || !cache_folder(folder)) return;
-    make_folders(folder);
-    snprintf(part, sizeof part, "%s.%ld", path, (long)getpid());
-    FILE *out = fopen(part, "wb");
-    if (!out) return;
-    const file_head head = head_of(key, table);
-    bool good = fwrite(&head, sizeof head, 1, out) == 1 &&
-                fwrite(table->coefficients, sizeof(double), head.count, out) == head.count;
-    good = fclose(out) == 0 && good;
-    if (!good || rename(part, path) != 0) (void)remove(part);
-}
-
-// ---------------------------------------------------------------- all tables
+// ---------------------------------------------------------------- numbers
 
 static bool same(const pad_table_key *one, const pad_table_key *other) {
     return one->arc == other->arc && one->ratio == other->ratio && one->law == other->law &&
@@ -139,29 +50,117 @@ static bool same(const pad_table_key *one, const pad_table_key *other) {
 whirl_status pad_table_number(const pad_table_key *key, double *number) {
     size_t i = 0;
     lock_take(&guard);
-    while (i < table_count && !same(&keys[i], key)) i++;
-    if (i == table_count && i < MAX_PAD_TABLES) keys[table_count++] = *key;
+    while (i < slot_count && !same(&slots[i].key, key)) i++;
+    if (i == slot_count && i < MAX_TABLES) slots[slot_count++].key = *key;
+    if (i < MAX_TABLES) slots[i].asked = true;
     lock_leave(&guard);
     *number = (double)i;
-    return i < MAX_PAD_TABLES
+    return i < MAX_TABLES
                ? whirl_ok()
                : whirl_fail(WHIRL_BAD_INPUT,
                             "there are more than %d different pads, by arc, length over diameter and Reynolds number",
-                            MAX_PAD_TABLES);
+                            MAX_TABLES);
 }
 
 pad_table_key pad_table_key_of(double number) {
     lock_take(&guard);
-    const pad_table_key key = keys[(size_t)number];
+    const pad_table_key key = slots[(size_t)number].key;
     lock_leave(&guard);
     return key;
 }
 
-/// One of not-a-numbers.
-static const pad_table *no_table(void) {
-    static pad_table table;
-    for (size_t i = 0; i < PAD_ROWS && !isnan(table.rows[i]); i++) table.rows[i] = NAN;
-    return &table;
+const pad_table *pad_table_of(double number) {
+    const pad_table *table = atomic_load_explicit(&tables[(size_t)number], memory_order_acquire);
+    return table ? table : &absent;
+}
+
+void whirl_film_tables_watch(void) {
+    lock_take(&guard);
+    for (size_t i = 0; i < slot_count; i++) slots[i].asked = false;
+    lock_leave(&guard);
+}
+
+size_t whirl_film_tables_missing(size_t *asked) {
+    size_t missing = 0;
+    *asked = 0;
+    lock_take(&guard);
+    for (size_t i = 0; i < slot_count; i++) {
+        if (!slots[i].asked) continue;
+        ++*asked;
+        missing += !atomic_load(&tables[i]) && !pad_table_file_is_there(&slots[i].key);
+    }
+    lock_leave(&guard);
+    return missing;
+}
+
+// ---------------------------------------------------------------- memory
+
+/// Frees the table that nobody has held for longest. Under the guard.
+static bool free_oldest(void) {
+    size_t oldest = slot_count;
+    for (size_t i = 0; i < slot_count; i++)
+        if (slots[i].holders == 0 && atomic_load(&tables[i]) &&
+            (oldest == slot_count || slots[i].left < slots[oldest].left))
+            oldest = i;
+    if (oldest == slot_count) return false;
+    free(atomic_exchange(&tables[oldest], NULL));
+    idle_count--;
+    return true;
+}
+
+/// A table of zeros, for which others go where there is no memory. Under the guard.
+static pad_table *take_memory(void) {
+    const int before = exhausted_watch();
+    pad_table *table = pad_table_empty();
+    while (!table && free_oldest()) table = pad_table_empty();
+    errno = table ? before : ENOMEM;
+    return table;
+}
+
+// ---------------------------------------------------------------- making
+
+static bool is_stopped(const volatile bool *stop) {
+    return stop && *stop;
+}
+
+static void rest(void) {
+    nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
+}
+
+static making *begin_making(const pad_table_key *key) {
+    making *own = calloc(1, sizeof *own);
+    pad_table *table = own ? take_memory() : NULL;
+    if (!table) {
+        free(own);
+        return NULL;
+    }
+    own->table = table;
+    own->film = pad_table_film(key);
+    return own;
+}
+
+/// The values of one t after the other, until nobody has any to begin. Under the guard, which is left meanwhile.
+static void fill_together(making *with, const volatile bool *stop) {
+    pad_workspace *work = NULL;
+    whirl_status status = pad_workspace_new(with->film.around, with->film.along, &work);
+    while (with->next < PAD_T_NODES && status.code == WHIRL_OK && with->error.code == WHIRL_OK && !is_stopped(stop)) {
+        const int t = with->next++;
+        lock_leave(&guard);
+        status = pad_table_fill(with->table, &with->film, work, t);
+        lock_take(&guard);
+        with->done++;
+    }
+    first_error_note(&with->error, &status);
+    pad_workspace_free(work);
+}
+
+/// Looks for the file. Under the guard, which is left meanwhile.
+static void look_for_file(making *with, const pad_table_key *key, bool *found) {
+    lock_leave(&guard);
+    const whirl_status status = pad_table_file_read(key, with->table, found);
+    lock_take(&guard);
+    if (status.code == WHIRL_NO_MEMORY) first_error_note(&with->error, &status);
+    with->open = !*found;
 }
 
 static bool is_finite(const pad_table *table) {
@@ -170,28 +169,79 @@ static bool is_finite(const pad_table *table) {
     return i == PAD_COEFFICIENTS;
 }
 
-/// One that is not finite is told as diverged, and not kept.
-static const pad_table *make_table(const pad_table_key *key) {
-    pad_table *table = read_table(key);
-    if (!table) {
-        if (pad_table_new(key, &table).code != WHIRL_OK) return no_table();
-        if (is_finite(table)) write_table(key, table);
-    }
-    pad_table_rows(table);
-    pad_table_lean(table, key->lead);
-    return table;
+/// From values at nodes to what kernels read. Of films that cannot be solved it is not-a-numbers.
+static void finish(making *with, const pad_table_key *key) {
+    const bool failed = with->error.code != WHIRL_OK, from_file = with->next == 0;
+    for (size_t i = 0; failed && i < PAD_COEFFICIENTS; i++) with->table->coefficients[i] = NAN;
+    if (!failed && !from_file) pad_table_splines(with->table);
+    if (!failed && !from_file && is_finite(with->table)) pad_table_file_write(key, with->table);
+    pad_table_rows(with->table);
+    pad_table_lean(with->table, key->lead);
 }
 
-const pad_table *pad_table_of(double number) {
-    const size_t i = (size_t)number;
-    const pad_table *table = atomic_load_explicit(&tables[i], memory_order_acquire);
-    if (table) return table;
+/// The last thread that leaves a table either finishes or drops it. Under the guard, which is left meanwhile.
+static whirl_status end_making(size_t i, bool found) {
+    making *with = slots[i].making;
+    const bool done = found || with->done == PAD_T_NODES, failed = with->error.code != WHIRL_OK;
+    const whirl_status status = with->error.code == WHIRL_NO_MEMORY ? first_error_status(&with->error) : whirl_ok();
+    if (--with->workers > 0) return status;
+    if (status.code != WHIRL_OK || !(done || failed)) {
+        slots[i].making = NULL;
+        free(with->table);
+        free(with);
+        return status;
+    }
+    with->open = false;
+    lock_leave(&guard);
+    finish(with, &slots[i].key);
     lock_take(&guard);
-    table = atomic_load_explicit(&tables[i], memory_order_relaxed);
-    if (!table) {
-        table = make_table(&keys[i]);
-        atomic_store_explicit(&tables[i], table, memory_order_release);
+    slots[i].making = NULL;
+    atomic_store_explicit(&tables[i], with->table, memory_order_release);
+    free(with);
+    return status;
+}
+
+/// Makes a table or helps those that make it. Under the guard, which is left meanwhile.
+static whirl_status make(size_t i, const volatile bool *stop) {
+    making *with = slots[i].making;
+    bool found = false;
+    if (!with) {
+        with = slots[i].making = begin_making(&slots[i].key);
+        if (!with) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the table of a pad's film");
+        with->workers = 1;
+        look_for_file(with, &slots[i].key, &found);
+    } else if (with->open && with->next < PAD_T_NODES) {
+        with->workers++;
+    } else { // it is about to be there
+        lock_leave(&guard);
+        rest();
+        lock_take(&guard);
+        return whirl_ok();
+    }
+    if (!found) fill_together(with, stop);
+    return end_making(i, found);
+}
+
+whirl_status pad_table_hold(double number, const volatile bool *stop) {
+    const size_t i = (size_t)number;
+    whirl_status status = whirl_ok();
+    lock_take(&guard);
+    idle_count -= slots[i].holders == 0 && atomic_load(&tables[i]);
+    slots[i].holders++;
+    while (!atomic_load(&tables[i]) && status.code == WHIRL_OK) {
+        status =
+            is_stopped(stop) ? whirl_fail(WHIRL_STOPPED, "stopped while tables of films were made") : make(i, stop);
     }
     lock_leave(&guard);
-    return table;
+    if (status.code != WHIRL_OK) pad_table_release(number);
+    return status;
+}
+
+void pad_table_release(double number) {
+    const size_t i = (size_t)number;
+    lock_take(&guard);
+    slots[i].left = ++clock_of_tables;
+    if (--slots[i].holders == 0 && atomic_load(&tables[i])) idle_count++;
+    while (idle_count > MAX_IDLE_PAD_TABLES && free_oldest()) continue;
+    lock_leave(&guard);
 }

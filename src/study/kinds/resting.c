@@ -1,6 +1,7 @@
 // Points of machines at rest, whose motion is not followed.
 #include "kinds.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -180,6 +181,7 @@ static whirl_status work(study_run *run, const pass *p) {
     whirl_analysis_add(&modes, "modes");
 #pragma omp parallel num_threads(run->threads)
     {
+        errno = 0;
         worker w = {.run = run,
                     .pass = p,
                     .batch = &run->study->batches[p->batch],

@@ -22,8 +22,10 @@ static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
 
 /// The layout of what is taken from them.
 static whirl_status make_other_layout(chains *c) {
+    whirl_batch first = *c->batch;
     whirl_machine machine;
-    whirl_status status = whirl_study_machine(c->run->study, c->batch, 0, &machine);
+    first.outline = true;
+    whirl_status status = whirl_study_machine(c->run->study, &first, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     status =
         whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, compared(c->pass, c->batch), &c->other);

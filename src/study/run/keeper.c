@@ -1,6 +1,8 @@
 // What outlives a run: its keeper is asked and told by one thread at a time.
 #include "passes.h"
 
+#include <errno.h>
+
 bool keeper_recall(const whirl_keeper *keeper, const kept_point *p) {
     bool known = false;
     if (!keeper) return false;
@@ -11,6 +13,8 @@ bool keeper_recall(const whirl_keeper *keeper, const kept_point *p) {
 
 whirl_status keeper_keep(const whirl_keeper *keeper, const kept_point *p) {
     whirl_status status = whirl_ok();
+    // Whatever went another way for want of memory in this thread, its points are not to be believed.
+    if (errno == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compute a point");
     if (!keeper) return status;
 #pragma omp critical(whirl_keeper)
     status = keeper->keep(keeper->context, p->batch, p->slot, p->block, p->size, p->end, p->dimension);
@@ -26,7 +30,7 @@ whirl_status keeper_tend(const whirl_keeper *keeper) {
 }
 
 void keeper_save(const whirl_keeper *keeper, size_t worker, const whirl_kept_state *states, size_t count) {
-    if (!keeper || !keeper->save || count == 0) return;
+    if (!keeper || !keeper->save || count == 0 || errno == ENOMEM) return;
 #pragma omp critical(whirl_keeper)
     keeper->save(keeper->context, worker, states, count);
 }

@@ -1,5 +1,6 @@
 #include "passes.h"
 
+#include <errno.h>
 #include <omp.h>
 #include <stdlib.h>
 
@@ -19,10 +20,13 @@ static void sort_long_first(chains *all, size_t count) {
 static void work(study_run *run, chains *all, size_t count) {
     tracker *progress = &run->tracker;
 #pragma omp parallel num_threads(run->threads)
-    for (size_t i = 0; i < count; i++) {
-        const whirl_status status =
-            atomic_load(&progress->halt) ? whirl_ok() : chains_work(&all[i], (size_t)omp_get_thread_num());
-        if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(progress, &status);
+    {
+        errno = 0;
+        for (size_t i = 0; i < count; i++) {
+            const whirl_status status =
+                atomic_load(&progress->halt) ? whirl_ok() : chains_work(&all[i], (size_t)omp_get_thread_num());
+            if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(progress, &status);
+        }
     }
 }
 
@@ -64,6 +68,7 @@ whirl_status passes_outcome(const study_run *run) {
         [WHIRL_STAGE_CONFIRM] = "stopped after %zu of %zu points were confirmed",
         [WHIRL_STAGE_NEIGHBOURS] = "stopped after %zu of %zu motions of a round of starts from neighbours",
         [WHIRL_STAGE_FOLLOW] = "stopped after %zu of %zu copies of chaotic motions were followed",
+        [WHIRL_STAGE_TABLES] = "stopped after %zu of %zu tables of films",
         [WHIRL_STAGE_REFINE] = "stopped after %zu of %zu points of a round of refinement",
     };
     const whirl_progress *progress = &run->tracker.progress;

@@ -97,6 +97,7 @@ typedef struct kept_point {
 } kept_point;
 
 /// Any thread may call these; without a keeper (NULL) nothing is known, kept or saved.
+/// keeper_keep: WHIRL_NO_MEMORY where memory has run out in the calling thread since errno was 0.
 bool keeper_recall(const whirl_keeper *keeper, const kept_point *point);
 whirl_status keeper_keep(const whirl_keeper *keeper, const kept_point *point);
 whirl_status keeper_tend(const whirl_keeper *keeper);

@@ -74,8 +74,10 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 /// Where the points of batches end from which others go on.
 static whirl_status make_ends(study_run *run) {
     const whirl_study *study = run->study;
+    whirl_batch first = study->batches[0];
     whirl_machine machine;
-    const whirl_status status = whirl_study_machine(study, &study->batches[0], 0, &machine);
+    first.outline = true;
+    const whirl_status status = whirl_study_machine(study, &first, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     run->dimension = machine.system->dimension;
     if (machine.release) machine.release(machine.owner);
@@ -243,15 +245,19 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
         return whirl_fail(WHIRL_BAD_INPUT, "the share is %zu of %zu, expected 1 to %zu", run.share.number,
                           run.share.count, run.share.count);
     run.threads = options->threads > 0 ? options->threads : omp_get_num_procs();
+    const int before = exhausted_watch();
+    for (size_t i = 0; i < chosen.batch_count && i < WHIRL_MAX_BATCHES; i++)
+        chosen.batches[i].integrate.stop = options->stop;
     whirl_status status = check_study(study);
+    if (status.code == WHIRL_OK) status = whirl_study_prepare(&chosen, options);
     if (status.code == WHIRL_OK) status = place_all(&chosen, placed);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code == WHIRL_OK) status = whirl_study_outline(&chosen, &run.result);
-    for (size_t i = 0; i < chosen.batch_count; i++) chosen.batches[i].integrate.stop = options->stop;
     if (status.code == WHIRL_OK) status = make_ends(&run);
     if (status.code == WHIRL_OK) status = tables_fill(&run, options->memory);
-    if (status.code == WHIRL_OK) status = run_stages(&run, options);
-    if (status.code == WHIRL_OK || status.code == WHIRL_STOPPED) {
+    const bool begun = status.code == WHIRL_OK;
+    if (begun) status = run_stages(&run, options);
+    if (begun && (status.code == WHIRL_OK || status.code == WHIRL_STOPPED)) {
         whirl_status ended = refined_maps_end(&run);
         if (ended.code == WHIRL_OK) ended = neighbours_end(&run);
         if (ended.code != WHIRL_OK) status = ended;
@@ -259,11 +265,14 @@ whirl_status whirl_study_run(const whirl_study *study, const whirl_run_options *
     refined_maps_free(&run);
     neighbours_free(&run);
     for (size_t i = 0; i < WHIRL_MAX_BATCHES; i++) room_drop(&run.room, run.ends[i]), free(placed[i]);
-    if (status.code == WHIRL_STOPPED || (status.code == WHIRL_OK && (run.share.count > 0 || run.dealer))) {
+    if (exhausted(before) && status.code != WHIRL_NO_MEMORY)
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a study");
+    const bool given = begun && (status.code == WHIRL_OK || status.code == WHIRL_STOPPED);
+    if (given && (status.code == WHIRL_STOPPED || run.share.count > 0 || run.dealer)) {
         tables_blank(run.result);
         run.result->partial = true;
     }
-    if (status.code == WHIRL_OK || status.code == WHIRL_STOPPED)
+    if (given)
         *out = run.result;
     else
         whirl_result_free(run.result);

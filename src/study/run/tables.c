@@ -26,8 +26,10 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
 
 /// An empty table whose layout follows from the first machine of the batch.
 static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
+    whirl_batch first = *batch;
     whirl_machine machine;
-    whirl_status status = whirl_study_machine(study, batch, 0, &machine);
+    first.outline = true;
+    whirl_status status = whirl_study_machine(study, &first, 0, &machine);
     if (status.code != WHIRL_OK) return status;
     status = whirl_layout_new(machine.system, &batch->integrate, &batch->record, batch->analyses, &table->layout);
     const size_t stations = machine.system->probe_count;

@@ -59,6 +59,8 @@ const element_type pad_bearing_element = {
     .carries = true,
     .bearing_clearance = pads_clearance,
     .film = pad_bearing_film,
+    .hold = pads_hold,
+    .release = pads_release,
     .note = pads_note,
     .doubt = pads_doubt,
 };

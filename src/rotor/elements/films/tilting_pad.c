@@ -50,6 +50,8 @@ const element_type tilting_pad_element = {
     .variant = &tilting_pad_yielding_type,
     .carries = true,
     .bearing_clearance = pads_clearance,
+    .hold = pads_hold,
+    .release = pads_release,
     .note = pads_note,
     .doubt = pads_doubt,
 };

@@ -33,6 +33,8 @@ const element_type tilting_pad_yielding_type = {
     .settle = pads_settle,
     .film = pads_film,
     .bearing_clearance = no_clearance,
+    .hold = pads_hold,
+    .release = pads_release,
     .note = pads_note,
 };
 #endif
