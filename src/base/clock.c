@@ -1,9 +1,14 @@
 #include "clock.h"
 
+#include <stddef.h>
 #include <time.h>
 
 double clock_seconds(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+void clock_rest(void) {
+    nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
 }

@@ -5,4 +5,7 @@
 /// Seconds since some fixed moment; monotonic.
 double clock_seconds(void);
 
+/// Sleeps for a millisecond.
+void clock_rest(void);
+
 #endif

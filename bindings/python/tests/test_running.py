@@ -241,3 +241,35 @@ def test_python_exit():
     for _ in range(3):
         told = subprocess.run([sys.executable, "-c", LEAVING, GOOD], capture_output=True, text=True, timeout=60)
         assert (told.returncode, told.stdout) == (0, "left with 0 runs\n"), told.stderr
+
+
+def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):
+    program = tmp_path / "forks.py"
+    program.write_text(
+        "import os, sys, threading, time, whirl\n"
+        f"text = open({str(GOOD)!r}).read().replace('points: 5', 'points: 400')\n"
+        "going = threading.Event()\n"
+        "def run():\n"
+        "    whirl.run(whirl.Case(text=text), threads=1, progress=lambda *_: going.set())\n"
+        "threading.Thread(target=run, daemon=True).start()\n"
+        "going.wait(30)\n"
+        "if os.fork() == 0:\n"
+        "    try:\n"
+        "        whirl.run(whirl.Case(text=text), threads=1, progress=False)\n"
+        "    except whirl.Error as refused:\n"
+        "        print(refused, flush=True)\n"
+        "    os._exit(0)\n"
+        "os.wait()\n"
+    )
+    done = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=60, check=False)
+    assert "was forked while another thread of its parent was at a run" in done.stdout, done.stderr
+
+
+def test_cases_are_plain_files(tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(whirl.BadInput, match="it is a pipe"):
+        whirl.Case(tmp_path / "pipe")
+    with pytest.raises(whirl.BadInput, match="it is a device"):
+        whirl.Case("/dev/zero")
+    with pytest.raises(whirl.BadInput, match="it is a pipe"):
+        whirl.open(tmp_path / "pipe")

@@ -60,11 +60,16 @@ class FileSource:
     """A file of `whirl run` through h5py. It stays open; `close` closes it."""
 
     def __init__(self, path):
+        from ._input import open_input
         from ._library import path_bytes, require_file
 
         self.path, self.file = os.path.abspath(path), None
         path_bytes(path)
         require_file(path, "the result")
+        try:
+            os.close(open_input(path))
+        except OSError as failure:
+            raise errors.BadInput(f"cannot read the result '{self.path}': {failure.strerror}") from None
         try:
             self.file = h5py.File(path, "r")
         except OSError as failure:

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "build.h"
+#include "input.h"
 
 enum { PATH_LENGTH = 1024 };
 
@@ -79,15 +80,10 @@ static bool same_head(const file_head *one, const file_head *other) {
 
 static const size_t file_size = sizeof(file_head) + PAD_COEFFICIENTS * sizeof(double);
 
-/// Whether there is a plain file of the right size; anything else in its place (a FIFO, a device) is no table.
-static bool is_table(const struct stat *file) {
-    return S_ISREG(file->st_mode) && file->st_size == (off_t)file_size;
-}
-
 bool pad_table_file_is_there(const pad_table_key *key) {
     char path[PATH_LENGTH];
     struct stat file;
-    return file_of(key, path) && stat(path, &file) == 0 && is_table(&file);
+    return file_of(key, path) && stat(path, &file) == 0 && S_ISREG(file.st_mode) && file.st_size == (off_t)file_size;
 }
 
 static bool read_all(int in, void *to, size_t size) {
@@ -102,13 +98,12 @@ static bool read_all(int in, void *to, size_t size) {
 
 whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, bool *found) {
     char path[PATH_LENGTH];
-    struct stat file;
     file_head head;
     *found = false;
-    // Whatever is there, to open it does not wait.
-    const int in = file_of(key, path) ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1;
-    if (in < 0) return whirl_ok();
-    bool good = fstat(in, &file) == 0 && is_table(&file) && read_all(in, &head, sizeof head) &&
+    input_file file;
+    if (!file_of(key, path) || !input_open(path, &file)) return whirl_ok();
+    const int in = file.descriptor;
+    bool good = file.size == file_size && read_all(in, &head, sizeof head) &&
                 read_all(in, table->coefficients, sizeof table->coefficients);
     if (good) {
         const file_head own = head_of(key, table);

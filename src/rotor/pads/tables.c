@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdatomic.h>
 #include <stdlib.h>
-#include <time.h>
 
+#include "clock.h"
 #include "first_error.h"
 #include "lock.h"
 #include "memory.h"
@@ -123,10 +123,6 @@ static bool is_stopped(const volatile bool *stop) {
     return stop && *stop;
 }
 
-static void rest(void) {
-    nanosleep(&(struct timespec){.tv_nsec = 1000000}, NULL);
-}
-
 static making *begin_making(const pad_table_key *key) {
     making *own = calloc(1, sizeof *own);
     pad_table *table = own ? take_memory() : NULL;
@@ -214,7 +210,7 @@ static whirl_status make(size_t i, const volatile bool *stop) {
         with->workers++;
     } else { // it is about to be there
         lock_leave(&guard);
-        rest();
+        clock_rest();
         lock_take(&guard);
         return whirl_ok();
     }

@@ -1,11 +1,16 @@
 // The tables of pads beside the films themselves at random places, and how smooth they are.
+#include <dirent.h>
 #include <math.h>
+#include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -51,6 +56,7 @@ static void errors(const pad_film *film, double preload, double tilt, double fou
     pad_workspace *work;
     double table;
     assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
+    assert_int_equal(pad_table_hold(table, NULL).code, WHIRL_OK);
     assert_int_equal(pad_workspace_new(film->around, film->along, &work).code, WHIRL_OK);
     for (int n = 0; n < PLACES;) {
         const double r = 0.95 * (1.0 - preload) * sqrt(next()), angle = 2.0 * pi * next(), alpha = 2.0 * pi * next();
@@ -69,6 +75,7 @@ static void errors(const pad_film *film, double preload, double tilt, double fou
         found[n++] = hypot(force[0] - answer.force[0], force[1] - answer.force[1]) / largest;
     }
     pad_workspace_free(work);
+    pad_table_release(table);
     qsort(found, PLACES, sizeof *found, rising);
 }
 
@@ -104,6 +111,7 @@ static void test_smooth(void **state) {
     double table;
     (void)state;
     assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
+    assert_int_equal(pad_table_hold(table, NULL).code, WHIRL_OK);
     for (int along = 0; along < 3; along++) {
         const double node[] = {PAD_LEAST_T + 9 * PAD_STEP_T, 3 * PAD_STEP_W, 5 * PAD_STEP_ALPHA};
         double force[7][2];
@@ -119,9 +127,86 @@ static void test_smooth(void **state) {
             assert_true(fabs(after - before) < 4.0 * step * step * step * 1e4 + 4e-15);
         }
     }
+    pad_table_release(table);
+}
+
+/// Tables of this test alone lie in a folder of its own. The film is the cheapest that there is.
+static void own_cache(char folder[64]) {
+    strcpy(folder, "/tmp/whirl-tables-XXXXXX");
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(setenv("XDG_CACHE_HOME", folder, 1), 0);
+}
+
+static const pad_table_key cheap = {.arc = 0.5, .ratio = 0.2, .law = CAVITATION_GUMBEL};
+
+static void *hold(void *table) {
+    assert_int_equal(pad_table_hold(*(double *)table, NULL).code, WHIRL_OK);
+    return NULL;
+}
+
+/// What is asked to stop makes no table, whoever comes next does; threads that make one together make that of one.
+static void test_together(void **state) {
+    const pad_film film = pad_table_film(&cheap);
+    const bool stop = true;
+    char folder[64];
+    pthread_t threads[3];
+    pad_workspace *work;
+    double table;
+    (void)state;
+    own_cache(folder);
+    assert_int_equal(pad_table_number(&cheap, &table).code, WHIRL_OK);
+    assert_int_equal(pad_table_hold(table, &stop).code, WHIRL_STOPPED);
+    assert_false(pad_table_file_is_there(&cheap));
+    for (size_t i = 0; i < 3; i++) assert_int_equal(pthread_create(&threads[i], NULL, hold, &table), 0);
+    for (size_t i = 0; i < 3; i++) pthread_join(threads[i], NULL);
+    assert_true(pad_table_file_is_there(&cheap));
+    pad_table *alone = pad_table_empty();
+    assert_non_null(alone);
+    assert_int_equal(pad_workspace_new(film.around, film.along, &work).code, WHIRL_OK);
+    for (int t = PAD_T_NODES - 1; t >= 0; t--) assert_int_equal(pad_table_fill(alone, &film, work, t).code, WHIRL_OK);
+    pad_table_splines(alone);
+    assert_memory_equal(alone->coefficients, pad_table_of(table)->coefficients, sizeof alone->coefficients);
+    pad_workspace_free(work);
+    free(alone);
+    for (size_t i = 0; i < 3; i++) pad_table_release(table);
+}
+
+/// A file of another program's forces with a right checksum is no table, nor is a FIFO, on which nobody waits.
+static void test_files(void **state) {
+    char folder[64], path[512];
+    bool found;
+    (void)state;
+    own_cache(folder);
+    pad_table *table = pad_table_empty();
+    double number;
+    assert_non_null(table);
+    assert_int_equal(pad_table_number(&cheap, &number).code, WHIRL_OK);
+    assert_int_equal(pad_table_hold(number, NULL).code, WHIRL_OK);
+    memcpy(table->coefficients, pad_table_of(number)->coefficients, sizeof table->coefficients);
+    pad_table_release(number);
+    pad_table_file_write(&cheap, table);
+    assert_int_equal(pad_table_file_read(&cheap, table, &found).code, WHIRL_OK);
+    assert_true(found);
+    for (size_t i = 0; i < PAD_COEFFICIENTS; i++) table->coefficients[i] *= 1.0 + 1e-6;
+    pad_table_file_write(&cheap, table);
+    assert_int_equal(pad_table_file_read(&cheap, table, &found).code, WHIRL_OK);
+    assert_false(found);
+    snprintf(path, sizeof path, "%s/whirl", folder);
+    DIR *list = opendir(path);
+    const struct dirent *entry;
+    assert_non_null(list);
+    while ((entry = readdir(list)) != NULL)
+        if (strncmp(entry->d_name, "pad-", 4) == 0) snprintf(path, sizeof path, "%s/whirl/%s", folder, entry->d_name);
+    closedir(list);
+    assert_int_equal(unlink(path), 0);
+    assert_int_equal(mkfifo(path, 0600), 0);
+    assert_int_equal(pad_table_file_read(&cheap, table, &found).code, WHIRL_OK);
+    assert_false(found);
+    free(table);
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_errors), cmocka_unit_test(test_smooth)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_errors), cmocka_unit_test(test_smooth),
+                                       cmocka_unit_test(test_together), cmocka_unit_test(test_files)};
     return cmocka_run_group_tests_name("tables of pads", tests, NULL, NULL);
 }
