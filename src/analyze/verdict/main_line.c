@@ -23,7 +23,7 @@ static double amplitude(const whirl_line *line) {
 static whirl_spectrum *spectrum_part(const whirl_record *record, size_t station, size_t first, size_t count) {
     whirl_spectrum *spectrum = NULL;
     const double *x = record->waveform + 2 * station * record->sample_count + first, *y = x + record->sample_count;
-    const whirl_status status = spectrum_of(x, y, count, record->samples_per_revolution, highest, &spectrum);
+    const whirl_status status = spectrum_of(x, y, count, record->samples_per_revolution, highest, false, &spectrum);
     return status.code == WHIRL_OK ? spectrum : NULL;
 }
 
