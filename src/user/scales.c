@@ -54,7 +54,8 @@ static void see_start(const look *at, const whirl_machine *machine, double *slop
     }
 }
 
-/// A motion over its last revolutions; one that is lost is not looked at.
+/// A motion over its last revolutions. One that is lost after a transient has grown without bound; one that is lost at
+/// once is not looked at.
 static whirl_status see_motion(const look *at, const whirl_machine *machine, const whirl_integrate_options *options) {
     whirl_record_options record = whirl_record_default();
     whirl_integrate_options integrate = *options;
@@ -70,6 +71,8 @@ static whirl_status see_motion(const look *at, const whirl_machine *machine, con
         raise_size(at, k, seen->low[k]);
         raise_size(at, k, seen->high[k]);
     }
+    const bool lost = status.code == WHIRL_OK && seen->motion != WHIRL_BOUNDED && at->transient > 0;
+    for (size_t k = 0; lost && k < alone.dimension; k++) at->sizes[k] = INFINITY;
     whirl_record_free(seen);
     return status;
 }
@@ -124,12 +127,13 @@ static void pair_units(whirl_user_system *system) {
         system->units[k] = system->units[d + k] = nearest_power(sqrt(system->units[k] * system->units[d + k]));
 }
 
-/// Scales of what was seen; sizes [3][dimension] at once, over half of a longer time and over all of it.
+/// Scales of what was seen; sizes [4][dimension] at once, over half of a longer time, over all of it, and of the start
+/// with its slopes. A motion that goes on growing says nothing of its size: the start does.
 static void take_sizes(whirl_user_system *system, const double *sizes) {
     const size_t n = system->dimension;
     for (size_t k = 0; k < n; k++) {
         const double at_once = sizes[k], half = fmax(at_once, sizes[n + k]), all = fmax(half, sizes[2 * n + k]);
-        const double size = all <= steady * half ? all : at_once;
+        const double size = all <= steady * half ? all : sizes[3 * n + k];
         system->units[k] = unit_of(system, k, size);
     }
     pair_units(system);
@@ -152,8 +156,8 @@ static void widen_limit(const whirl_user_system *system, whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) study->batches[i].integrate.limit /= least;
 }
 
-/// Sizes [3][dimension] at once, and where these are not ordinary over halves of a longer time. While motions are
-/// looked at coordinates are counted by what their starts say.
+/// Sizes [4][dimension], as take_sizes has them, at once, and where these are not ordinary over halves of a longer
+/// time. While motions are looked at coordinates are counted by what their starts say.
 static whirl_status see_sizes(whirl_user_system *system, const whirl_study *study, double *sizes) {
     enum { AT_ONCE = 2, LONGER = 64 };
     const size_t n = system->dimension;
@@ -163,6 +167,7 @@ static whirl_status see_sizes(whirl_user_system *system, const whirl_study *stud
     system->units = units;
     for (size_t k = 0; k < n; k++) units[k] = unit_of(system, k, sizes[k]);
     pair_units(system);
+    memcpy(sizes + 3 * n, sizes, n * sizeof *sizes);
     memset(sizes, 0, n * sizeof *sizes);
     if (status.code == WHIRL_OK) status = see_points(study, &(look){system, 0, AT_ONCE, sizes});
     if (status.code != WHIRL_OK || are_ordinary(system, sizes)) return status;
@@ -176,14 +181,14 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
     copy->units = NULL;
     whirl_status status = check(copy);
     if (status.code != WHIRL_OK) return status;
-    double *sizes = calloc(3 * n, sizeof *sizes);
+    double *sizes = calloc(4 * n, sizeof *sizes);
     copy->units = malloc(n * sizeof *copy->units);
     if (!sizes || !copy->units) {
         free(sizes);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for scales");
     }
     // Where a motion cannot be seen the study itself says why.
-    if (see_sizes(copy, study, sizes).code != WHIRL_OK) memset(sizes, 0, 3 * n * sizeof *sizes);
+    if (see_sizes(copy, study, sizes).code != WHIRL_OK) memset(sizes, 0, 4 * n * sizeof *sizes);
     take_sizes(copy, sizes);
     take_given(copy);
     free(sizes);

@@ -213,12 +213,25 @@ static char *without(const char *text, size_t length, const file_node *node, con
     return NULL;
 }
 
+/// Puts the bytes of a byte order mark before an edited text, which it frees; NULL without memory.
+static char *with_mark(const char *whole, size_t mark, char *edited) {
+    char *marked = malloc(mark + strlen(edited) + 1);
+    if (marked) {
+        memcpy(marked, whole, mark);
+        strcpy(marked + mark, edited);
+    }
+    free(edited);
+    return marked;
+}
+
 whirl_status whirl_case_edit(const char *text, size_t length, const char *path, const char *value, char **edited) {
     edit_tree tree;
     *edited = NULL;
     if (strlen(path) >= PATH_SIZE || (value && (strlen(value) >= PATH_SIZE - 64 || strpbrk(value, "\r\n"))))
         return whirl_fail(WHIRL_BAD_INPUT, "%.80s cannot be written, expected a short value in one line", path);
+    const char *const whole = text;
     text = utf8_skip_mark(text, &length);
+    const size_t mark = (size_t)(text - whole); // bytes of a byte order mark, which stays
     whirl_status status = read_tree(text, length, &tree);
     const file_node *node = status.code == WHIRL_OK ? find_node(tree.root, path) : NULL;
     const bool values_only = node && node->kind == NODE_LIST && (!node->last || node->last->kind == NODE_TEXT);
@@ -227,6 +240,7 @@ whirl_status whirl_case_edit(const char *text, size_t length, const char *path, 
                             node->kind == NODE_LIST ? "a list" : "a mapping");
     if (status.code == WHIRL_OK) {
         *edited = value ? write_value(text, length, tree.root, path, value) : without(text, length, node, path);
+        if (*edited && mark > 0) *edited = with_mark(whole, mark, *edited);
         if (!*edited)
             status =
                 value ? whirl_fail(WHIRL_BAD_INPUT, "%s cannot be set to %.100s in the text of the case", path, value)

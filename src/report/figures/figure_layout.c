@@ -85,8 +85,10 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));
 }
 
-/// An axis of which no range could be made, such as one of infinite numbers alone, goes from 0 to 1.
+/// An axis of which no range could be made, such as one of infinite numbers alone, goes from 0 to 1. A logarithmic one
+/// lies above 0.
 static void bound_axis(whirl_axis *axis) {
+    if (!(axis->low > 0.0)) axis->logarithmic = false;
     if (isfinite(axis->low) && isfinite(axis->high) && axis->low < axis->high) return;
     axis->logarithmic = false;
     axis_show(axis, (span){0.0, 1.0});

@@ -9,6 +9,7 @@
 static const char *other_value(const whirl_key *key, char text[WHIRL_NAME_SIZE]) {
     if (strcmp(key->name, "method") == 0) return "rodas5p";
     if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->choices, "unlocated|located") == 0) return "located";
+    if (key->kind == WHIRL_KEY_CHOICE && strcmp(key->name, "begin") == 0) return "linear";
     if (key->kind == WHIRL_KEY_CHOICE) return strcmp(key->fallback, "yes") == 0 ? "no" : "yes";
     const double value = strtod(key->fallback, NULL), half = value / 2.0,
                  some = key->range.high < 100.0 ? key->range.high : 100.0;
