@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 __all__ = ["Case"]
 
 _PROBLEMS = 1 << 16
-_LONGEST = (1 << 20) + 1  # bytes: one more than a case may have, so that a longer one is refused
+_LONGEST = (1 << 20) + 4  # bytes: more than a case may have with a byte order mark, so that a longer one is refused
 _PLAIN = re.compile(r"[A-Za-z0-9_=][A-Za-z0-9_ .+*/()^=-]*\Z")
 
 

@@ -11,7 +11,7 @@
 whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length) {
     input_file in;
     if (problems) snprintf(problems->file, sizeof problems->file, "%s", path);
-    if (input_read(path, TREE_MAX_BYTES + 1, &in, text, length)) return whirl_ok();
+    if (input_read(path, TREE_MAX_BYTES + 4, &in, text, length)) return whirl_ok();
     if (in.no_memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory to read %.240s", path);
     return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, in.reason);
 }

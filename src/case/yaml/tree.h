@@ -93,9 +93,9 @@ const char *text_shown(const char *text, char shown[SHOWN_SIZE]);
 // ---------------------------------------------------------------- source
 // The bytes of a file, before anything is made of them.
 
-/// Reads at most one byte more than TREE_MAX_BYTES, whatever the size of the file; pipes and devices too. *text is
-/// freed by the caller; `problems`, which may be NULL, are then of this file. WHIRL_BAD_INPUT with a sentence for what
-/// cannot be read (nothing there, a directory, no permission).
+/// Reads a plain file, at most one byte more than TREE_MAX_BYTES behind a byte order mark. *text is freed by the
+/// caller; `problems`, which may be NULL, are then of this file. WHIRL_BAD_INPUT with a sentence for what cannot be
+/// read (nothing there, a folder, a pipe, a device, no permission).
 whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length);
 
 /// Reports what is no text: too many bytes, bytes that are not UTF-8, control characters, tabs that indent.
