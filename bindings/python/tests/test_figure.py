@@ -119,7 +119,7 @@ def blocks_of(path):
 def test_gnuplot_is_given_what_the_data_say(results, tmp_path):
     for path in results:
         result = whirl.open(path)
-        command("report", path, "-o", tmp_path, "--gnuplot", "true", "-q")
+        command("report", path, "-o", tmp_path, "--gnuplot", "true", "-q", "--force")
         for name in result.figures():
             data = result.figure_data(name)
             script = (tmp_path / path.stem / f"{name}.gp").read_text(encoding="utf-8")
