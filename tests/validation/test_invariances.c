@@ -182,8 +182,23 @@ static double largest_of(const double *numbers, size_t count) {
     return largest;
 }
 
+static bool is_rate(const whirl_field *field) {
+    return strcmp(field->unit, "rad/s") == 0 || strcmp(field->unit, "1/s") == 0;
+}
+
+/// The fastest rate of a point: that of a pad without inertia goes with the speed and is 0 in its limit, beside it.
+static double fastest(const whirl_table *table, size_t point) {
+    double largest = 0.0;
+    for (size_t f = 0; f < table->layout.field_count; f++) {
+        const whirl_field *field = &table->layout.fields[f];
+        const double *numbers = whirl_table_field(table, point, field->name, 0);
+        if (is_rate(field)) largest = fmax(largest, largest_of(numbers, field->repeat * field->rows * field->columns));
+    }
+    return largest;
+}
+
 /// All fields of point `at` of a table against those of point `there` of another one, times the sign, to within
-/// `tolerance` of a field's largest number. Gives how many numbers differ.
+/// `tolerance` of a field's largest number, of rates of the fastest one. Gives how many numbers differ.
 static size_t compare_points(const char *what, const whirl_table *one, size_t at, const whirl_table *other,
                              size_t there, double tolerance, sign_of *sign) {
     size_t wrong = 0;
@@ -193,7 +208,8 @@ static size_t compare_points(const char *what, const whirl_table *one, size_t at
         const size_t count = field->repeat * field->rows * field->columns;
         const double *a = whirl_table_field(one, at, field->name, 0);
         const double *b = whirl_table_field(other, there, field->name, 0);
-        const double largest = fmax(largest_of(a, count), strcmp(field->unit, "1") == 0 ? 1.0 : 0.0);
+        const double least = strcmp(field->unit, "1") == 0 ? 1.0 : is_rate(field) ? fastest(one, at) : 0.0;
+        const double largest = fmax(largest_of(a, count), least);
         for (size_t i = 0; i < count && !is_place(field->name); i++) {
             const double s = sign(field, i % field->columns);
             if (s == 0.0 || (isnan(a[i]) && isnan(b[i])) || fabs(a[i] - s * b[i]) <= tolerance * largest) continue;

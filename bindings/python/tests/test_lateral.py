@@ -168,7 +168,8 @@ def test_clearances_up_to_the_trip_speed(tmp_path):
 def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled(tmp_path):
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
-    whirl.run(whirl.Case(text=text.replace("from: 1000 rpm", "from: 5100 rpm")), progress=False).save(tmp_path / "r.h5", overwrite=True)
+    beyond = whirl.run(whirl.Case(text=text.replace("from: 1000 rpm", "from: 5100 rpm")), progress=False)
+    beyond.save(tmp_path / "r.h5", overwrite=True)
     summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
     assert "responses are not scaled: points do not reach over the running speeds" in summary
 
