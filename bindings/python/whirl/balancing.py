@@ -128,7 +128,9 @@ class Balance:
     ]  #: kg m, of two planes: half of their difference, in the first, and against it in the second
     left: Optional[float]  #: m, root of the weighted mean square of what remains, by the coefficients
     condition: Optional[float]  #: of the influence matrix: largest over smallest singular value
-    significance: dict[str, Optional[float]]  #: of planes or sets: the share of its effect that the others lack (Darlow)
+    significance: dict[
+        str, Optional[float]
+    ]  #: of planes or sets: the share of its effect that the others lack (Darlow)
     without: Optional[Without]  #: the correction without the plane that is least needed; None where all are needed
     difference: Optional[float]  #: of the model's coefficients from those of runs, over the largest
     warnings: list[str]  #: what speaks against the proposals

@@ -97,9 +97,9 @@ typedef struct whirl_law_range {
 
 /// What the film of a bearing or seal leaves to its journal, in the state's units of length.
 typedef struct whirl_film_gap {
-    double least; ///< radial thickness where it is thinnest; pads without a film do not count
-    double wall;  ///< how far from the centre the journal touches in the direction in which it lies
-    size_t pads;  ///< of pads that tilt how many there are, else 0
+    double least;                 ///< radial thickness where it is thinnest; pads without a film do not count
+    double wall;                  ///< how far from the centre the journal touches in the direction in which it lies
+    size_t pads;                  ///< of pads that tilt how many there are, else 0
     bool held[WHIRL_MAX_TILTING]; ///< [pads] a film holds it
 } whirl_film_gap;
 

@@ -8,7 +8,8 @@ enum { WINDING, BACKWARD, DIRECTION, CONTACT, DRY_WHIP, FIELD_COUNT };
 static const field_plan fields[FIELD_COUNT] = {
     [WINDING] = {WHIRL_FIELD_WINDING_WINDING, "1",
                  "turns round the mean position per revolution, above 0 with the rotation", WHIRL_PER_STATION, 1, NULL},
-    [BACKWARD] = {WHIRL_FIELD_WINDING_BACKWARD, "1", "share of the time in which it turns against the rotation (about the mean position)",
+    [BACKWARD] = {WHIRL_FIELD_WINDING_BACKWARD, "1",
+                  "share of the time in which it turns against the rotation (about the mean position)",
                   WHIRL_PER_STATION, 1, NULL},
     [DIRECTION] = {WHIRL_FIELD_WINDING_DIRECTION, "1", "1 forward, -1 backward, 0 mixed", WHIRL_PER_STATION, 1, NULL},
     [CONTACT] = {WHIRL_FIELD_WINDING_CONTACT, "1", "share of the time beyond the gap (missing where there is none)",
