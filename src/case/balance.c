@@ -331,6 +331,12 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
                        out->planes[p].name);
 }
 
+/// Reads an amplitude with its phase, which leads or lags as the file says, into x and y of a vector.
+static void read_phasor(case_reader *reader, const setting_list *item, const whirl_balance *out, double vector[2]) {
+    set_vector(number_of(reader, item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, item, "phase"),
+               vector);
+}
+
 static void read_vibration(case_reader *reader, const setting_list *file, whirl_balance *out) {
     out->vibrations = room_for(reader, file, "vibration", sizeof *out->vibrations);
     const file_node *first = out->vibrations ? items_of(reader, file, "vibration", MOST_ROWS) : NULL;
@@ -351,8 +357,7 @@ static void read_vibration(case_reader *reader, const setting_list *file, whirl_
                            seen->weight, seen->probe, other->weight);
                 break;
             }
-        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
-                   seen->vibration);
+        read_phasor(reader, &item, out, seen->vibration);
     }
 }
 
@@ -366,8 +371,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
         bool read = false;
         settings_read(reader, at, &slow_roll_group, &item);
         settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
-        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
-                   seen->vibration);
+        read_phasor(reader, &item, out, seen->vibration);
         for (const whirl_balance_vibration *other = out->slow_rolls; other < seen; other++)
             if (strcmp(other->probe, seen->probe) == 0 && *seen->probe)
                 problem_at(reader->problems, at, "is a second slow roll of '%s', expected one for a probe",
@@ -392,8 +396,7 @@ static void read_coefficients(case_reader *reader, const setting_list *file, whi
         own->plane = find_plane(reader, &item, out);
         own->speed = number_of(reader, &item, "speed");
         settings_text(reader, &item, "probe", own->probe, sizeof own->probe);
-        set_vector(number_of(reader, &item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, &item, "phase"),
-                   own->influence);
+        read_phasor(reader, &item, out, own->influence);
         for (const whirl_balance_coefficient *other = out->coefficients; other < own; other++)
             if (other->plane == own->plane && other->speed == own->speed && strcmp(other->probe, own->probe) == 0)
                 problem_at(reader->problems, at, "is a second coefficient of that plane, probe and speed");
