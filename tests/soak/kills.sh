@@ -58,7 +58,7 @@ while [ $done_kills -lt "$kills" ]; do
         [ $status = 137 ] || fail "exit status $status: $(cat log)"
         done_kills=$((done_kills + 1))
         if [ -e result.h5 ]; then
-            "$whirl" export result.h5 --csv tables >/dev/null 2>log || fail "the result cannot be read: $(cat log)"
+            "$whirl" export result.h5 --csv tables --force >/dev/null 2>log || fail "the result cannot be read: $(cat log)"
             # Killed between the last rename and the end.
             [ -e result.h5.journal ] || break
         fi
