@@ -38,7 +38,7 @@ after(closeBrowser);
 
 /// A table of the result file, as the command exports it: rows of texts by the names of their columns, without units.
 function exported(result, file) {
-  command('export', `${result}.h5`, '--csv', `${result}-csv`);
+  command('export', `${result}.h5`, '--csv', `${result}-csv`, '--force');
   return rowsOf(readFileSync(join(folder, `${result}-csv`, file), 'utf8'));
 }
 
