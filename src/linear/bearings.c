@@ -7,6 +7,7 @@
 #include "lanes.h"
 #include "linear_parts.h"
 #include "matrix.h"
+#include "memory.h"
 
 /// A machine of bearings alone, linear about where it rests, and what moves within the bearings.
 typedef struct inner_states {
@@ -94,6 +95,7 @@ whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
     const size_t d = system->dimension;
+    const int before = exhausted_watch();
     double *work = calloc(d + 3 * d * d + 8 * d + 1, sizeof *work);
     size_t *place = calloc(d + 1, sizeof *place);
     if (work && place) {
@@ -106,5 +108,5 @@ whirl_status whirl_bearing_coefficients(const whirl_machine *alone, const double
     free(work);
     free(place);
     free(block);
-    return status;
+    return linear_status(before, status, d);
 }

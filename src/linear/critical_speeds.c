@@ -5,6 +5,7 @@
 
 #include "linear_parts.h"
 #include "matrix.h"
+#include "memory.h"
 
 /// What a machine is about where it rests, in SI: of places q, q'' = stiffness q + rates q', [count][count] each.
 typedef struct matrices {
@@ -85,7 +86,7 @@ static void matrices_free(matrices *m) {
 /// A complex problem of order n as a real one of order 2n, whose vectors are the real parts above the imaginary ones:
 /// every root is there twice.
 typedef struct roots {
-    size_t n;
+    size_t n, free;  ///< complex directions; how many of them nothing holds, whose roots are 0
     double *values;  ///< [2n] w^2, rising
     double *vectors; ///< [2n][n][2] in their order
     double *block;   ///< all of these numbers, and workspace
@@ -165,14 +166,72 @@ static whirl_status solve(const matrices *slow, const double *gyroscopic, double
     return whirl_ok();
 }
 
+/// Roots from *first up to before *last: those that are 0, and all others whose modulus is below `most`.
+static void roots_slowest(const roots *r, double most, size_t *first, size_t *last) {
+    const size_t all = 2 * r->n;
+    size_t low = 0;
+    while (low < all && r->values[low] < 0.0) low++;
+    size_t high = low;
+    for (size_t zeros = 2 * r->free; zeros > 0; zeros--)
+        if (high == all || (low > 0 && -r->values[low - 1] < r->values[high]))
+            low--;
+        else
+            high++;
+    while (low > 0 && -r->values[low - 1] < most) low--;
+    while (high < all && r->values[high] < most) high++;
+    *first = low;
+    *last = high;
+}
+
+/// How many directions nothing holds.
+static whirl_status count_free(const matrices *slow, size_t *count) {
+    const size_t n = slow->count;
+    double *matrix = malloc((n * n + 1) * sizeof *matrix);
+    bool *place = malloc((n + 1) * sizeof *place);
+    free_step *zeros = NULL;
+    size_t left;
+    bool room = matrix && place;
+    *count = 0;
+    if (room) {
+        memcpy(matrix, slow->stiffness, n * n * sizeof *matrix);
+        for (size_t i = 0; i < n; i++) place[i] = true;
+        room = free_motions_take_out(n, matrix, place, &left, count, &zeros);
+    }
+    free_motions_end(zeros);
+    free(matrix);
+    free(place);
+    return room ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
+}
+
 static whirl_status roots_new(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
     const size_t n = slow->count, all = 2 * n;
-    *r = (roots){.n = n};
     r->block = calloc(5 * all * all + 5 * all + 2 * n * all + 1, sizeof *r->block);
     if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     r->values = r->block + 4 * all * all + 4 * all;
     r->vectors = r->values + all;
     return solve(slow, gyroscopic, shift, r);
+}
+
+/// Rounding of the shift hides roots that are far smaller: these are found once more by smaller shifts.
+static whirl_status roots_sharpen(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
+    enum { MAX_ROUNDS = 4 };
+    const double far_smaller = 1e-4, next_shift = 1e-8;
+    whirl_status status = whirl_ok();
+    for (int round = 0; round < MAX_ROUNDS && status.code == WHIRL_OK; round++) {
+        roots sharper = {.n = r->n, .free = r->free};
+        size_t first, last;
+        roots_slowest(r, far_smaller * shift, &first, &last);
+        if (last - first <= 2 * r->free) break;
+        shift *= next_shift;
+        status = roots_new(slow, gyroscopic, shift, &sharper);
+        if (status.code == WHIRL_OK) {
+            memcpy(r->values + first, sharper.values + first, (last - first) * sizeof *r->values);
+            memcpy(r->vectors + 2 * r->n * first, sharper.vectors + 2 * r->n * first,
+                   2 * r->n * (last - first) * sizeof *r->vectors);
+        }
+        free(sharper.block);
+    }
+    return status;
 }
 
 // ---------------------------------------------------------------- shapes
@@ -286,22 +345,21 @@ static whirl_critical_speeds *allocate(size_t dimension, size_t count) {
     return speeds;
 }
 
-static whirl_status collect(const whirl_system *system, const matrices *of, roots *r, double zero,
-                            whirl_critical_speeds **out) {
+static whirl_status collect(const whirl_system *system, const matrices *of, roots *r, whirl_critical_speeds **out) {
     const double alike = 1e-7; // of w^2: what rounding leaves between equal roots
     whirl_critical_speeds *speeds = allocate(system->dimension, r->n);
     bool made = speeds != NULL;
-    for (size_t first = 0, after; first < 2 * r->n && made; first = after) {
-        const double value = r->values[first];
-        for (after = first + 1; after < 2 * r->n && r->values[after] - value <= fmax(alike * fabs(value), zero);)
-            after++;
+    size_t first, last;
+    roots_slowest(r, 0.0, &first, &last);
+    while (last < 2 * r->n && r->values[last] <= 0.0) last++;
+    for (size_t after; last < 2 * r->n && isfinite(r->values[last]) && made; last = after) {
+        const double value = r->values[last];
+        for (after = last + 1; after < 2 * r->n && r->values[after] - value <= alike * value;) after++;
         // Every root is there twice: what is left over is of the next ones.
-        if ((after - first) % 2 != 0 && after < 2 * r->n) after++;
-        if (value > zero && isfinite(value))
-            made = add_speed(system, of, r, first, after, speeds);
-        else if (value > -zero)
-            speeds->free += (after - first) / 2;
+        if ((after - last) % 2 != 0 && after < 2 * r->n) after++;
+        made = add_speed(system, of, r, last, after, speeds);
     }
+    if (made) speeds->free = r->free;
     if (made)
         *out = speeds;
     else
@@ -320,11 +378,11 @@ static double largest_of(size_t count, const double *a) {
 /// gyroscopic becomes what the rates gain by a rad/s of the speed, with the other sign.
 static whirl_status compare(const matrices *slow, const matrices *fast, double gained, double *gyroscopic) {
     const size_t n = slow->count;
-    const double size = largest_of(n * n, slow->stiffness);
     if (fast->count != n || gained == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "there is no machine at another speed, from which gyroscopic moments follow");
     for (size_t i = 0; i < n * n; i++) {
+        const double size = largest_of(n, slow->stiffness + i / n * n); // of what moves the same coordinate
         if (fabs(fast->stiffness[i] - slow->stiffness[i]) > 1e-9 * size)
             return whirl_fail(WHIRL_BAD_INPUT, "the stiffness changes with the speed (films, tables over speed): the "
                                                "critical speeds of such machines are found by modes along the speed");
@@ -339,10 +397,12 @@ static whirl_status find(const whirl_machine *machine, const matrices *slow, con
     double *gyroscopic = calloc(n * n + 1, sizeof *gyroscopic);
     if (!gyroscopic) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     const double shift = 1e-6 * largest_of(n * n, slow->stiffness);
-    roots r = {.block = NULL};
+    roots r = {.n = n};
     whirl_status status = compare(slow, fast, gained, gyroscopic);
+    if (status.code == WHIRL_OK) status = count_free(slow, &r.free);
     if (status.code == WHIRL_OK) status = roots_new(slow, gyroscopic, shift, &r);
-    if (status.code == WHIRL_OK) status = collect(machine->system, slow, &r, 1e-8 * shift, out);
+    if (status.code == WHIRL_OK) status = roots_sharpen(slow, gyroscopic, shift, &r);
+    if (status.code == WHIRL_OK) status = collect(machine->system, slow, &r, out);
     free(r.block);
     free(gyroscopic);
     return status;
@@ -352,12 +412,14 @@ whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl
                                        whirl_critical_speeds **out) {
     matrices slow = {.count = 0}, fast = {.count = 0};
     *out = NULL;
+    const int before = exhausted_watch();
     whirl_status status = matrices_new(machine, &slow);
     if (status.code == WHIRL_OK) status = matrices_new(faster, &fast);
     if (status.code == WHIRL_OK) status = find(machine, &slow, &fast, faster->speed - machine->speed, out);
+    const size_t coordinates = slow.count;
     matrices_free(&slow);
     matrices_free(&fast);
-    return status;
+    return linear_status(before, status, coordinates);
 }
 
 void whirl_critical_speeds_free(whirl_critical_speeds *speeds) {

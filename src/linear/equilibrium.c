@@ -6,6 +6,7 @@
 
 #include "linear_parts.h"
 #include "matrix.h"
+#include "memory.h"
 
 /// Singular directions below this part of the largest do not move: free motions, to rounding.
 static const double free_direction = 1e-12;
@@ -237,10 +238,11 @@ double whirl_equilibrium_share(const whirl_system *system, const double *start) 
 whirl_status whirl_equilibrium(const whirl_system *system, double *x) {
     mean_system mean;
     void *block;
+    const int before = exhausted_watch();
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code == WHIRL_OK) status = rest_find(&mean, x);
     free(block);
-    return status;
+    return linear_status(before, status, system->dimension);
 }
 
 whirl_status whirl_rest_contacts(const whirl_system *system, const double *x, double *force) {

@@ -58,6 +58,12 @@ bool mean_is_modulated(mean_system *m, const double *x, double *jacobian);
 /// The coordinate that is the rate of coordinate `row` by a Jacobian [n][n]; n where `row` is no place.
 size_t mean_rate_of(const double *jacobian, size_t n, size_t row);
 
+// ---------------------------------------------------------------- memory
+
+/// WHIRL_NO_MEMORY where memory ran out since exhausted_watch gave `before`, else `status`: matrices that have no
+/// memory to be decomposed look like singular ones.
+whirl_status linear_status(int before, whirl_status status, size_t coordinates);
+
 // ---------------------------------------------------------------- free motions
 // Zeros of a Jacobian: what nothing holds, and what nothing brings to a stop.
 

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+
 enum { PHASES = 16 };
 
 static bool turns(const whirl_system *system, size_t coordinate) {
@@ -33,6 +35,11 @@ static void find_steady(mean_system *m) {
 static void mean_keep(mean_system *m) {
     memset(m->unit, 0, m->count * m->system->dimension * sizeof *m->unit);
     for (size_t i = 0; i < m->count; i++) m->unit[i * m->system->dimension + m->kept[i]] = 1.0;
+}
+
+whirl_status linear_status(int before, whirl_status status, size_t coordinates) {
+    if (!exhausted(before)) return status;
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for matrices of %zu coordinates", coordinates);
 }
 
 whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block) {

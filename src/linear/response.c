@@ -5,6 +5,7 @@
 
 #include "linear_parts.h"
 #include "matrix.h"
+#include "memory.h"
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -150,11 +151,12 @@ whirl_status whirl_forced_response(const whirl_system *system, const double *sta
     void *block;
     whirl_status status = mean_begin(&mean, system, &block);
     if (status.code != WHIRL_OK) return status;
+    const int before = exhausted_watch();
     double *work = calloc(mean.count * mean.count + 2 * system->dimension + 1, sizeof *work);
     memcpy(rest, start, system->dimension * sizeof *rest);
     status = work ? respond(&mean, rest, response, work)
                   : whirl_fail(WHIRL_NO_MEMORY, "no memory for the response of %zu coordinates", system->dimension);
     free(work);
     free(block);
-    return status;
+    return linear_status(before, status, system->dimension);
 }

@@ -281,6 +281,36 @@ static void free_shafts(void **unused) {
     whirl_case_free(object);
 }
 
+/// Free motions are those that nothing holds, not those that are slow beside the stiffest part of the machine: masses
+/// of 1 kg on springs of 1 N/m and of `stiff` N/m, and one that nothing holds. Closed form sqrt(k/m).
+static void slow_is_not_free(void **unused) {
+    static const double stiff[] = {1e4, 1e12, 1e18, 1e24};
+    (void)unused;
+    for (size_t i = 0; i < sizeof stiff / sizeof *stiff; i++) {
+        double worst = 0.0;
+        bool counted = true;
+        for (size_t loose = 0; loose < 2; loose++) {
+            char text[TEXT_SIZE];
+            double speeds[MOST];
+            snprintf(text, sizeof text,
+                     "whirl: 1\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n  stations: {a: {mass: 1 kg}, "
+                     "b: {mass: 1 kg}%s}\n  elements:\n    - bearing: {at: a, kxx: 1 N/m}\n"
+                     "    - bearing: {at: b, kxx: %g N/m}\nstudy:\n  critical_speeds: {}\n",
+                     loose ? ", c: {mass: 1 kg}" : "", stiff[i]);
+            whirl_case *object = parse(text);
+            whirl_result *result = run(object);
+            const double *rigid = whirl_table_field(&result->tables[0], 0, WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, 0);
+            counted = counted && *rigid == (loose ? 2.0 : 0.0) && speeds_of(result, 0, 1, speeds) == 2;
+            if (counted) worst = fmax(worst, fmax(fabs(speeds[0] - 1.0), fabs(speeds[1] / sqrt(stiff[i]) - 1.0)));
+            whirl_result_free(result);
+            whirl_case_free(object);
+        }
+        check_holds("CS", words("1 N/m and %g N/m: no rigid-body mode, two with a loose mass", stiff[i]), counted);
+        check_within("CS", words("1 N/m and %g N/m: largest relative error of the speeds", stiff[i]), 0.0, worst,
+                     1e-12);
+    }
+}
+
 /// Springs stand in the place of bearings, whatever these are, and seals and impellers are left out: the map is that of
 /// springs. Laid over it is the stiffness of the bearings, here in proportion to the speed.
 static void springs_stand_for_bearings(void **unused) {
@@ -399,6 +429,7 @@ int main(void) {
         cmocka_unit_test(pedestals_in_series),
         cmocka_unit_test(a_disc_on_a_cantilever),
         cmocka_unit_test(free_shafts),
+        cmocka_unit_test(slow_is_not_free),
         cmocka_unit_test(springs_stand_for_bearings),
         cmocka_unit_test(stiffness_of_films),
         cmocka_unit_test(refusals),
