@@ -250,8 +250,8 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     enum { SHORT_TIME = 1 };
     const volatile bool *over = limit_begin(SHORT_TIME);
     whirl_status status = whirl_ok();
-    size_t asked = 0;
-    whirl_film_tables_watch();
+    whirl_film_tables asked = {0};
+    whirl_film_tables_watch(&asked);
     for (size_t b = 0; b < study->batch_count && status.code == WHIRL_OK; b++) {
         whirl_batch batch = study->batches[b];
         batch.outline = true;
@@ -259,11 +259,11 @@ static whirl_status count_tables(const whirl_study *study, size_t *missing) {
             whirl_machine machine;
             status = whirl_study_machine(study, &batch, point, &machine);
             if (status.code == WHIRL_OK && machine.release) machine.release(machine.owner);
-            if (point == 0) (void)whirl_film_tables_missing(&asked);
-            if (asked == 0) break; // its machines have no pads
+            if (whirl_film_tables_count(&asked) == 0) break; // its machines have no pads
         }
     }
     limit_end();
+    whirl_film_tables_watch(NULL);
     *missing = whirl_film_tables_missing(&asked);
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }

@@ -217,6 +217,7 @@ static void print_table(const whirl_verification *v, const whirl_unit *unit) {
         agreed += v->points[i].agreed;
     }
     printf("\nverdicts that do not depend on numerics: %zu of %zu\n", agreed, v->count);
+    if (*v->film_tables) printf("film tables: %s\n", v->film_tables);
     for (size_t i = 0; i < v->count; i++) {
         if (v->points[i].agreed) continue;
         if (*v->parameter)

@@ -201,6 +201,12 @@ static bool dump_keyphasor(const whirl_result *result, FILE *stream) {
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
 }
 
+/// The film tables that machines read, where they read any.
+static bool dump_film_tables(const whirl_result *result, FILE *stream) {
+    const char *tables = whirl_result_film_tables(result);
+    return !*tables || dump_member(",\n", "film_tables", document_text(tables), stream);
+}
+
 /// Texts by number, to the first that is empty.
 static bool dump_texts(const char *key, const char *(*text_of)(const whirl_result *, size_t),
                        const whirl_result *result, FILE *stream) {
@@ -284,6 +290,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "title", document_text(result->title), stream) &&
            dump_member(",\n", "case", document_text(result->case_name), stream) &&
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
+           dump_film_tables(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as analyses have them
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
@@ -295,10 +302,11 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {
-        "whirl",    "title",      "case",   "speed",      "length_scale", "force_scale",    "partial",    "table",
-        "points",   "parameters", "jumps",  "integrated", "keyphasor",    "keyphasor_rate", "attractors", "refined",
-        "warnings", "margins",    "beyond", "held",       "unfound",      "fits",           "amplitudes", "asked"};
+    static const char *const taken[] = {"whirl",       "title",      "case",       "speed",          "length_scale",
+                                        "force_scale", "partial",    "table",      "points",         "parameters",
+                                        "jumps",       "integrated", "keyphasor",  "keyphasor_rate", "attractors",
+                                        "refined",     "warnings",   "margins",    "beyond",         "held",
+                                        "unfound",     "fits",       "amplitudes", "asked",          "film_tables"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

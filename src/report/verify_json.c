@@ -44,6 +44,7 @@ whirl_status whirl_verification_write_json(const whirl_verification *v, FILE *st
     document_put(&well, document, "table", document_text(v->table));
     document_put(&well, document, "parameter", *v->parameter ? document_text(v->parameter) : json_null());
     document_put(&well, document, "revolutions", json_integer(v->revolutions));
+    if (*v->film_tables) document_put(&well, document, "film_tables", document_text(v->film_tables));
     for (size_t i = 0; i < v->count; ++i) document_append(&well, points, point_object(&well, v, i));
     document_put(&well, document, "points", points);
     errno = 0;

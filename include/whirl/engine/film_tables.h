@@ -4,6 +4,7 @@
 #define WHIRL_FILM_TABLES_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -12,12 +13,28 @@ extern "C" {
 /// The most tables that the rotors of a process may ask for.
 enum { WHIRL_MAX_FILM_TABLES = 4096 };
 
-/// Begins to watch which tables the rotors of this process ask for that are built from now on, outlines included.
-void whirl_film_tables_watch(void);
+/// A set of tables: one bit a table of the process. All zero: the empty set.
+typedef struct whirl_film_tables {
+    uint64_t bits[WHIRL_MAX_FILM_TABLES / 64];
+} whirl_film_tables;
 
-/// How many of these (*asked) are neither in memory nor in the cache folder, so that they are to be made before a rotor
-/// moves.
-size_t whirl_film_tables_missing(size_t *asked);
+/// Size of the text of whirl_film_tables_text.
+enum { WHIRL_FILM_TABLES_TEXT = 64 };
+
+/// Adds the tables of every rotor that the calling thread builds from now on, outlines included, to *tables, which is
+/// borrowed until the next call. NULL ends that.
+void whirl_film_tables_watch(whirl_film_tables *tables);
+
+/// Number of tables in a set.
+size_t whirl_film_tables_count(const whirl_film_tables *tables);
+
+/// Number of tables of a set that are neither in memory nor in the cache folder: they are made before a rotor moves.
+size_t whirl_film_tables_missing(const whirl_film_tables *tables);
+
+/// Describes the contents of a set, "2, checksum 0123456789abcdef": the number of different tables and one checksum of
+/// their coefficients; of a single table the checksum in its file. Tables that this process has neither made nor read
+/// are left out. "" where none is left.
+void whirl_film_tables_text(const whirl_film_tables *tables, char text[WHIRL_FILM_TABLES_TEXT]);
 
 #ifdef __cplusplus
 }

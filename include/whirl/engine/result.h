@@ -134,6 +134,10 @@ double whirl_result_clock(const whirl_result *result);
 /// The element whose phase that is ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_result_keyphasor(const whirl_result *result);
 
+/// The fact "film tables": the tables of films that the machines of the study read, as whirl_film_tables_text has them,
+/// of up to 64 points that are spread over it; "" where it has none. Borrowed.
+const char *whirl_result_film_tables(const whirl_result *result);
+
 /// Whether the motion of a point began at the end of a neighbour's.
 bool whirl_table_from_neighbour(const whirl_table *table, size_t point);
 

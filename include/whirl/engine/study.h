@@ -273,8 +273,9 @@ whirl_orbit_options whirl_batch_orbits(const whirl_batch *batch);
 /// neighbours count none.
 double whirl_study_revolutions(const whirl_study *study);
 
-/// The result of a study before any point is computed: its tables without blocks. The rest of it is empty (see
-/// whirl_case_describe_result). Freed by whirl_result_free.
+/// The result of a study before any point is computed: its tables without blocks, and the film tables that
+/// whirl_study_prepare has made (whirl_result_film_tables). The rest of it is empty (see whirl_case_describe_result).
+/// Freed by whirl_result_free.
 whirl_status whirl_study_outline(const whirl_study *study, whirl_result **outline);
 
 /// Makes the tables of films that a study needs for its first points, on options->threads, with progress. Runs do it by

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/film_tables.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/study.h"
 #include "whirl/status.h"
@@ -54,6 +55,7 @@ typedef struct whirl_verification {
     char table[WHIRL_NAME_SIZE], parameter[WHIRL_NAME_SIZE]; ///< whose points they are, and what varies
     char second[WHIRL_NAME_SIZE];                            ///< of a map or basin, else ""
     char third[WHIRL_NAME_SIZE];                             ///< of a map with planes, else ""
+    char film_tables[WHIRL_FILM_TABLES_TEXT];                ///< whirl_result_film_tables of the first method's runs
     int revolutions;                                         ///< after which states are compared
     whirl_integrate_options integrate[WHIRL_VERIFY_METHODS][WHIRL_VERIFY_LEVELS]; ///< by what they were computed
     size_t count;                                                                 ///< of points

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "clock.h"
@@ -30,7 +31,8 @@ typedef struct slot {
     size_t holders;
     making *making; ///< NULL: nobody makes it
     uint64_t left;  ///< when it was last left, by `clock`
-    bool asked;     ///< since whirl_film_tables_watch
+    bool known;     ///< the table was in memory: `checksum` is that of its coefficients
+    uint64_t checksum;
 } slot;
 
 static lock guard = LOCK_OPEN;
@@ -39,6 +41,7 @@ static size_t slot_count, idle_count;
 static uint64_t clock_of_tables;
 static _Atomic(pad_table *) tables[MAX_TABLES];
 static pad_table absent; ///< zeros
+static _Thread_local whirl_film_tables *watched;
 
 // ---------------------------------------------------------------- numbers
 
@@ -52,8 +55,8 @@ whirl_status pad_table_number(const pad_table_key *key, double *number) {
     lock_take(&guard);
     while (i < slot_count && !same(&slots[i].key, key)) i++;
     if (i == slot_count && i < MAX_TABLES) slots[slot_count++].key = *key;
-    if (i < MAX_TABLES) slots[i].asked = true;
     lock_leave(&guard);
+    if (i < MAX_TABLES && watched) watched->bits[i / 64] |= (uint64_t)1 << i % 64;
     *number = (double)i;
     return i < MAX_TABLES
                ? whirl_ok()
@@ -74,23 +77,52 @@ const pad_table *pad_table_of(double number) {
     return table ? table : &absent;
 }
 
-void whirl_film_tables_watch(void) {
-    lock_take(&guard);
-    for (size_t i = 0; i < slot_count; i++) slots[i].asked = false;
-    lock_leave(&guard);
+// ---------------------------------------------------------------- sets
+
+void whirl_film_tables_watch(whirl_film_tables *tables_of_thread) {
+    watched = tables_of_thread;
 }
 
-size_t whirl_film_tables_missing(size_t *asked) {
+static bool set_has(const whirl_film_tables *set, size_t i) {
+    return set->bits[i / 64] >> i % 64 & 1;
+}
+
+size_t whirl_film_tables_count(const whirl_film_tables *set) {
+    size_t count = 0;
+    for (size_t i = 0; i < MAX_TABLES; i++) count += set_has(set, i);
+    return count;
+}
+
+size_t whirl_film_tables_missing(const whirl_film_tables *set) {
     size_t missing = 0;
-    *asked = 0;
     lock_take(&guard);
-    for (size_t i = 0; i < slot_count; i++) {
-        if (!slots[i].asked) continue;
-        ++*asked;
-        missing += !atomic_load(&tables[i]) && !pad_table_file_is_there(&slots[i].key);
-    }
+    for (size_t i = 0; i < slot_count; i++)
+        missing += set_has(set, i) && !atomic_load(&tables[i]) && !pad_table_file_is_there(&slots[i].key);
     lock_leave(&guard);
     return missing;
+}
+
+static int compare_checksums(const void *one, const void *other) {
+    const uint64_t a = *(const uint64_t *)one, b = *(const uint64_t *)other;
+    return a < b ? -1 : a > b;
+}
+
+void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_TABLES_TEXT]) {
+    uint64_t sums[MAX_TABLES], all = 0;
+    size_t count = 0, different = 0;
+    lock_take(&guard);
+    for (size_t i = 0; i < slot_count; i++)
+        if (set_has(set, i) && slots[i].known) sums[count++] = slots[i].checksum;
+    lock_leave(&guard);
+    // Sorted: the order in which a process meets its tables must not change the text.
+    qsort(sums, count, sizeof *sums, compare_checksums);
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0 && sums[i] == sums[i - 1]) continue; // pads that differ by their pivots alone share a file
+        all = different++ == 0 ? sums[i] : (all ^ sums[i]) * 1099511628211u;
+    }
+    text[0] = '\0';
+    if (different > 0)
+        snprintf(text, WHIRL_FILM_TABLES_TEXT, "%zu, checksum %016llx", different, (unsigned long long)all);
 }
 
 // ---------------------------------------------------------------- memory
@@ -190,7 +222,10 @@ static whirl_status end_making(size_t i, bool found) {
     with->open = false;
     lock_leave(&guard);
     finish(with, &slots[i].key);
+    const uint64_t checksum = pad_table_checksum(with->table);
     lock_take(&guard);
+    slots[i].known = true;
+    slots[i].checksum = checksum;
     slots[i].making = NULL;
     atomic_store_explicit(&tables[i], with->table, memory_order_release);
     free(with);

@@ -119,8 +119,9 @@ static uint32_t functions_sum(void) {
 }
 
 /// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision
-/// says less than the sources: a change of a document is none of the program, and one that is not committed is.
-static whirl_status put_build(FILE *out) {
+/// says less than the sources: a change of a document is none of the program, and one that is not committed is. Film
+/// tables come last: other sources explain other tables.
+static whirl_status put_build(FILE *out, const whirl_result *outline) {
     static const char *const wanted[] = {"version", "sources", "compiler", "flags", "libraries"};
     const isa *chosen;
     const whirl_status status = isa_choose(&chosen);
@@ -130,6 +131,7 @@ static whirl_status put_build(FILE *out) {
     if (status.code == WHIRL_OK)
         fprintf(out, "arithmetic\t%s\n", chosen->fused ? "fused multiply-add" : "without fused multiply-add");
     fprintf(out, "mathematical functions\t%08x\n", (unsigned)functions_sum());
+    if (*whirl_result_film_tables(outline)) fprintf(out, "film tables\t%s\n", whirl_result_film_tables(outline));
     return status;
 }
 
@@ -152,7 +154,7 @@ whirl_status identity_text(const whirl_result *outline, bool build, char **text,
         fprintf(out, "analyses of the %s\t%x\n", table->name, table->analyses);
         put_fields(out, table);
     }
-    if (build) status = put_build(out);
+    if (build) status = put_build(out, outline);
     const bool well = !ferror(out);
     if (fclose(out) != 0 || !well) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the text of a case");
     if (status.code == WHIRL_OK) return status;

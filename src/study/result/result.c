@@ -55,6 +55,10 @@ const char *whirl_result_keyphasor(const whirl_result *result) {
     return whirl_result_fact(result, "keyphasor");
 }
 
+const char *whirl_result_film_tables(const whirl_result *result) {
+    return whirl_result_fact(result, "film tables");
+}
+
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point) {
     return table && table->length_scales && point < table->count ? table->length_scales[point] : result->length_scale;
 }

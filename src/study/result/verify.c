@@ -232,6 +232,7 @@ static whirl_status verify(const whirl_study *study, const whirl_run_options *ru
     if (status.code == WHIRL_OK) {
         take_verdicts(v, results);
         compare_exponents(v);
+        snprintf(v->film_tables, sizeof v->film_tables, "%s", whirl_result_film_tables(results[0]));
         for (size_t i = 0; i < v->count; i++) judge_agreement(&v->points[i]);
     }
     for (int m = 0; m < WHIRL_VERIFY_METHODS; m++) whirl_result_free(results[m]);

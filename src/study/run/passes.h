@@ -53,6 +53,11 @@ static inline size_t pass_chain_length(const pass *p, const whirl_batch *batch) 
 /// Errors of a step at the second tolerance are smaller by this: twice the steps of RK4.
 static const double confirm_factor = 16.0;
 
+// ---------------------------------------------------------------- prepare.c
+
+/// Adds the fact "film tables" (whirl_result_film_tables) to a result of the study. WHIRL_NO_MEMORY.
+whirl_status study_add_film_tables(const whirl_study *study, whirl_result *result);
+
 // ---------------------------------------------------------------- pass.c
 
 enum {

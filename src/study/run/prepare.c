@@ -19,8 +19,10 @@ typedef struct place {
 typedef struct preparation {
     const whirl_study *study;
     const whirl_run_options *options;
-    size_t count, tables; ///< of places, and of tables that are missing in the beginning
+    size_t count; ///< of places
     place places[PREPARED];
+    whirl_film_tables tables; ///< of these
+    size_t missing;           ///< tables that are to be made
     double started, told;
     first_error error;
 } preparation;
@@ -36,61 +38,60 @@ static whirl_status visit(const whirl_study *study, const place *at, bool outlin
     return status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED ? status : whirl_ok();
 }
 
-/// Goes on with the outline of a point; its tables count among those that are asked for.
+/// Adds a point to the places and the tables of its outline to the set.
 static whirl_status add_place(preparation *p, size_t batch, size_t point) {
     const place at = {batch, point};
     if (p->count == PREPARED) return whirl_ok();
     p->places[p->count++] = at;
-    return visit(p->study, &at, true, NULL);
+    whirl_film_tables_watch(&p->tables);
+    const whirl_status status = visit(p->study, &at, true, NULL);
+    whirl_film_tables_watch(NULL);
+    return status;
 }
 
 /// The first, the middle and the last point of every batch, by which methods are chosen; where these have different
 /// tables, others between them.
 static whirl_status choose_places(preparation *p) {
     whirl_status status = whirl_ok();
-    size_t asked;
+    size_t of_first = 0;
     for (size_t b = 0; b < p->study->batch_count && status.code == WHIRL_OK; b++) {
         const size_t count = p->study->batches[b].count, at[] = {0, count / 2, count - 1};
-        for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++)
+        for (size_t i = 0; i < 3 && status.code == WHIRL_OK; i++) {
             if (i == 0 || at[i] != at[i - 1]) status = add_place(p, b, at[i]);
-        // Machines of a study have the same elements.
-        (void)whirl_film_tables_missing(&asked);
-        if (asked == 0) return status;
+            if (b == 0 && i == 0) of_first = whirl_film_tables_count(&p->tables);
+            // Machines of a study have the same elements.
+            if (of_first == 0) return status;
+        }
     }
+    if (whirl_film_tables_count(&p->tables) == of_first) return status;
     const size_t most = PREPARED / (p->study->batch_count + 1);
     for (size_t b = 0; b < p->study->batch_count && status.code == WHIRL_OK; b++) {
         const size_t count = p->study->batches[b].count, some = count < most ? count : most;
-        (void)whirl_film_tables_missing(&asked);
-        for (size_t i = 0; i < some && status.code == WHIRL_OK; i++) {
-            status = add_place(p, b, count * i / some);
-        }
+        for (size_t i = 0; i < some && status.code == WHIRL_OK; i++) status = add_place(p, b, count * i / some);
     }
     return status;
 }
 
 static void tell(preparation *p) {
     const double seconds = clock_seconds() - p->started;
-    size_t asked;
     if (!p->options->progress || seconds - p->told < 0.2) return;
-    const size_t missing = whirl_film_tables_missing(&asked);
-    const size_t done = missing < p->tables ? p->tables - missing : 0;
+    const size_t missing = whirl_film_tables_missing(&p->tables);
+    const size_t done = missing < p->missing ? p->missing - missing : 0;
     p->told = seconds;
     p->options->progress(p->options->context, &(whirl_progress){.stage = WHIRL_STAGE_TABLES,
                                                                 .points_done = done,
-                                                                .points_total = p->tables,
+                                                                .points_total = p->missing,
                                                                 .revolutions_done = (double)done,
-                                                                .revolutions_total = (double)p->tables,
+                                                                .revolutions_total = (double)p->missing,
                                                                 .seconds = seconds});
 }
 
 whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_options *options) {
     preparation p = {.study = study, .options = options, .started = clock_seconds()};
     const int threads = options->threads > 0 ? options->threads : omp_get_num_procs();
-    size_t asked;
-    whirl_film_tables_watch();
     const whirl_status status = choose_places(&p);
-    p.tables = whirl_film_tables_missing(&asked);
-    if (status.code != WHIRL_OK || p.tables == 0) return status;
+    p.missing = whirl_film_tables_missing(&p.tables);
+    if (status.code != WHIRL_OK || whirl_film_tables_count(&p.tables) == 0) return status;
         // Threads that want the same table make it together: all of them go the same way.
 #pragma omp parallel num_threads(threads)
     for (size_t i = 0; i < p.count; i++) {
@@ -103,4 +104,13 @@ whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_optio
         if (own.code != WHIRL_OK) break;
     }
     return first_error_status(&p.error);
+}
+
+whirl_status study_add_film_tables(const whirl_study *study, whirl_result *result) {
+    char text[WHIRL_FILM_TABLES_TEXT];
+    preparation p = {.study = study};
+    const whirl_status status = choose_places(&p);
+    if (status.code != WHIRL_OK) return status;
+    whirl_film_tables_text(&p.tables, text);
+    return *text ? whirl_result_add_fact(result, "film tables", text) : whirl_ok();
 }

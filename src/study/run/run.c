@@ -62,6 +62,7 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
     whirl_status status = check_study(study);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code == WHIRL_OK) status = tables_new(&chosen, &outline);
+    if (status.code == WHIRL_OK) status = study_add_film_tables(&chosen, outline);
     if (status.code == WHIRL_OK)
         *out = outline;
     else
