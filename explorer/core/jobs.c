@@ -19,7 +19,8 @@ struct job {
     bool carried;
     size_t count, begun, oldest; ///< points; the first one that may not have been taken
     double *values;              ///< [count]
-    whirl_machine first;         ///< whose structure all have
+    whirl_machine first;         ///< whose structure the machines of the recorder have
+    bool unlike;                 ///< the next machine has another structure, and waits for a recorder of its own
     whirl_machine *machines;     ///< [count] of the points under way
     finished_point *points;      ///< [count]
     double *start;               ///< [dimension] instead of the machines' starts, or NULL
@@ -27,23 +28,36 @@ struct job {
     whirl_status status;         ///< the first error of `next`
 };
 
-static bool next(void *context, whirl_task *task) {
-    job *j = context;
-    if (j->begun == j->count || j->waiting || j->status.code != WHIRL_OK) return false;
-    const plan *p = j->plan;
-    whirl_machine *machine = &j->machines[j->begun];
-    j->status = p->study.machine(p->study.family, &p->batch, j->values[j->begun], machine);
-    if (j->status.code != WHIRL_OK) return false;
-    *task = (whirl_task){machine->system, j->start ? j->start : machine->start, &j->points[j->begun]};
-    j->begun++;
-    j->waiting = j->carried;
-    return true;
-}
-
 static void release(job *j, size_t index) {
     whirl_machine *machine = &j->machines[index];
     if (machine->release) machine->release(machine->owner);
     *machine = (whirl_machine){0};
+}
+
+/// Builds the machine of the next point, unless it waits already.
+static whirl_status build_next(job *j) {
+    const plan *p = j->plan;
+    whirl_machine *machine = &j->machines[j->begun];
+    if (j->unlike) return whirl_ok();
+    const whirl_status status = p->study.machine(p->study.family, &p->batch, j->values[j->begun], machine);
+    return status.code == WHIRL_OK ? whirl_ensemble_check(j->first.system, machine->system) : status;
+}
+
+static bool next(void *context, whirl_task *task) {
+    job *j = context;
+    if (j->begun == j->count || j->waiting || j->status.code != WHIRL_OK) return false;
+    whirl_machine *machine = &j->machines[j->begun];
+    j->status = build_next(j);
+    if (j->status.code != WHIRL_OK) {
+        release(j, j->begun);
+        return false;
+    }
+    j->unlike = !whirl_ensemble_alike(j->first.system, machine->system);
+    if (j->unlike) return false;
+    *task = (whirl_task){machine->system, j->start ? j->start : machine->start, &j->points[j->begun]};
+    j->begun++;
+    j->waiting = j->carried;
+    return true;
 }
 
 /// A carried point starts where the last one ended; after a divergence the chain starts afresh.
@@ -84,6 +98,20 @@ static void abandon(void *context, const whirl_task *task) {
     release(j, (size_t)((finished_point *)task->tag - j->points));
 }
 
+/// Starts a recorder for machines of the structure that the machine at a value has.
+static whirl_status turn_to_structure(job *j, double value) {
+    const plan *p = j->plan;
+    whirl_recorder_free(j->recorder);
+    j->recorder = NULL;
+    if (j->first.release) j->first.release(j->first.owner);
+    j->first = (whirl_machine){0};
+    const whirl_status status = p->study.machine(p->study.family, &p->batch, value, &j->first);
+    if (status.code != WHIRL_OK) return status;
+    // A motion and its twin take two lanes.
+    const size_t lanes = j->carried || j->count == 1 ? 2 : 0;
+    return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, &j->source, lanes, &j->recorder);
+}
+
 static whirl_status start_job(job *j, const double *values, const double *start) {
     const plan *p = j->plan;
     const size_t bytes = p->dimension * sizeof *j->start;
@@ -95,11 +123,7 @@ static whirl_status start_job(job *j, const double *values, const double *start)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", j->count);
     memcpy(j->values, values, j->count * sizeof *values);
     if (start) memcpy(j->start, start, bytes);
-    const whirl_status status = p->study.machine(p->study.family, &p->batch, values[0], &j->first);
-    if (status.code != WHIRL_OK) return status;
-    // A motion and its twin take two lanes.
-    const size_t lanes = j->carried || j->count == 1 ? 2 : 0;
-    return whirl_recorder_new(j->first.system, &p->batch.integrate, &p->batch.record, &j->source, lanes, &j->recorder);
+    return turn_to_structure(j, values[0]);
 }
 
 EXPORTED job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start) {
@@ -121,6 +145,7 @@ EXPORTED void explorer_job_free(job *j) {
     if (!j) return;
     whirl_recorder_free(j->recorder);
     if (j->first.release) j->first.release(j->first.owner);
+    if (j->unlike) release(j, j->begun);
     for (size_t i = 0; j->points && i < j->count; i++) free(j->points[i].numbers);
     free(j->points);
     free(j->machines);
@@ -133,6 +158,10 @@ EXPORTED double explorer_job_turn(job *j) {
     size_t turned;
     whirl_status status = whirl_recorder_revolve(j->recorder, &turned);
     if (status.code == WHIRL_OK) status = j->status;
+    if (status.code == WHIRL_OK && turned == 0 && j->unlike) {
+        status = turn_to_structure(j, j->values[j->begun]);
+        if (status.code == WHIRL_OK) status = whirl_recorder_revolve(j->recorder, &turned);
+    }
     return explorer_good(&status) ? (double)turned : -1.0;
 }
 

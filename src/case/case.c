@@ -12,6 +12,7 @@
 #include "settings.h"
 #include "tree.h"
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/ensemble.h"
 #include "words.h"
 
 // ---------------------------------------------------------------- checks with values
@@ -20,23 +21,46 @@
 /// element or a station counts as much as ELEMENT_COST of them.
 enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
 
-static void check_machine_at(case_reader *reader, case_content *content, size_t index, const file_node *where,
-                             size_t point) {
-    valuation v;
-    whirl_rotor *rotor = NULL;
+/// Points between the ends of a sweep, or the corners of a map, whose machines are built before the run.
+enum { INNER_POINTS = 7 };
+
+/// Checks of machines at points of the study.
+typedef struct point_check {
+    case_reader *reader;
+    case_content *content;
+    whirl_rotor *first; ///< the first machine that moves, whose states all that move must have; or NULL
+} point_check;
+
+/// Builds the machine of a point as a run does, and asks of it what a run asks.
+static whirl_status check_machine(point_check *check, size_t index, valuation *v) {
+    case_content *content = check->content;
     const whirl_batch *batch = &content->plan.batches[index];
-    whirl_given given[PLAN_MAX_GIVEN];
-    const size_t count = plan_given_at(batch, point, given);
-    whirl_status status = valuation_open(&v, &content->parameters, given, count);
-    if (status.code == WHIRL_OK) status = machine_build(&content->machine, &v, plan_moves(batch), &rotor);
+    whirl_rotor *rotor = NULL;
+    whirl_status status = machine_build(&content->machine, v, plan_moves(batch), &rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(rotor));
-    if (status.code == WHIRL_OK) plan_check_start(reader, &content->plan, index, &v, &content->machine, rotor);
-    whirl_rotor_free(rotor);
+    if (status.code == WHIRL_OK && plan_moves(batch) && check->first)
+        status = whirl_ensemble_check(whirl_rotor_system(check->first), whirl_rotor_system(rotor));
+    if (status.code == WHIRL_OK) plan_check_start(check->reader, &content->plan, index, v, &content->machine, rotor);
+    if (status.code == WHIRL_OK && plan_moves(batch) && !check->first)
+        check->first = rotor;
+    else
+        whirl_rotor_free(rotor);
+    return status;
+}
+
+static void check_machine_at(point_check *check, size_t index, const file_node *where, size_t point) {
+    valuation v;
+    case_reader *reader = check->reader;
+    const parameter_table *parameters = &check->content->parameters;
+    whirl_given given[PLAN_MAX_GIVEN];
+    const size_t count = plan_given_at(&check->content->plan.batches[index], point, given);
+    whirl_status status = valuation_open(&v, parameters, given, count);
+    if (status.code == WHIRL_OK) status = check_machine(check, index, &v);
     valuation_close(&v);
     reader->no_memory = reader->no_memory || status.code == WHIRL_NO_MEMORY;
     if (status.code == WHIRL_OK) return;
     char at[PLAN_GIVEN_TEXT];
-    given_text(&content->parameters, given, count, at, sizeof at);
+    given_text(parameters, given, count, at, sizeof at);
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 
@@ -55,31 +79,45 @@ static bool is_checked(const case_reader *reader, const study_plan *plan, size_t
     return false;
 }
 
-/// The ends of a sweep, or the corners of a map, stand for all of it; what fails between them fails while running.
-static void check_ends(case_reader *reader, case_content *content) {
+/// The corners of a map; more rows and planes than one make it one.
+static void check_corners(point_check *check, size_t b) {
+    const study_plan *plan = &check->content->plan;
+    const whirl_batch *batch = &plan->batches[b];
+    const plan_origin *origin = &plan->origins[b];
+    const size_t row = batch->row > 0 ? batch->row : batch->count;
+    if (!is_checked(check->reader, plan, b, 0)) check_machine_at(check, b, origin->first, 0);
+    if (!is_checked(check->reader, plan, b, row - 1)) check_machine_at(check, b, origin->last, row - 1);
+    if (batch->row == 0 || check->reader->problems->count > 0) return;
+    const size_t plane = batch->plane > 0 ? batch->plane : batch->count;
+    check_machine_at(check, b, origin->across, plane - row);
+    check_machine_at(check, b, origin->across, plane - 1);
+    if (batch->plane == 0) return;
+    check_machine_at(check, b, origin->planes, batch->count - plane);
+    check_machine_at(check, b, origin->planes, batch->count - 1);
+}
+
+/// The ends of a sweep, or the corners of a map, and some points between them stand for all of it; what fails at others
+/// fails while running.
+static void check_points(case_reader *reader, case_content *content) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
+    const size_t inner = affordable - 2 < INNER_POINTS ? affordable - 2 : INNER_POINTS;
+    point_check check = {.reader = reader, .content = content};
     for (size_t b = 0; b < content->plan.batch_count; b++) {
-        const study_plan *plan = &content->plan;
-        const whirl_batch *batch = &plan->batches[b];
-        const plan_origin *origin = &plan->origins[b];
+        const whirl_batch *batch = &content->plan.batches[b];
+        const plan_origin *origin = &content->plan.origins[b];
         if (!batch->values) continue;
-        if (!origin->each) {
-            const size_t row = batch->row > 0 ? batch->row : batch->count;
-            if (!is_checked(reader, plan, b, 0)) check_machine_at(reader, content, b, origin->first, 0);
-            if (!is_checked(reader, plan, b, row - 1)) check_machine_at(reader, content, b, origin->last, row - 1);
-            if (batch->row == 0 || reader->problems->count > 0) continue;
-            const size_t plane = batch->plane > 0 ? batch->plane : batch->count;
-            check_machine_at(reader, content, b, origin->across, plane - row);
-            check_machine_at(reader, content, b, origin->across, plane - 1);
-            if (batch->plane == 0) continue;
-            check_machine_at(reader, content, b, origin->planes, batch->count - plane);
-            check_machine_at(reader, content, b, origin->planes, batch->count - 1);
-            continue;
+        for (size_t i = 0; origin->each && i < batch->count && i < affordable; i++)
+            check_machine_at(&check, b, origin->each[i], i);
+        if (origin->each) continue;
+        check_corners(&check, b);
+        for (size_t i = 1, last = 0; i <= inner && reader->problems->count == 0; i++) {
+            const size_t point = i * (batch->count - 1) / (inner + 1);
+            if (point > last) check_machine_at(&check, b, origin->first, point);
+            last = point;
         }
-        for (size_t i = 0; i < batch->count && i < affordable; i++)
-            check_machine_at(reader, content, b, origin->each[i], i);
     }
+    whirl_rotor_free(check.first);
 }
 
 /// The machines of a basin differ in where they start, and in nothing else.
@@ -175,7 +213,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         problem_at(reader->problems, culprit->place, "%s", why);
     }
     valuation_close(&v);
-    if (reader->problems->count == 0 && !reader->no_memory) check_ends(reader, content);
+    if (reader->problems->count == 0 && !reader->no_memory) check_points(reader, content);
 }
 
 // ---------------------------------------------------------------- reading

@@ -375,12 +375,27 @@ const char *whirl_ensemble_isa(const whirl_ensemble *e) {
     return e->isa->name;
 }
 
+whirl_status whirl_ensemble_check(const whirl_system *first, const whirl_system *other) {
+    if (other->dimension == first->dimension && other->probe_count == first->probe_count &&
+        other->contact_count == first->contact_count)
+        return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "the machine has %zu states, %zu stations and %zu contacts, and that of the first point %zu, %zu "
+                      "and %zu, expected as many of each at all points (what is 0 at some of them may take away a "
+                      "station's tilts)",
+                      other->dimension, other->probe_count, other->contact_count, first->dimension, first->probe_count,
+                      first->contact_count);
+}
+
+bool whirl_ensemble_alike(const whirl_system *one, const whirl_system *other) {
+    if (!one->lanes && !other->lanes) return whirl_ensemble_check(one, other).code == WHIRL_OK;
+    return one->lanes && other->lanes && one->lanes->alike == other->lanes->alike &&
+           one->lanes->alike(one->model, other->model);
+}
+
 static bool is_of_structure(const whirl_ensemble *e, const whirl_system *system) {
-    const whirl_system *own = e->system;
-    if (e->alone)
-        return system->dimension == own->dimension && system->probe_count == own->probe_count &&
-               system->contact_count == own->contact_count;
-    return system->lanes && system->lanes->alike == own->lanes->alike && own->lanes->alike(own->model, system->model);
+    if (e->alone) return whirl_ensemble_check(e->system, system).code == WHIRL_OK;
+    return system->lanes && whirl_ensemble_alike(e->system, system);
 }
 
 /// The numbers of a machine of the ensemble's structure.

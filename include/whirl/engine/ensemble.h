@@ -74,6 +74,15 @@ size_t whirl_ensemble_lanes(const whirl_ensemble *ensemble);
 /// Name of the instruction set in use. Static text.
 const char *whirl_ensemble_isa(const whirl_ensemble *ensemble);
 
+/// Returns whether two machines have the same structure, so that one ensemble takes both: the same stations and
+/// elements with the same laws and, where masses are coupled (finite elements, fluid inertia), the same masses. Of
+/// systems without kernels: the same numbers of coordinates, probes and contacts.
+bool whirl_ensemble_alike(const whirl_system *one, const whirl_system *other);
+
+/// Checks that a machine has as many coordinates, probes and contacts as the first one of its study, which is what
+/// points of one study must share. WHIRL_BAD_INPUT where it has others, with both sets of numbers.
+whirl_status whirl_ensemble_check(const whirl_system *first, const whirl_system *other);
+
 /// Puts a machine into a lane, in the state x [dimension]. WHIRL_BAD_INPUT when it is not of the ensemble's structure.
 /// The system must outlive its stay, to the next load, unload or move: contacts are asked of it.
 whirl_status whirl_ensemble_load(whirl_ensemble *ensemble, size_t lane, const whirl_system *system, const double *x);

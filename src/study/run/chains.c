@@ -7,6 +7,7 @@
 
 #include "clock.h"
 #include "memory.h"
+#include "whirl/engine/ensemble.h"
 
 // ---------------------------------------------------------------- making
 
@@ -75,6 +76,8 @@ void chains_free(chains *c) {
 /// A thread at a pass.
 typedef struct worker {
     chains *chains;
+    whirl_machine first;  ///< whose structure the machines of the recorder at work have
+    chain *unlike;        ///< whose machine has another structure, and waits for a recorder of its own; or NULL
     size_t under_way;     ///< points
     double *end;          ///< [dimension] of a point
     double *other;        ///< [other.size] a verdict at the second tolerance
@@ -273,24 +276,39 @@ static void *saved_state(void *context, const whirl_task *task, size_t *size) {
 
 // ---------------------------------------------------------------- the source of a recorder
 
+static whirl_status machine_at(const chains *c, size_t slot, whirl_machine *machine) {
+    const size_t point = c->batch->starts > 1 ? slot : slot % c->batch->count;
+    return whirl_study_machine(c->run->study, c->batch, point, machine);
+}
+
+/// Returns the chain whose machine is to be recorded next, with its machine and start; NULL where there is none, or an
+/// error is noted.
+static chain *take_machine(worker *w) {
+    const chains *c = w->chains;
+    if (w->unlike) return w->unlike;
+    chain *link = pass_time_is_over(c->run) ? NULL : take_unknown(w);
+    if (!link) return NULL;
+    const size_t slot = current_slot(link);
+    w->status = machine_at(c, slot, &link->machine);
+    if (w->status.code == WHIRL_OK) w->status = whirl_ensemble_check(w->first.system, link->machine.system);
+    if (w->status.code == WHIRL_OK && c->pass->copy > 0) {
+        link->start = pass_copy_start(c->run, c->pass, slot);
+        if (!link->start) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
+    }
+    if (w->status.code == WHIRL_OK) return link;
+    drop(link);
+    return NULL;
+}
+
 static bool next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
     if (w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
-    chain *link = pass_time_is_over(c->run) ? NULL : take_unknown(w);
-    if (!link) return false;
-    const size_t slot = current_slot(link);
-    const double *carried = carried_start(c, slot);
-    const size_t point = c->batch->starts > 1 ? slot : slot % c->batch->count;
-    w->status = whirl_study_machine(c->run->study, c->batch, point, &link->machine);
-    if (w->status.code == WHIRL_OK && c->pass->copy > 0) {
-        carried = link->start = pass_copy_start(c->run, c->pass, slot);
-        if (!carried) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
-    }
-    if (w->status.code != WHIRL_OK) {
-        drop(link);
-        return false;
-    }
+    chain *link = take_machine(w);
+    // A machine of another structure waits until those under way are done: a recorder takes machines of one structure.
+    w->unlike = link && !whirl_ensemble_alike(w->first.system, link->machine.system) ? link : NULL;
+    if (!link || w->unlike) return false;
+    const double *carried = link->start ? link->start : carried_start(c, current_slot(link));
     w->under_way++;
     link->begun = clock_seconds();
     link->from = carried ? carried : link->machine.start;
@@ -367,26 +385,46 @@ static bool revolution_done(void *context) {
     return tracker_advance(&run->tracker, packet, 0);
 }
 
+/// Goes on with machines of the structure that the machine of a slot has.
+static whirl_status turn_to_structure(worker *w, size_t slot) {
+    if (w->first.release) w->first.release(w->first.owner);
+    w->first = (whirl_machine){0};
+    return machine_at(w->chains, slot, &w->first);
+}
+
+/// Records motions of machines of one structure after the other until there are none left for this thread.
+static whirl_status record_structures(worker *w) {
+    const chains *c = w->chains;
+    const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};
+    const whirl_keeper *keeper = c->run->keeper;
+    const whirl_task_source source = {next, done, abandon, w, keeper && keeper->save ? &saver : NULL};
+    const whirl_monitor monitor = {revolution_done, w};
+    whirl_status status = whirl_ok();
+    do {
+        if (w->unlike) status = turn_to_structure(w, current_slot(w->unlike));
+        if (status.code == WHIRL_OK)
+            status = whirl_record_motions(w->first.system, &c->pass->integrate, &c->pass->record, &source, &monitor);
+        if (status.code == WHIRL_OK) status = w->status;
+    } while (status.code == WHIRL_OK && w->unlike && !atomic_load(&c->run->tracker.halt));
+    return status;
+}
+
 whirl_status chains_work(chains *c, size_t number) {
     const double now = clock_seconds();
     worker w = {.chains = c, .last = now, .number = number, .save_at = now + save_interval};
-    const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};
-    const whirl_keeper *keeper = c->run->keeper;
-    const whirl_task_source source = {next, done, abandon, &w, keeper && keeper->save ? &saver : NULL};
-    const whirl_monitor monitor = {revolution_done, &w};
-    whirl_machine first;
-    whirl_status status = whirl_study_machine(c->run->study, c->batch, 0, &first);
+    whirl_status status = turn_to_structure(&w, 0);
     if (status.code != WHIRL_OK) return status;
     w.end = calloc(c->run->dimension + c->other.size + c->table->layout.size, sizeof *w.end);
     if (w.end) {
         w.other = w.end + c->run->dimension;
         w.block = w.other + c->other.size;
-        status = whirl_record_motions(first.system, &c->pass->integrate, &c->pass->record, &source, &monitor);
+        status = record_structures(&w);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
     }
+    if (w.unlike) drop(w.unlike);
     free(w.end);
-    if (first.release) first.release(first.owner);
+    if (w.first.release) w.first.release(w.first.owner);
     tracker_advance(&c->run->tracker, w.pending, 0);
     return w.status.code != WHIRL_OK ? w.status : status;
 }

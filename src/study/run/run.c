@@ -72,16 +72,37 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 
 // ---------------------------------------------------------------- stages
 
+/// Counts the states of the machines that move: as many in all batches, for motions begin where others have ended.
+/// Machines at rest may have others; where there are no motions, those of the first batch count.
+static whirl_status count_states(study_run *run) {
+    const whirl_study *study = run->study;
+    bool moving = false;
+    for (size_t i = 0; i < study->batch_count; i++) {
+        whirl_batch first = study->batches[i];
+        whirl_machine machine;
+        const bool moves = whirl_analysis_kind(first.analyses)->moves || batch_is_found(&first);
+        if (i > 0 && !moves) continue;
+        first.outline = true;
+        const whirl_status status = whirl_study_machine(study, &first, 0, &machine);
+        if (status.code != WHIRL_OK) return status;
+        const size_t dimension = machine.system->dimension;
+        if (machine.release) machine.release(machine.owner);
+        if (moving && dimension != run->dimension)
+            return whirl_fail(WHIRL_BAD_INPUT,
+                              "the machines of '%s' have %zu states, and earlier ones %zu, expected as many in all "
+                              "motions of a study",
+                              first.name, dimension, run->dimension);
+        run->dimension = dimension;
+        moving = moving || moves;
+    }
+    return whirl_ok();
+}
+
 /// Where the points of batches end from which others go on.
 static whirl_status make_ends(study_run *run) {
     const whirl_study *study = run->study;
-    whirl_batch first = study->batches[0];
-    whirl_machine machine;
-    first.outline = true;
-    const whirl_status status = whirl_study_machine(study, &first, 0, &machine);
+    const whirl_status status = count_states(run);
     if (status.code != WHIRL_OK) return status;
-    run->dimension = machine.system->dimension;
-    if (machine.release) machine.release(machine.owner);
     for (size_t i = 0; i < study->batch_count; i++) {
         const whirl_batch *batch = &study->batches[i];
         if (batch_is_found(batch)) continue;
