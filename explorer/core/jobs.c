@@ -1,6 +1,7 @@
 // Points under way, a revolution at a time.
 #include "core.h"
 #include "looks.h"
+#include "whirl/engine/ensemble.h"
 
 #include <math.h>
 #include <stdlib.h>
