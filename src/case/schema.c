@@ -81,8 +81,9 @@ static const whirl_key study_keys[] = {
         "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra"),
     CHOICE_KEY("units", OPTIONAL, "",
                "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed "
-               "(rad/s, rpm), a frequency (order, Hz, cpm) and a way to count amplitudes (0-p, p-p, rms); absent: as "
-               "the case writes them"),
+               "(rad/s, rpm), a frequency (order, Hz, cpm), a way to count amplitudes (0-p, p-p, rms), a force, mass, "
+               "stiffness, damping, moment, inertia, unbalance or density (lbf, lbm, lbf/in, ...), or all of a system "
+               "(US, SI); absent: as the case writes them"),
 };
 
 // Of points along a parameter.

@@ -8,7 +8,7 @@
 static bool has_no_view(const whirl_result *result) {
     const whirl_kind *kind = result->table_count > 0 ? whirl_analysis_kind(result->tables[0].analyses) : NULL;
     const shown_kind *shown = kind && !kind->moves && !kind->found ? shown_kind_of(&result->tables[0]) : NULL;
-    return shown && !shown->explored;
+    return shown && shown != &shown_modes && shown != &shown_unbalance;
 }
 
 /// JSON within a script: nothing in it ends the script.

@@ -78,22 +78,17 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "jumps", object, stream) && well;
 }
 
-// What is told of responses to unbalance, where there are any.
-static bool dump_margins(const whirl_result *result, FILE *stream) {
+// What was found: statements, and tables as documents show them, where there are any.
+static whirl_status dump_findings(const whirl_result *result, FILE *stream) {
     bool well = true;
-    json_t *margins = margins_json(&well, result);
-    if (json_object_size(margins) > 0) return dump_member(",\n", "margins", margins, stream) && well;
-    json_decref(margins);
-    return well;
-}
-
-// What is asked of the machine and whether it holds, where anything is.
-static bool dump_asked(const whirl_result *result, FILE *stream) {
-    bool well = true;
-    json_t *asked = asked_json(&well, result);
-    if (json_array_size(asked) > 0) return dump_member(",\n", "asked", asked, stream) && well;
-    json_decref(asked);
-    return well;
+    whirl_findings *findings;
+    const whirl_status status = whirl_findings_new(result, NULL, &findings);
+    if (status.code != WHIRL_OK) return status;
+    if (findings->statement_count > 0)
+        well = dump_member(",\n", "statements", statements_json(&well, findings), stream) && well;
+    if (findings->sheet_count > 0) well = dump_member(",\n", "sheets", sheets_json(&well, findings), stream) && well;
+    whirl_findings_free(findings);
+    return well ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
 }
 
 enum { MOST_ATTRACTORS = 64 };
@@ -322,11 +317,14 @@ static whirl_status write_document(const whirl_result *result, bool full, FILE *
     if (result->table_count == 0) fputs(",\n\"points\": []", stream);
     for (size_t i = 0; well && i < result->table_count; ++i)
         well = dump_points(i == 0 ? "points" : result->tables[i].name, result, &result->tables[i], full, stream);
-    well = well && dump_jumps(result, stream) && dump_margins(result, stream) && dump_asked(result, stream) &&
-           dump_attractors(result, stream) && dump_refined(result, stream);
+    whirl_status found = whirl_ok();
+    if (well) found = dump_findings(result, stream);
+    well = well && found.code == WHIRL_OK && dump_jumps(result, stream) && dump_attractors(result, stream) &&
+           dump_refined(result, stream);
     fputs("}\n", stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
+    if (found.code != WHIRL_OK) return found;
     return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
 }
 

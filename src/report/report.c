@@ -16,7 +16,8 @@ typedef struct report {
     claim_outcome *outcomes;
     drawn_figures figures;
     whirl_shown_units *units;
-    whirl_result **views; ///< [count] in which every attractor stands once
+    whirl_result **views;      ///< [count] in which every attractor stands once
+    whirl_findings **findings; ///< [count] of these
     size_t count;
 } report;
 
@@ -28,6 +29,8 @@ static void report_free(report *made) {
     free(made->units);
     for (size_t r = 0; made->views && r < made->count; r++) whirl_result_view_free(made->views[r]);
     free((void *)made->views);
+    for (size_t r = 0; made->findings && r < made->count; r++) whirl_findings_free(made->findings[r]);
+    free((void *)made->findings);
 }
 
 /// A folder name for every result, no two alike.
@@ -161,6 +164,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
     report_file file;
     const whirl_status status = report_file_open(&file, directory, lateral ? "lateral.html" : "report.html");
     if (status.code != WHIRL_OK) return status;
+    bool failed = false;
     const page to = {
         .stream = file.stream,
         .results = results,
@@ -171,6 +175,8 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .outcomes = made->outcomes,
         .figures = &made->figures,
         .units = made->units,
+        .findings = made->findings,
+        .failed = &failed,
         .explorer = options->explorer != NULL,
         .printed = lateral,
     };
@@ -178,7 +184,9 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         lateral_write(&to);
     else
         page_write(&to);
-    return report_file_close(&file);
+    if (!failed) return report_file_close(&file);
+    report_file_drop(&file);
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for the page of a report");
 }
 
 /// The page of a lateral analysis, and the same as a document to be printed. WHIRL_MISSING_PROGRAM without its program.
@@ -205,7 +213,7 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     return status.code == WHIRL_OK ? drawn : status;
 }
 
-/// What is shown of results.
+/// What is shown of results, and what is found in it.
 static whirl_status view_results(report *made, const whirl_result *const *results) {
     whirl_status status = whirl_ok();
     for (size_t r = 0; r < made->count && status.code == WHIRL_OK; r++)
@@ -224,12 +232,16 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
         .outcomes = calloc(claims * count + 1, sizeof *made.outcomes),
         .units = calloc(count + 1, sizeof *made.units),
         .views = calloc(count + 1, sizeof(whirl_result *)),
+        .findings = calloc(count + 1, sizeof(whirl_findings *)),
         .count = count,
     };
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
-    if (made.folders && made.paths && made.outcomes && made.units && made.views) status = view_results(&made, results);
+    if (made.folders && made.paths && made.outcomes && made.units && made.views && made.findings)
+        status = view_results(&made, results);
     for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
         status = whirl_result_shown_units(results[r], options->units, &made.units[r]);
+    for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
+        status = findings_of(made.views[r], &made.units[r], &made.findings[r]);
     if (status.code == WHIRL_OK) {
         name_folders(made.folders, names, count);
         status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);

@@ -5,6 +5,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/report.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
@@ -59,6 +60,28 @@ void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 /// Writes `,"figures": [...]`, the documents of docs/figures.md, of a machine at rest whose study the explorer has no
 /// view of; of all others nothing. False without memory.
 bool explorer_write_figures(FILE *stream, const whirl_result *result, const char *units);
+
+// ---------------------------------------------------------------- findings
+// What renderers of findings have in common.
+
+enum { STATEMENT_SIZE = 2048 };
+
+/// What was found in a view of a result (whirl_result_by_attractor). WHIRL_NO_MEMORY.
+whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings);
+
+/// "separation margin, asked for 16 % (amplification 5): 12 % above: left at 3000 rpm: fails: 1 of 4 peaks".
+void statement_text(const whirl_statement *statement, char *text, size_t size);
+
+/// Whether a column has nothing in any row: pages leave it out.
+bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
+
+/// A sheet as aligned text, its title first; of more rows than `most` (2 or more) the first ones and the last.
+/// False without memory.
+bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
+
+/// As parts of a JSON document.
+json_t *statements_json(bool *well, const whirl_findings *findings);
+json_t *sheets_json(bool *well, const whirl_findings *findings);
 
 // ---------------------------------------------------------------- machine_at
 // The machine at a point of a result, which its parameter may change, from the case that the result holds.

@@ -12,6 +12,33 @@
 extern "C" {
 #endif
 
+/// What a number of a document is; the unit it has in SI, and the one it is shown in where nobody chooses another.
+typedef enum whirl_quantity {
+    WHIRL_QUANTITY_NUMBER,    ///< without a unit
+    WHIRL_QUANTITY_PERCENT,   ///< in %
+    WHIRL_QUANTITY_DEGREES,   ///< angles, in degrees
+    WHIRL_QUANTITY_SPEED,     ///< rad/s of a shaft; rpm
+    WHIRL_QUANTITY_FREQUENCY, ///< rad/s of a motion; Hz
+    WHIRL_QUANTITY_ANGULAR,   ///< rad/s, shown so
+    WHIRL_QUANTITY_RATE,      ///< 1/s
+    WHIRL_QUANTITY_LENGTH,    ///< m of displacements; as the case writes lengths
+    WHIRL_QUANTITY_SIZE,      ///< m, zero to peak, of motions; as lengths, and counted as is chosen (0-p)
+    WHIRL_QUANTITY_SPAN,      ///< m, peak to peak; um
+    WHIRL_QUANTITY_POSITION,  ///< m along a shaft
+    WHIRL_QUANTITY_DIAMETER,  ///< m; mm
+    WHIRL_QUANTITY_SLOPE,     ///< rad; mrad
+    WHIRL_QUANTITY_FORCE,     ///< N
+    WHIRL_QUANTITY_MOMENT,    ///< N m
+    WHIRL_QUANTITY_MASS,      ///< kg
+    WHIRL_QUANTITY_INERTIA,   ///< kg m2
+    WHIRL_QUANTITY_UNBALANCE, ///< kg m; kg mm
+    WHIRL_QUANTITY_STIFFNESS, ///< N/m of bearings; MN/m
+    WHIRL_QUANTITY_CROSS,     ///< N/m of cross coupling
+    WHIRL_QUANTITY_DAMPING,   ///< N s/m; kN s/m
+    WHIRL_QUANTITY_DENSITY,   ///< kg/m3
+    WHIRL_QUANTITIES
+} whirl_quantity;
+
 /// The units, and what quantities are multiplied by; made by whirl_result_shown_units.
 typedef struct whirl_shown_units {
     const whirl_result *result; ///< whose numbers are shown; borrowed
@@ -25,12 +52,13 @@ typedef struct whirl_shown_units {
     const char *amplitude_name;            ///< "p-p"; "0-p" where nobody asked; static
     double frequency;                      ///< size of the unit of frequencies in Hz; 0: orders of the running speed
     const char *frequency_name;            ///< static
+    whirl_unit of[WHIRL_QUANTITIES];       ///< in which documents show each quantity: number = SI over its size
 } whirl_shown_units;
 
-/// What `asked` ("um, rpm, Hz, p-p"; words as in a case's `units`, NULL or "" for none) says, where it says nothing
-/// what the result's fact "units" says, else: lengths over their scale where that is a named parameter, in m, mm or um
-/// where it is not; parameters as the case writes them; orders; zero to peak. WHIRL_BAD_INPUT for words that are no
-/// units.
+/// What `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none) says, where it says
+/// nothing what the result's fact "units" says, else: lengths over their scale where that is a named parameter, in m,
+/// mm or um where it is not; parameters as the case writes them; orders; zero to peak. WHIRL_BAD_INPUT for words that
+/// are no units.
 /// `*units` borrows the result.
 whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units);
 

@@ -8,6 +8,11 @@
 
 enum { LONGEST_WORD = 31 };
 
+/// Pound (0.45359237 kg), inch, and the pound's weight at 9.80665 m/s2 (NIST SP 811, 2008, appendix B).
+#define POUND 0.45359237
+#define INCH 25.4e-3
+#define POUND_FORCE (POUND * 9.80665)
+
 static const unit_word words[] = {
     {"scale", "", UNIT_LENGTH, 0.0},
     {"m", "m", UNIT_LENGTH, 1.0},
@@ -23,8 +28,37 @@ static const unit_word words[] = {
     {"0-p", "0-p", UNIT_AMPLITUDE, 1.0},
     {"p-p", "p-p", UNIT_AMPLITUDE, 2.0},
     {"rms", "rms", UNIT_AMPLITUDE, 0.70710678118654752440},
+    {"N", "N", UNIT_FORCE, 1.0},
+    {"kN", "kN", UNIT_FORCE, 1e3},
+    {"lbf", "lbf", UNIT_FORCE, POUND_FORCE},
+    {"kg", "kg", UNIT_MASS, 1.0},
+    {"lbm", "lbm", UNIT_MASS, POUND},
+    {"N/m", "N/m", UNIT_STIFFNESS, 1.0},
+    {"N/mm", "N/mm", UNIT_STIFFNESS, 1e3},
+    {"MN/m", "MN/m", UNIT_STIFFNESS, 1e6},
+    {"lbf/in", "lbf/in", UNIT_STIFFNESS, POUND_FORCE / INCH},
+    {"N s/m", "N s/m", UNIT_DAMPING, 1.0},
+    {"kN s/m", "kN s/m", UNIT_DAMPING, 1e3},
+    {"lbf s/in", "lbf s/in", UNIT_DAMPING, POUND_FORCE / INCH},
+    {"N m", "N m", UNIT_MOMENT, 1.0},
+    {"lbf in", "lbf in", UNIT_MOMENT, POUND_FORCE *INCH},
+    {"kg m2", "kg m2", UNIT_INERTIA, 1.0},
+    {"lbm in2", "lbm in2", UNIT_INERTIA, POUND *INCH *INCH},
+    {"kg mm", "kg mm", UNIT_UNBALANCE, 1e-3},
+    {"g mm", "g mm", UNIT_UNBALANCE, 1e-6},
+    {"oz in", "oz in", UNIT_UNBALANCE, POUND / 16.0 * INCH},
+    {"kg/m3", "kg/m3", UNIT_DENSITY, 1.0},
+    {"lbm/ft3", "lbm/ft3", UNIT_DENSITY, POUND / (12.0 * INCH * 12.0 * INCH * 12.0 * INCH)},
+    {"SI", "SI", UNIT_SYSTEM, 0.0},
+    {"US", "US", UNIT_SYSTEM, 0.0},
     {NULL, NULL, UNIT_KINDS, 0.0},
 };
+
+/// Those of the system US, by kind; NULL: as in every other.
+static const char *const customary[UNIT_KINDS] = {
+    [UNIT_LENGTH] = "mil",    [UNIT_SPEED] = "rpm",       [UNIT_FREQUENCY] = "cpm",    [UNIT_AMPLITUDE] = "p-p",
+    [UNIT_FORCE] = "lbf",     [UNIT_MASS] = "lbm",        [UNIT_STIFFNESS] = "lbf/in", [UNIT_DAMPING] = "lbf s/in",
+    [UNIT_MOMENT] = "lbf in", [UNIT_INERTIA] = "lbm in2", [UNIT_UNBALANCE] = "oz in",  [UNIT_DENSITY] = "lbm/ft3"};
 
 const unit_word *unit_words(void) {
     return words;
@@ -36,9 +70,14 @@ static const unit_word *find(const char *word) {
     return NULL;
 }
 
+const unit_word *unit_of_system(const unit_word *system, unit_kind kind) {
+    const bool is_customary = system && strcmp(system->word, "US") == 0 && customary[kind];
+    return is_customary ? find(customary[kind]) : NULL;
+}
+
 static whirl_status unknown(const char *word) {
     const char *names[sizeof words / sizeof *words];
-    char list[160] = "";
+    char list[320] = "";
     size_t count = 0, used = 0;
     for (; words[count].word; count++) {
         names[count] = words[count].word;
@@ -50,7 +89,9 @@ static whirl_status unknown(const char *word) {
 }
 
 static whirl_status add(unit_choice *choice, const char *word) {
-    static const char *const kinds[UNIT_KINDS] = {"lengths", "speeds", "frequencies", "amplitudes"};
+    static const char *const kinds[UNIT_KINDS] = {"lengths",   "speeds",    "frequencies",     "amplitudes", "forces",
+                                                  "masses",    "stiffness", "damping",         "moments",    "inertia",
+                                                  "unbalance", "density",   "systems of units"};
     const unit_word *found = find(word);
     if (!found) return unknown(word);
     const unit_word *other = choice->of[found->kind];

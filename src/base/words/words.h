@@ -34,13 +34,28 @@ void number_text(double value, char text[NUMBER_SIZE]);
 // The units in which figures and pages may show their numbers, by the words that people write: "um, rpm, Hz, p-p".
 
 /// What a word is a unit, or a way of counting, of.
-typedef enum unit_kind { UNIT_LENGTH = 0, UNIT_SPEED, UNIT_FREQUENCY, UNIT_AMPLITUDE, UNIT_KINDS } unit_kind;
+typedef enum unit_kind {
+    UNIT_LENGTH = 0,
+    UNIT_SPEED,
+    UNIT_FREQUENCY,
+    UNIT_AMPLITUDE,
+    UNIT_FORCE,
+    UNIT_MASS,
+    UNIT_STIFFNESS,
+    UNIT_DAMPING,
+    UNIT_MOMENT,
+    UNIT_INERTIA,
+    UNIT_UNBALANCE,
+    UNIT_DENSITY,
+    UNIT_SYSTEM, ///< all quantities of which nothing else is said
+    UNIT_KINDS
+} unit_kind;
 
 typedef struct unit_word {
     const char *word, *shown; ///< as it is written, and as it is shown
     unit_kind kind;
-    /// Lengths in m, speeds in rad/s; 0 for those of the case (the length scale, the order of the running speed);
-    /// frequencies in Hz; amplitudes over the zero-to-peak one.
+    /// In SI; 0 for lengths and frequencies of the case (the length scale, the order of the running speed), and of
+    /// systems; frequencies in Hz; amplitudes over the zero-to-peak one.
     double size;
 } unit_word;
 
@@ -51,6 +66,9 @@ typedef struct unit_choice {
 
 /// All words; static, ended by one whose word is NULL.
 const unit_word *unit_words(void);
+
+/// The word of a system of units ("US") for a kind; NULL where it has none.
+const unit_word *unit_of_system(const unit_word *system, unit_kind kind);
 
 /// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest
 /// word, for one that is unknown, and for two of a kind.

@@ -8,16 +8,10 @@
 #include <string.h>
 
 #include "shown_kinds.h"
-#include "summary.h"
 
 const double asked_decrement = 0.1;
 
 static const char no_mode[] = "no mode was found that does not go backward";
-
-const char *asked_verdict_name(asked_verdict verdict) {
-    static const char *const names[] = {"none asked for", "holds", "not known", "fails"};
-    return names[verdict];
-}
 
 // ---------------------------------------------------------------- stability
 
@@ -33,31 +27,31 @@ asked_stability asked_stability_at(const whirl_table *table, size_t point) {
     at.ratio = at.stages ? at.limit / at.anticipated : (double)NAN;
     at.factor = at.region > 0.5 ? 10.0 : 2.0;
     if (at.stages)
-        at.level_one = isnan(at.decrement) ? ASKED_UNKNOWN
+        at.level_one = isnan(at.decrement) ? WHIRL_NOT_KNOWN
                        : at.decrement >= asked_decrement && !(at.ratio < at.factor)
-                           ? ASKED_HOLDS // not found: far above
-                           : ASKED_FAILS;
-    at.decides = at.level_one != ASKED_HOLDS;
-    at.level_two = isnan(at.complete) ? ASKED_UNKNOWN : at.complete > asked_decrement ? ASKED_HOLDS : ASKED_FAILS;
+                           ? WHIRL_HOLDS // not found: far above
+                           : WHIRL_FAILS;
+    at.decides = at.level_one != WHIRL_HOLDS;
+    at.level_two = isnan(at.complete) ? WHIRL_NOT_KNOWN : at.complete > asked_decrement ? WHIRL_HOLDS : WHIRL_FAILS;
     return at;
 }
 
 void asked_stability_told(const asked_stability *at, char text[ASKED_TEXT]) {
-    const char *const with = at->level_one == ASKED_HOLDS ? "seals and impellers" : "them";
+    const char *const with = at->level_one == WHIRL_HOLDS ? "seals and impellers" : "them";
     char whole[ASKED_TEXT / 2];
-    if (at->level_two == ASKED_UNKNOWN)
+    if (at->level_two == WHIRL_NOT_KNOWN)
         snprintf(whole, sizeof whole, "with %s %s: not known", with, no_mode);
     else
         snprintf(whole, sizeof whole, "decrement %.3g with %s, above %g asked for: %s", at->complete, with,
-                 asked_decrement, asked_verdict_name(at->level_two));
+                 asked_decrement, whirl_judgement_name(at->level_two));
     if (isnan(at->decrement))
         snprintf(text, ASKED_TEXT, "%s: not known", no_mode);
     else if (!at->stages)
         snprintf(text, ASKED_TEXT, "no stages: seals and impellers decide; %s", whole);
-    else if (at->level_one == ASKED_HOLDS && at->level_two == ASKED_HOLDS)
+    else if (at->level_one == WHIRL_HOLDS && at->level_two == WHIRL_HOLDS)
         snprintf(text, ASKED_TEXT, "decrement above %g and limit above %g times the anticipated: holds by Level I",
                  asked_decrement, at->factor);
-    else if (at->level_one == ASKED_HOLDS)
+    else if (at->level_one == WHIRL_HOLDS)
         snprintf(text, ASKED_TEXT,
                  "decrement above %g and limit above %g times the anticipated, as Level I asks for, but %s",
                  asked_decrement, at->factor, whole);
@@ -95,102 +89,110 @@ asked_stability_tally asked_stability_count(const whirl_table *table) {
     return all;
 }
 
-// ---------------------------------------------------------------- rows
-
-static asked_row *add_row(asked_rows *to, const char *what, const char *clause, asked_verdict verdict) {
-    asked_row *row = &to->rows[to->count++];
-    *row = (asked_row){.what = what, .clause = clause, .verdict = verdict};
-    snprintf(row->told, ASKED_TEXT, "%s", asked_verdict_name(verdict));
-    return row;
-}
+// ---------------------------------------------------------------- responses
 
 /// The peak that lacks most of its margin, or has least more than that.
-static void add_margin(const whirl_shown_units *units, const whirl_table *table, asked_rows *to) {
-    const whirl_result *result = units->result;
-    const margin_tally all = margin_count(result, table, units);
+static void ask_margin(const finder *of) {
+    const margin_tally all = margin_count(of->result, of->table);
     const margin_row *const peak = &all.worst;
-    asked_row *row = add_row(to, "separation margin", "2.10", all.verdict);
+    whirl_statement *own = find_judgement(of, "separation margin", "SP6.8.2.10", all.verdict);
     if (all.told > 0) {
-        snprintf(row->asked, ASKED_TEXT, "%.3g %% (amplification %.3g)", peak->asked, peak->amplification);
-        snprintf(row->found, ASKED_TEXT, isnan(peak->had) ? "peak within the running speeds" : "%.3g %% %s", peak->had,
-                 peak->above ? "above" : "below");
-        const size_t used = strlen(row->found);
-        snprintf(row->found + used, ASKED_TEXT - used, ": %s at %.5g %s", result->stations[all.station].name,
-                 peak->speed, margin_speed_unit(units).name);
+        phrase_number(of, &own->asked, WHIRL_QUANTITY_PERCENT, 3, peak->asked);
+        phrase_text(of, &own->asked, " (amplification %.3g)", peak->amplification);
+        if (isnan(peak->had)) {
+            phrase_text(of, &own->found, "peak within the running speeds");
+        } else {
+            phrase_number(of, &own->found, WHIRL_QUANTITY_PERCENT, 3, peak->had);
+            phrase_text(of, &own->found, " %s", peak->side);
+        }
+        phrase_text(of, &own->found, ": %s at ", of->result->stations[all.station].name);
+        phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, peak->speed);
     } else if (!all.lacks) {
-        snprintf(row->found, ASKED_TEXT, "no amplification of 2.5 or more%s at the speeds that were looked at",
-                 *table->record.probes_at ? " at a probe" : "");
+        phrase_text(of, &own->found, "no amplification of 2.5 or more%s at the speeds that were looked at",
+                    *of->table->record.probes_at ? " at a probe" : "");
     }
-    if (all.verdict == ASKED_FAILS)
-        snprintf(row->told, ASKED_TEXT, "fails: %zu of %zu peaks%s", all.told - all.held, all.told,
-                 all.lacks ? " that were found" : "");
-    else if (all.lacks)
-        snprintf(row->told, ASKED_TEXT, "not known: %s", all.lacks);
+    if (all.verdict == WHIRL_FAILS)
+        phrase_text(of, &own->told, ": %zu of %zu peaks%s", all.told - all.held, all.told,
+                    all.lacks ? " that were found" : "");
+    else if (all.verdict == WHIRL_HOLDS)
+        phrase_text(of, &own->told, ": %zu of %zu peaks", all.held, all.told);
+    if (all.lacks) phrase_text(of, &own->told, "%s %s", all.verdict == WHIRL_FAILS ? ";" : ":", all.lacks);
+    if (all.unjudged > 0)
+        phrase_text(of, &own->told, "; %zu peak%s of that amplification at stations without a probe not judged",
+                    all.unjudged, all.unjudged == 1 ? "" : "s");
 }
 
-static void add_vibration(const whirl_shown_units *units, const scaled *by, asked_rows *to) {
-    const whirl_unit length = scaled_unit(units);
-    asked_row *row = add_row(to, "vibration at probes where it runs", "2.11", by->beyond ? ASKED_FAILS : ASKED_HOLDS);
-    snprintf(row->asked, ASKED_TEXT, "at most %.4g %s p-p", by->limit / length.size, length.name);
-    snprintf(row->found, ASKED_TEXT, "%.4g %s p-p at %s", by->largest / length.size, length.name,
-             units->result->stations[by->station].name);
+static void ask_vibration(const finder *of, const scaled *by) {
+    whirl_statement *own =
+        find_judgement(of, "vibration at probes where it runs", "SP6.8.2.11", by->beyond ? WHIRL_FAILS : WHIRL_HOLDS);
+    phrase_text(of, &own->asked, "at most ");
+    phrase_number(of, &own->asked, WHIRL_QUANTITY_SPAN, 4, by->limit);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_SPAN, 4, by->largest);
+    phrase_text(of, &own->found, " at %s", of->result->stations[by->station].name);
 }
 
 /// The clearance of which scaled responses take most.
-static void add_clearance(const whirl_shown_units *units, const whirl_table *table, const scaled *by, asked_rows *to) {
-    const whirl_result *result = units->result;
-    const whirl_unit speed = margin_speed_unit(units);
+static void ask_clearance(const finder *of, const scaled *by) {
     scaled_row close;
-    if (!scaled_tightest(result, table, by, &close)) return;
-    asked_row *row = add_row(to, "close clearances", "2.12", close.holds ? ASKED_HOLDS : ASKED_FAILS);
-    snprintf(row->asked, ASKED_TEXT, "at most 75 %% of the diametral clearance");
-    snprintf(row->found, ASKED_TEXT, "%.3g %% at %s, %.5g %s, scaled by %.4g", 100.0 * close.axis / close.clearance,
-             result->stations[close.station].name, close.speed / speed.size, speed.name, by->factor);
-    snprintf(row->told, ASKED_TEXT, "%s", scaled_verdict(by, &close));
+    if (!scaled_tightest(of->result, of->table, by, &close)) return;
+    whirl_statement *own =
+        find_judgement(of, "close clearances", "SP6.8.2.12", close.holds ? WHIRL_HOLDS : WHIRL_FAILS);
+    phrase_text(of, &own->asked, "at most 75 %% of the diametral clearance");
+    phrase_number(of, &own->found, WHIRL_QUANTITY_PERCENT, 3, 100.0 * close.axis / close.clearance);
+    phrase_text(of, &own->found, " at %s, ", of->result->stations[close.station].name);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_SPEED, 5, close.speed);
+    phrase_text(of, &own->found, ", scaled by %.4g", by->factor);
+    if (close.holds && by->trip > 0.0 && !by->reaches)
+        phrase_text(of, &own->told, ", but points do not reach the trip speed");
 }
 
-static void ask_response(const whirl_shown_units *units, const whirl_table *table, asked_rows *to) {
+void ask_response(const finder *of) {
     scaled by;
-    if (!margin_asked(table)) return;
-    add_margin(units, table, to);
-    if (scaled_of(units->result, table, &by)) {
-        add_vibration(units, &by, to);
-        add_clearance(units, table, &by, to);
+    if (!margin_asked(of->table)) return;
+    ask_margin(of);
+    if (scaled_of(of->result, of->table, &by)) {
+        ask_vibration(of, &by);
+        ask_clearance(of, &by);
     } else {
-        asked_row *row = add_row(to, "vibration at probes, clearances", "2.11", ASKED_UNKNOWN);
-        snprintf(row->told, ASKED_TEXT, "not known: %s", scaled_lacks);
+        whirl_statement *own = find_judgement(of, "vibration at probes, clearances", "SP6.8.2.11", WHIRL_NOT_KNOWN);
+        phrase_text(of, &own->told, ": %s", scaled_lacks);
     }
 }
 
-static void ask_stability(const whirl_table *table, asked_rows *to) {
-    const asked_stability_tally all = asked_stability_count(table);
+// ---------------------------------------------------------------- the table of stability
+
+void ask_stability(const finder *of) {
+    const asked_stability_tally all = asked_stability_count(of->table);
+    if (all.points == 0) return;
     if (all.coupled.stages) {
-        asked_row *one = add_row(to, "stability, Level I", "5", all.level_one);
-        snprintf(one->asked, ASKED_TEXT,
-                 "limit of the cross coupling at least %g times the anticipated, decrement at least %g",
-                 all.coupled.factor, asked_decrement);
-        if (isnan(all.decrement))
-            snprintf(one->found, ASKED_TEXT, "%s", no_mode);
-        else
-            snprintf(one->found, ASKED_TEXT,
-                     isfinite(all.coupled.ratio) ? "decrement %.3g, limit %.3g times"
-                                                 : "decrement %.3g, no limit below 1000 times",
-                     all.decrement, all.coupled.ratio);
-        if (all.level_one != ASKED_HOLDS) snprintf(one->told, ASKED_TEXT, "not enough: Level II decides");
+        whirl_statement *one = find_judgement(of, "stability, Level I", "SP6.8.5", all.level_one);
+        phrase_text(of, &one->asked,
+                    "limit of the cross coupling at least %g times the anticipated, decrement at least %g",
+                    all.coupled.factor, asked_decrement);
+        if (isnan(all.decrement)) {
+            phrase_text(of, &one->found, "%s", no_mode);
+        } else {
+            phrase_text(of, &one->found, "decrement ");
+            phrase_number(of, &one->found, WHIRL_QUANTITY_NUMBER, 3, all.decrement);
+            phrase_text(of, &one->found, isfinite(all.coupled.ratio) ? ", limit " : ", no limit below 1000 times");
+            if (isfinite(all.coupled.ratio)) {
+                phrase_number(of, &one->found, WHIRL_QUANTITY_NUMBER, 3, all.coupled.ratio);
+                phrase_text(of, &one->found, " times");
+            }
+        }
+        if (all.screened > 0)
+            phrase_text(of, &one->found, "; %zu of %zu points in region B of the screening diagram", all.dense,
+                        all.screened);
+        if (all.level_one != WHIRL_HOLDS) phrase_text(of, &one->told, ": Level II decides");
     }
-    asked_row *two = add_row(to, "stability, Level II", "6", all.level_two);
-    snprintf(two->asked, ASKED_TEXT, "decrement above %g with seals and impellers", asked_decrement);
-    if (all.without < all.points) snprintf(two->found, ASKED_TEXT, "decrement %.3g", all.least.complete);
-    if (all.level_two == ASKED_UNKNOWN)
-        snprintf(two->told, ASKED_TEXT, "not known: %s at %zu of %zu points", no_mode, all.without, all.points);
-    else if (all.level_two == ASKED_FAILS && !all.least.decides)
-        snprintf(two->told, ASKED_TEXT, "fails, though Level I holds there");
-}
-
-asked_rows asked_of(const whirl_shown_units *units, const whirl_table *table) {
-    asked_rows rows = {.count = 0};
-    if (table->count == 0) return rows;
-    if (whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_PROBE)) ask_response(units, table, &rows);
-    if (whirl_layout_field(&table->layout, WHIRL_FIELD_STABILITY_COMPLETE)) ask_stability(table, &rows);
-    return rows;
+    whirl_statement *two = find_judgement(of, "stability, Level II", "SP6.8.6", all.level_two);
+    phrase_text(of, &two->asked, "decrement above %g with seals and impellers", asked_decrement);
+    if (all.without < all.points) {
+        phrase_text(of, &two->found, "decrement ");
+        phrase_number(of, &two->found, WHIRL_QUANTITY_NUMBER, 3, all.least.complete);
+    }
+    if (all.level_two == WHIRL_NOT_KNOWN)
+        phrase_text(of, &two->told, ": %s at %zu of %zu points", no_mode, all.without, all.points);
+    else if (all.level_two == WHIRL_FAILS && !all.least.decides)
+        phrase_text(of, &two->told, ", though Level I holds there");
 }

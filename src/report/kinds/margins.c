@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "summary.h"
 #include "whirl/engine/analyze.h"
 #include "words.h"
 
@@ -80,42 +79,29 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-static void tell_margin(const whirl_table *table, bool probed, const whirl_response_peak *peak, margin_row *row) {
-    char *const text = row->text;
+/// Sets what is asked of a peak, and what it has.
+static void ask_margin(const whirl_table *table, bool probed, const whirl_response_peak *peak, margin_row *row) {
     double low, high;
-    *text = '\0';
     row->had = row->asked = NAN;
+    row->verdict = "";
     if (!margin_running(table, &low, &high)) return;
     if (!probed) {
-        snprintf(text, MARGIN_TEXT, "at none of probes_at: not judged");
+        row->verdict = "at none of probes_at: not judged";
         return;
     }
     const bool above = peak->speed > high, below = peak->speed < low;
-    const double asked = whirl_margin_required(peak->amplification, above);
-    const double had = above ? 100.0 * (peak->speed / high - 1.0) : 100.0 * (1.0 - peak->speed / low);
-    row->told = asked > 0.0;
-    row->holds = (above || below) && had >= asked;
-    row->above = above;
-    row->asked = asked;
-    if (above || below) row->had = had;
-    if (asked == 0.0)
-        snprintf(text, MARGIN_TEXT, "no margin asked for (amplification below 2.5)");
-    else if (!above && !below)
-        snprintf(text, MARGIN_TEXT, "within the running speeds: fails");
-    else
-        snprintf(text, MARGIN_TEXT, "margin %.3g %% %s, %.3g %% asked for: %s", had, above ? "above" : "below", asked,
-                 row->holds ? "holds" : "fails");
+    row->asked = whirl_margin_required(peak->amplification, above);
+    if (above) row->had = 100.0 * (peak->speed / high - 1.0);
+    if (below) row->had = 100.0 * (1.0 - peak->speed / low);
+    row->side = above ? "above" : below ? "below" : "within";
+    row->told = row->asked > 0.0;
+    row->holds = row->had >= row->asked;
+    row->verdict = !row->told ? "no margin asked for (amplification below 2.5)" : row->holds ? "holds" : "fails";
 }
 
-whirl_unit margin_speed_unit(const whirl_shown_units *units) {
-    return units->speed.size > 0.0 ? units->speed : (whirl_unit){.name = "rpm", .size = 0.104719755119659774};
-}
-
-size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
+size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]) {
     static const double degree = 3.14159265358979323846 / 180.0;
-    const double speed = margin_speed_unit(units).size;
-    const double size = units->amplitude / summary_length_unit(units).size;
     const bool probed = margin_probed(result, table, station);
     whirl_response_peak peaks[MARGIN_PEAKS];
     size_t told = 0;
@@ -124,21 +110,22 @@ size_t margin_rows(const whirl_result *result, const whirl_table *table, const w
         for (size_t i = 0; i < count; i++) {
             margin_row *row = &rows[told++];
             *row = (margin_row){.probe = table->record.probe_angle / degree + (probe ? 90.0 : 0.0),
-                                .speed = peaks[i].speed / speed,
-                                .amplitude = size * peaks[i].amplitude,
-                                .amplification = peaks[i].amplification};
+                                .speed = peaks[i].speed,
+                                .amplitude = peaks[i].amplitude,
+                                .amplification = peaks[i].amplification,
+                                .side = ""};
             tell_way(&peaks[i], row->way);
-            tell_margin(table, probed, &peaks[i], row);
+            ask_margin(table, probed, &peaks[i], row);
         }
     }
     return told;
 }
 
-margin_tally margin_count(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units) {
+margin_tally margin_count(const whirl_result *result, const whirl_table *table) {
     margin_tally all = {.more = INFINITY};
     margin_row rows[2 * MARGIN_PEAKS];
     for (size_t station = 0; station < result->station_count; station++) {
-        const size_t count = margin_rows(result, table, units, station, rows);
+        const size_t count = margin_rows(result, table, station, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
             const double more = isnan(row->had) ? -(double)INFINITY : row->had - row->asked;
             all.unjudged +=
@@ -149,9 +136,9 @@ margin_tally margin_count(const whirl_result *result, const whirl_table *table, 
         }
     }
     if (margin_asked(table)) all.lacks = margin_lacks(table);
-    all.verdict = all.held < all.told ? ASKED_FAILS
-                  : all.lacks         ? ASKED_UNKNOWN
-                  : all.told > 0      ? ASKED_HOLDS
-                                      : ASKED_NOTHING;
+    all.verdict = all.held < all.told ? WHIRL_FAILS
+                  : all.lacks         ? WHIRL_NOT_KNOWN
+                  : all.told > 0      ? WHIRL_HOLDS
+                                      : WHIRL_NOT_ASKED;
     return all;
 }

@@ -1,7 +1,6 @@
 #include "shown_kinds.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "whirl/engine/analyze.h"
@@ -26,10 +25,6 @@ bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t
 
 const char *const scaled_lacks =
     "points do not reach over the running speeds, or nothing moves there: compute more points";
-
-whirl_unit scaled_unit(const whirl_shown_units *units) {
-    return units->size.size > 0.0 ? units->size : (whirl_unit){.name = "um", .size = 1e-6};
-}
 
 /// The largest amplitude in m that a probe sees between two speeds, at points and, along the speed, between them;
 /// `room` [3 points of the table].
@@ -60,16 +55,6 @@ static double last_speed(const whirl_table *table) {
     return last;
 }
 
-void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCALED_TEXT]) {
-    const whirl_unit speed = margin_speed_unit(units);
-    const int used = snprintf(text, SCALED_TEXT, "%s", by->beyond ? "; the limit is passed" : "");
-    if (by->trip > 0.0)
-        snprintf(text + used, (size_t)(SCALED_TEXT - used),
-                 by->reaches ? "; clearances count up to the trip speed, %.6g %s"
-                             : "; points do not reach the trip speed, %.6g %s: compute more points",
-                 by->trip / speed.size, speed.name);
-}
-
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out) {
     static const double rpm = 0.104719755119659774, most = 6.0;
     const bool clearances = has_clearances(result, table);
@@ -89,11 +74,6 @@ bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out
     out->trip = table->record.trip;
     out->reaches = isfinite(last_speed(table));
     return out->largest > 0.0;
-}
-
-const char *scaled_verdict(const scaled *by, const scaled_row *row) {
-    if (!row->holds) return "fails";
-    return by->trip > 0.0 && !by->reaches ? "holds, but points do not reach the trip speed" : "holds";
 }
 
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows) {

@@ -1,6 +1,5 @@
 // The registry of kinds of tables that are shown each in its own way.
 #include "shown_kinds.h"
-#include "page.h"
 
 static const shown_kind *const kinds[] = {&shown_branches,        &shown_tori,      &shown_modes,  &shown_unbalance,
                                           &shown_critical_speeds, &shown_stability, &shown_statics};
@@ -9,11 +8,4 @@ const shown_kind *shown_kind_of(const whirl_table *table) {
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
         if (whirl_layout_field(&table->layout, kinds[i]->field)) return kinds[i];
     return NULL;
-}
-
-void shown_kind_about(const page *to, const shown_kind *kind) {
-    if (!kind->about) return;
-    fputs("<p>", to->stream);
-    html_text(to->stream, kind->about);
-    fputs("</p>\n", to->stream);
 }

@@ -3,25 +3,17 @@
 #ifndef REPORT_SHOWN_KINDS_H
 #define REPORT_SHOWN_KINDS_H
 
-#include "page.h"
+#include "findings_build.h"
 #include "report_parts.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 
 typedef struct shown_kind {
     const char *field;         ///< which its tables have, and no others
-    const char *anchor, *name; ///< of its section, where it has one
+    const char *anchor, *name; ///< of its section
     const char *about;         ///< what all of its sections share, told once; NULL: nothing
-    bool single;               ///< its section is of one point, too
-    bool explored;             ///< the explorer has a view of its own, else it shows the figures
     const char *held; ///< what its numbers do with contacts at rest; NULL: small motions leave them as they are
-    /// Whether sentences about all tables of the kind tell what was found in this one (pages/found.c); NULL: of none.
-    bool (*found)(const whirl_table *table);
-    /// Its lines of the summary, below the table's heading.
-    void (*summarize)(FILE *out, const whirl_shown_units *units, const whirl_table *table);
-    /// What stands in its section of the page of a result, below the heading; NULL where it has none. Of tables along
-    /// one parameter.
-    void (*section)(const page *to, size_t result, const whirl_table *table);
+    void (*find)(const finder *of); ///< what is found in a table of it
 } shown_kind;
 
 /// That of a table, NULL of motions.
@@ -29,9 +21,6 @@ const shown_kind *shown_kind_of(const whirl_table *table);
 
 /// Of modes at a point: 1 where one grows, -1 where all die out, 0 where they do neither but for rounding.
 int shown_modes_growing(const whirl_table *table, size_t point);
-
-/// What is told once of sections of a kind.
-void shown_kind_about(const page *to, const shown_kind *kind);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
     shown_stability, shown_statics;
@@ -63,13 +52,7 @@ const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
 // What is asked of a machine, what was found, and whether it holds: the one place that all who tell it ask. After API
 // 617; which edition counts is for the user to check.
 
-/// Rising: of several verdicts the largest counts.
-typedef enum asked_verdict { ASKED_NOTHING, ASKED_HOLDS, ASKED_UNKNOWN, ASKED_FAILS } asked_verdict;
-
-/// "none asked for", "holds", "not known", "fails". Static text.
-const char *asked_verdict_name(asked_verdict verdict);
-
-enum { ASKED_TEXT = 320, ASKED_ROWS = 8 };
+enum { ASKED_TEXT = 320 };
 
 /// The logarithmic decrement that is asked for.
 extern const double asked_decrement;
@@ -82,9 +65,9 @@ typedef struct asked_stability {
     double region;             ///< of the screening diagram: 0: A, 1: B
     double decrement;          ///< with bearings and stages
     double complete;           ///< with seals and impellers, too
-    asked_verdict level_one;   ///< of bearings and stages; ASKED_NOTHING without stages
+    whirl_judgement level_one; ///< of bearings and stages; WHIRL_NOT_ASKED without stages
     bool decides;              ///< seals and impellers are to be counted (Level II): Level I does not hold
-    asked_verdict level_two;   ///< of the whole machine: the verdict of the point
+    whirl_judgement level_two; ///< of the whole machine: the verdict of the point
 } asked_stability;
 
 asked_stability asked_stability_at(const whirl_table *table, size_t point);
@@ -99,29 +82,16 @@ typedef struct asked_stability_tally {
     asked_stability least;   ///< of the least decrement with seals and impellers; that is NaN where no point has one
     asked_stability coupled; ///< where the limit of the cross coupling lacks most; without stages: none
     double decrement;        ///< the least with bearings and stages, of points with stages
-    asked_verdict level_one, level_two;
+    whirl_judgement level_one, level_two;
 } asked_stability_tally;
 
 asked_stability_tally asked_stability_count(const whirl_table *table);
 
-/// One thing that is asked for: of a table, with its clause.
-typedef struct asked_row {
-    const char *what, *clause; ///< static texts
-    asked_verdict verdict;
-    char asked[ASKED_TEXT], found[ASKED_TEXT];
-    char told[ASKED_TEXT]; ///< the verdict in words, with what goes with it: "not known: points do not ..."
-} asked_row;
+/// What is asked of a response that tells running speeds: margins, vibration, clearances.
+void ask_response(const finder *of);
 
-typedef struct asked_rows {
-    size_t count;
-    asked_row rows[ASKED_ROWS];
-} asked_rows;
-
-/// All that is asked of a table.
-asked_rows asked_of(const whirl_shown_units *units, const whirl_table *table);
-
-/// The same of all tables of a result as a JSON array.
-json_t *asked_json(bool *well, const whirl_result *result);
+/// What is asked of stability.
+void ask_stability(const finder *of);
 
 // ---------------------------------------------------------------- margins
 // Critical speeds as peaks of a response to unbalance, and their margins.
@@ -141,22 +111,19 @@ bool margin_probed(const whirl_result *result, const whirl_table *table, size_t 
 /// not reach over these speeds; NULL where they do.
 const char *margin_lacks(const whirl_table *table);
 
-/// A peak as it is told.
+/// A peak, and what is asked of it.
 typedef struct margin_row {
-    double probe;           ///< its angle, degrees
-    double speed;           ///< in margin_speed_unit
-    double amplitude;       ///< in the unit of lengths and the kind of amplitude that are shown
-    double amplification;   ///< factor
-    char way[MARGIN_TEXT];  ///< "half power", ...; "half power, of 1.2 points: compute more there"
-    bool told, holds;       ///< whether a margin is asked for, and had
-    bool above;             ///< the peak lies above the running speeds
-    double had, asked;      ///< margins in %; NaN where running speeds are not said, there is no probe, or the peak is
-                            ///< within these speeds
-    char text[MARGIN_TEXT]; ///< "margin 31.2 % above, 24.5 % asked for: holds"; "" where running speeds are not said
+    double probe;          ///< its angle, degrees
+    double speed;          ///< rad/s
+    double amplitude;      ///< m, zero to peak
+    double amplification;  ///< factor
+    char way[MARGIN_TEXT]; ///< "half power", ...; "half power, of 1.2 points: compute more there"
+    bool told, holds;      ///< whether a margin is asked for, and had
+    double had, asked;     ///< margins in %; NaN where running speeds are not said, there is no probe, or the peak is
+                           ///< within these speeds
+    const char *side;      ///< "above", "below" or "within" the running speeds; "" where these are not said
+    const char *verdict;   ///< "holds", "at none of probes_at: not judged", ...; "" where running speeds are not said
 } margin_row;
-
-/// The unit of speeds of the shaft: the one that is shown, else rpm.
-whirl_unit margin_speed_unit(const whirl_shown_units *units);
 
 /// Speed, amplitude in m and lag [points of the table] that probe 0 or 1 of a station sees; how many, 0 where speeds do
 /// not rise along the table.
@@ -165,13 +132,13 @@ size_t margin_response(const whirl_result *result, const whirl_table *table, siz
 
 /// The peaks that both probes of a station see; none where speeds do not rise along the table, or too few points are
 /// there.
-size_t margin_rows(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units, size_t station,
+size_t margin_rows(const whirl_result *result, const whirl_table *table, size_t station,
                    margin_row rows[2 * MARGIN_PEAKS]);
 
 /// All peaks of a response of which a margin is asked for. `verdict` is that of the response: where all peaks that were
 /// found have their margin but others may have escaped, it is not known.
 typedef struct margin_tally {
-    asked_verdict verdict;
+    whirl_judgement verdict;
     const char *lacks; ///< why peaks may have escaped (margin_lacks); NULL: none has, or nothing is asked for
     size_t told, held;
     size_t unjudged;  ///< peaks of an amplification of 2.5 or more at stations that are none of probes_at
@@ -180,14 +147,7 @@ typedef struct margin_tally {
     size_t station;   ///< of that one
 } margin_tally;
 
-margin_tally margin_count(const whirl_result *result, const whirl_table *table, const whirl_shown_units *units);
-
-// ---------------------------------------------------------------- margins_json
-// Margins of responses to unbalance as a part of a JSON document.
-
-/// Of every response over the speed, by the name of its table: unbalances by rule, peaks with their margins, and scaled
-/// responses beside clearances; lengths in m, zero to peak where not said, speeds in rad/s, angles in degrees.
-json_t *margins_json(bool *well, const whirl_result *result);
+margin_tally margin_count(const whirl_result *result, const whirl_table *table);
 
 // ---------------------------------------------------------------- scaled
 // Responses to unbalance scaled to the vibration limit, and what they take of clearances (after API 617: which edition
@@ -213,9 +173,6 @@ typedef struct scaled_row {
     bool holds;       ///< the axis is at most 75 % of it
 } scaled_row;
 
-/// The unit of these lengths: the one that is asked for, else um, in which the limit is told.
-whirl_unit scaled_unit(const whirl_shown_units *units);
-
 /// Whether a station is one that engineers look at: with probes, where these are said (probes_at), a clearance or an
 /// unbalance by rule; all where probes are not said.
 bool scaled_watches(const whirl_result *result, const whirl_table *table, size_t station);
@@ -226,17 +183,10 @@ extern const char *const scaled_lacks;
 /// False where the table does not tell running speeds, or its points do not reach over them.
 bool scaled_of(const whirl_result *result, const whirl_table *table, scaled *out);
 
-/// What follows a sentence that tells the factor: that the limit is passed, and up to which speed clearances count.
-enum { SCALED_TEXT = 200 };
-void scaled_told(const whirl_shown_units *units, const scaled *by, char text[SCALED_TEXT]);
-
 /// Rows [station count] of all stations with a clearance; how many.
 size_t scaled_rows(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *rows);
 
 /// The first of these that takes most of its clearance; false where there is none.
 bool scaled_tightest(const whirl_result *result, const whirl_table *table, const scaled *by, scaled_row *row);
-
-/// "holds" or "fails"; that points do not reach the trip speed is said with it.
-const char *scaled_verdict(const scaled *by, const scaled_row *row);
 
 #endif

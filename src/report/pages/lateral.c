@@ -21,10 +21,6 @@ static void tell_motions(const page *to, size_t result, const whirl_table *table
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
 }
 
-static found_part everything(const page *to) {
-    return (found_part){0, to->count, true};
-}
-
 /// How many laws have been gone beyond, in all tables.
 static size_t laws_left(const whirl_result *result) {
     size_t count = 0;
@@ -38,9 +34,9 @@ static size_t laws_left(const whirl_result *result) {
 static void write_found(const page *to) {
     size_t told = 0;
     fputs("<section id=\"found\">\n<h2>1. What was found</h2>\n<ol>\n", to->stream);
-    found_at_rest(to, everything(to));
+    found_at_rest(to);
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
-    found_each(to, everything(to), NULL, tell_motions, &told);
+    found_each(to, NULL, tell_motions, &told);
     if (!told) fputs("Not computed (study: motions beside these).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
@@ -61,17 +57,10 @@ typedef struct chapter_told {
     char *section; ///< NULL: none
 } chapter_told;
 
-/// The section of a table as text, to be freed; NULL without memory.
-static char *section_of(const page *to, size_t result, const whirl_table *table, const shown_kind *kind) {
-    char *text = NULL;
-    size_t size = 0;
-    page own = *to;
-    own.stream = open_memstream(&text, &size);
-    if (!own.stream) return NULL;
-    kind->section(&own, result, table);
-    if (fclose(own.stream) == 0) return text;
-    free(text);
-    return NULL;
+/// What is found in a table.
+static void write_findings(const page *to, size_t result, const whirl_table *table) {
+    page_statements(to, result, table);
+    page_sheets(to, result, table);
 }
 
 /// The length of the text up to the end of its first table, or of all of it.
@@ -140,10 +129,14 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     fputs("</h3>\n", to->stream);
     write_figures(to, result, table);
     if (!kind) write_motions(to, result, table);
-    if (!kind || !kind->section || !(*table->parameter || kind->single)) return;
-    if (kind != told->kind) shown_kind_about(to, kind);
+    if (!kind) return;
+    if (kind != told->kind && kind->about) {
+        fputs("<p>", to->stream);
+        html_text(to->stream, kind->about);
+        fputs("</p>\n", to->stream);
+    }
     told->kind = kind;
-    char *section = section_of(to, result, table, kind);
+    char *section = page_text(to, write_findings, result, table);
     if (section) write_section(to, table, section, told);
     if (told->section) {
         free(section);
@@ -186,8 +179,8 @@ static void write_chapter(const page *to, size_t index) {
     chapter_told told = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
-    if (found_each(to, everything(to), own->field, NULL, NULL) > 0)
-        found_each(to, everything(to), own->field, write_table, &told);
+    if (found_each(to, own->field, NULL, NULL) > 0)
+        found_each(to, own->field, write_table, &told);
     else
         fputs("<p>Not asked for.</p>\n", to->stream);
     free(told.section);

@@ -63,11 +63,10 @@ static bool has_starts(const whirl_result *result) {
     return false;
 }
 
-/// How a table is shown that has a section of its own, else NULL: curves are told by their figure, and of a machine as
-/// it stands there is no change to tell of.
+/// How a table is shown that has a section of its own, else NULL: curves are told by their figure.
 static const shown_kind *section_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
-    return kind && kind->section && (*table->parameter || kind->single) && !*table->second ? kind : NULL;
+    return kind && !*table->second ? kind : NULL;
 }
 
 /// How a table is called where a section is for it: "Peaks of the response", and of which where there are several; and
@@ -92,8 +91,12 @@ static void write_kinds(const page *to, size_t r) {
         if (!section_of(table)) continue;
         name_section(to->results[r], table, name, anchor, sizeof name);
         fprintf(to->stream, "<h3 id=\"%s-%zu\">%s</h3>\n", anchor, r + 1, name);
-        if (strcmp(anchor, section_of(table)->anchor) == 0) shown_kind_about(to, section_of(table));
-        section_of(table)->section(to, r, table);
+        if (strcmp(anchor, section_of(table)->anchor) == 0 && section_of(table)->about) {
+            fputs("<p>", to->stream);
+            html_text(to->stream, section_of(table)->about);
+            fputs("</p>\n", to->stream);
+        }
+        page_sheets(to, r, table);
     }
 }
 

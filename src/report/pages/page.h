@@ -38,9 +38,11 @@ typedef struct page {
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
     const drawn_figures *figures;
-    const whirl_shown_units *units; ///< [count]
-    bool explorer;                  ///< explorer.html stands beside the page
-    bool printed;                   ///< it is to be printed: all of its figures are loaded at once
+    const whirl_shown_units *units;  ///< [count]
+    whirl_findings *const *findings; ///< [count]
+    bool *failed;                    ///< memory was lacking for a part of the page
+    bool explorer;                   ///< explorer.html stands beside the page
+    bool printed;                    ///< it is to be printed: all of its figures are loaded at once
 } page;
 
 /// Writes the whole page.
@@ -53,7 +55,6 @@ void lateral_write(const page *to);
 void page_head(const page *to, const char *title);
 void page_style(FILE *stream);
 void page_claims(const page *to);               ///< the table of claims and what was not reproduced
-void page_asked(const page *to);                ///< margins, vibration, clearances, stability beside their clauses
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
 void page_computed(const page *to, size_t result); ///< what was computed, parameters
@@ -72,24 +73,34 @@ void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
                                      size_t result); ///< that of its first diagram; NULL where it has none
 
+// ---------------------------------------------------------------- page_findings
+// Statements and sheets.
+
+/// All statements of a table as items of a list; a sentence each.
+void page_statements(const page *to, size_t result, const whirl_table *table);
+
+/// All sheets of a table.
+void page_sheets(const page *to, size_t result, const whirl_table *table);
+
+/// What all results have that is asked for by a standard: what, asked for, found, verdict, clause.
+void page_asked(const page *to);
+
+/// Writes something as a text of its own, to be freed; NULL, and noted in page.failed, without memory.
+typedef void page_part(const page *to, size_t result, const whirl_table *table);
+char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
+
 // ---------------------------------------------------------------- found
 // What was found, in sentences, each an item of a list.
-
-/// Results of a page.
-typedef struct found_part {
-    size_t first, end; ///< [first, end)
-    bool all;          ///< what was not looked for is told, too
-} found_part;
 
 /// What is done with a table.
 typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
 
-/// Does it (NULL: nothing) with every table that has points and the field, or, of no field (NULL), whose points are
-/// motions; how many have.
-size_t found_each(const page *to, found_part part, const char *field, each_table *act, void *context);
+/// Does it (NULL: nothing) with every table of all results that has points and the field, or, of no field (NULL), whose
+/// points are motions; how many have.
+size_t found_each(const page *to, const char *field, each_table *act, void *context);
 
-/// Critical speeds with damping, margins, clearances, stability.
-void found_at_rest(const page *to, found_part part);
+/// What is found in whole tables of machines at rest, and how much of what is asked for holds.
+void found_at_rest(const page *to);
 
 /// Of a table what the summary says: kinds of motion with their ranges, trust, doubts, attractors, jumps.
 void found_table(const page *to, size_t result, const whirl_table *table);

@@ -7,11 +7,9 @@
 #include "report_parts.h"
 #include "shown_kinds.h"
 
-/// Whether sentences tell of a table: not of points that a sweep beside them tells of, nor of kinds at rest that have
-/// sentences of their own for all of their tables.
+/// Whether sentences tell of a table: not of points that a sweep beside them tells of.
 static bool is_told(const whirl_result *result, const whirl_table *table) {
-    const shown_kind *kind = shown_kind_of(table);
-    if (table->count == 0 || (kind && kind->found && kind->found(table))) return false;
+    if (table->count == 0) return false;
     return strcmp(table->name, "detail") != 0 || result->table_count == 1;
 }
 
@@ -26,7 +24,6 @@ static void write_tables(const page *to, size_t index, bool at_rest) {
 void page_found(const page *to, size_t index) {
     fputs("<ul class=\"found\">\n", to->stream);
     write_tables(to, index, false);
-    found_at_rest(to, (found_part){index, index + 1, false});
     write_tables(to, index, true);
     fputs("</ul>\n", to->stream);
     const drawn_figure *main = page_main_figure(to, index);

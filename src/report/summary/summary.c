@@ -64,7 +64,25 @@ static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_
         if (held_told(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
 }
 
-static whirl_status print_table(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+enum { MOST_ROWS = 24 };
+
+/// What was found in a table.
+static whirl_status print_findings(FILE *out, const whirl_findings *findings, const whirl_table *table) {
+    bool well = true;
+    for (size_t i = 0; i < findings->statement_count; i++)
+        if (strcmp(findings->statements[i].table, table->name) == 0) {
+            char text[STATEMENT_SIZE];
+            statement_text(&findings->statements[i], text, sizeof text);
+            fprintf(out, "  %s\n", text);
+        }
+    for (size_t i = 0; i < findings->sheet_count && well; i++)
+        if (strcmp(findings->sheets[i].table, table->name) == 0)
+            well = sheet_write_text(out, &findings->sheets[i], findings->sheets[i].of_points ? 2 : MOST_ROWS);
+    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
+}
+
+static whirl_status print_table(FILE *out, const whirl_findings *findings, const whirl_shown_units *units,
+                                const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
@@ -79,10 +97,8 @@ static whirl_status print_table(FILE *out, const whirl_shown_units *units, const
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     if (!kind && motions_beside(table)) summarize_motions(out, units, table);
     if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
-    if (table->count > 0 || whirl_analysis_kind(table->analyses)->found)
-        kind->summarize(out, units, table);
-    else
-        fputs("  no point was computed\n", out);
+    if (table->count > 0 || whirl_analysis_kind(table->analyses)->found) return print_findings(out, findings, table);
+    fputs("  no point was computed\n", out);
     return whirl_ok();
 }
 
@@ -108,10 +124,13 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     if (status.code != WHIRL_OK) return status;
     whirl_shown_units units;
     whirl_result_shown_units(view, NULL, &units); // what a file says that is no unit chooses nothing
+    whirl_findings *findings = NULL;
+    status = findings_of(view, &units, &findings);
     for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {
-        status = print_table(out, &units, &view->tables[i]);
+        status = print_table(out, findings, &units, &view->tables[i]);
         print_ranges(out, &units, &view->tables[i]);
     }
+    whirl_findings_free(findings);
     whirl_result_view_free(view);
     return status;
 }

@@ -34,12 +34,6 @@ whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const
 /// What motions do to clearances and contacts, in one paragraph (motions_told).
 void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
-/// Tells a point of a table.
-typedef void summary_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point);
-
-/// The first and the last point, with their values where there is a parameter.
-void summary_ends(FILE *out, const whirl_shown_units *units, const whirl_table *table, summary_point *tell);
-
 /// What was done again.
 void summarize_refinement(FILE *out, const whirl_table *table);
 

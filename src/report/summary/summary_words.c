@@ -14,16 +14,6 @@ whirl_unit summary_length_unit(const whirl_shown_units *units) {
     return units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
 }
 
-void summary_ends(FILE *out, const whirl_shown_units *units, const whirl_table *table, summary_point *tell) {
-    const whirl_unit unit = whirl_shown_parameter(units, table->parameter);
-    for (size_t point = 0; point < table->count; point++) {
-        if (!whirl_table_done(table, point) || (point > 0 && point + 1 < table->count)) continue;
-        if (*table->parameter)
-            fprintf(out, "  at %.6g%s%s:\n", table->values[point] / unit.size, *unit.name ? " " : "", unit.name);
-        tell(out, units, table, point);
-    }
-}
-
 void whirl_write_keyphasor(const char *keyphasor, double rate, FILE *out) {
     fprintf(out, "  sections: once a turn of the %s (%.6g Hz), which counts as a revolution here\n", keyphasor,
             rate / 6.283185307179586);

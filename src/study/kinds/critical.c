@@ -91,10 +91,14 @@ static double growth_of(const resting_machine *r) {
     return r->machine.clock * r->modes->growth;
 }
 
-/// The mode that decides stability.
+/// The mode that decides stability; SIZE_MAX where none that swings does. A growth of nothing but rounding is 0.
 static size_t deciding(const whirl_modes *modes) {
-    for (size_t i = 0; i < modes->count; i++)
-        if (modes->modes[i].real == modes->growth) return i;
+    const double rounding = 1e-9;
+    for (size_t i = 0; i < modes->count; i++) {
+        const whirl_mode *own = &modes->modes[i];
+        if (own->real == modes->growth) return i;
+        if (modes->growth == 0.0 && fabs(own->real) <= rounding * fabs(own->imaginary)) return i;
+    }
     return SIZE_MAX;
 }
 
@@ -200,10 +204,17 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
 static whirl_status locate_threshold(search *s, const resting_machine *to, whirl_critical *found, size_t most,
                                      size_t *count, bool *lost) {
     const double fa = growth_of(s->from), fb = growth_of(to);
-    bool good = false;
+    bool good;
     if ((fa > 0.0) == (fb > 0.0)) return whirl_ok();
     s->mode = SIZE_MAX;
-    const whirl_status status = close_in(s, s->from->value, fa, to->value, fb, &good);
+    // A point may lie on the threshold.
+    const resting_machine *on = fa == 0.0 ? s->from : fb == 0.0 ? to : NULL;
+    whirl_status status = whirl_ok();
+    good = on != NULL;
+    if (on)
+        describe(s, on, deciding(on->modes));
+    else
+        status = close_in(s, s->from->value, fa, to->value, fb, &good);
     s->at.kind = (fb > 0.0) == (to->value > s->from->value) ? WHIRL_ONSET : WHIRL_RECOVERY;
     *lost = *lost || !good;
     if (good && status.code == WHIRL_OK) add(found, most, count, &s->at);

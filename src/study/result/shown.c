@@ -74,6 +74,59 @@ static whirl_unit chosen(const unit_word *word) {
     return unit;
 }
 
+/// How documents show quantities: the unit where nobody chooses another, and of which kind a choice counts.
+static const struct {
+    const char *name;
+    double size;
+    unit_kind kind; ///< UNIT_KINDS: it is shown so always
+} shown_quantities[WHIRL_QUANTITIES] = {
+    [WHIRL_QUANTITY_NUMBER] = {"", 1.0, UNIT_KINDS},
+    [WHIRL_QUANTITY_PERCENT] = {"%", 1.0, UNIT_KINDS},
+    [WHIRL_QUANTITY_DEGREES] = {"deg", 1.0, UNIT_KINDS},
+    [WHIRL_QUANTITY_SPEED] = {"rpm", 0.104719755119659774, UNIT_SPEED},
+    [WHIRL_QUANTITY_FREQUENCY] = {"Hz", 6.283185307179586477, UNIT_FREQUENCY},
+    [WHIRL_QUANTITY_ANGULAR] = {"rad/s", 1.0, UNIT_KINDS},
+    [WHIRL_QUANTITY_RATE] = {"1/s", 1.0, UNIT_KINDS},
+    [WHIRL_QUANTITY_LENGTH] = {"", 1.0, UNIT_LENGTH},
+    [WHIRL_QUANTITY_SIZE] = {"", 1.0, UNIT_LENGTH},
+    [WHIRL_QUANTITY_SPAN] = {"\u00b5m p-p", 1e-6, UNIT_LENGTH},
+    [WHIRL_QUANTITY_POSITION] = {"m", 1.0, UNIT_SYSTEM},
+    [WHIRL_QUANTITY_DIAMETER] = {"mm", 1e-3, UNIT_SYSTEM},
+    [WHIRL_QUANTITY_SLOPE] = {"mrad", 1e-3, UNIT_KINDS},
+    [WHIRL_QUANTITY_FORCE] = {"N", 1.0, UNIT_FORCE},
+    [WHIRL_QUANTITY_MOMENT] = {"N m", 1.0, UNIT_MOMENT},
+    [WHIRL_QUANTITY_MASS] = {"kg", 1.0, UNIT_MASS},
+    [WHIRL_QUANTITY_INERTIA] = {"kg m2", 1.0, UNIT_INERTIA},
+    [WHIRL_QUANTITY_UNBALANCE] = {"kg mm", 1e-3, UNIT_UNBALANCE},
+    [WHIRL_QUANTITY_STIFFNESS] = {"MN/m", 1e6, UNIT_STIFFNESS},
+    [WHIRL_QUANTITY_CROSS] = {"N/m", 1.0, UNIT_STIFFNESS},
+    [WHIRL_QUANTITY_DAMPING] = {"kN s/m", 1e3, UNIT_DAMPING},
+    [WHIRL_QUANTITY_DENSITY] = {"kg/m3", 1.0, UNIT_DENSITY},
+};
+
+/// Fills in the unit of every quantity.
+static void choose_quantities(whirl_shown_units *units, const unit_choice *choice) {
+    const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
+    const bool inches = unit_of_system(choice->of[UNIT_SYSTEM], UNIT_LENGTH) != NULL;
+    for (int quantity = 0; quantity < WHIRL_QUANTITIES; quantity++) {
+        const unit_kind kind = shown_quantities[quantity].kind;
+        const unit_word *word = kind < UNIT_KINDS ? choice->of[kind] : NULL;
+        whirl_unit *unit = &units->of[quantity];
+        unit->size = shown_quantities[quantity].size;
+        snprintf(unit->name, sizeof unit->name, "%s", shown_quantities[quantity].name);
+        if (kind == UNIT_SYSTEM) {
+            if (inches) *unit = (whirl_unit){.name = "in", .size = 25.4e-3};
+        } else if (word && word->size > 0.0) {
+            unit->size = word->size * (kind == UNIT_FREQUENCY ? shown_quantities[quantity].size : 1.0);
+            snprintf(unit->name, sizeof unit->name, quantity == WHIRL_QUANTITY_SPAN ? "%s p-p" : "%s", word->shown);
+        }
+    }
+    units->of[WHIRL_QUANTITY_LENGTH] = length;
+    units->of[WHIRL_QUANTITY_SIZE].size = length.size / units->amplitude;
+    snprintf(units->of[WHIRL_QUANTITY_SIZE].name, sizeof units->of->name, "%.40s %s", length.name,
+             units->amplitude_name);
+}
+
 whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units) {
     unit_choice choice, own;
     const whirl_status status = unit_choice_read(asked ? asked : "", &choice);
@@ -82,6 +135,8 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
     if (unit_choice_read(whirl_result_fact(result, "units"), &own).code != WHIRL_OK) own = (unit_choice){0};
     for (int kind = 0; kind < UNIT_KINDS; kind++)
         if (!choice.of[kind]) choice.of[kind] = own.of[kind];
+    for (int kind = 0; kind < UNIT_SYSTEM; kind++)
+        if (!choice.of[kind]) choice.of[kind] = unit_of_system(choice.of[UNIT_SYSTEM], (unit_kind)kind);
     const unit_word *amplitude = choice.of[UNIT_AMPLITUDE], *frequency = choice.of[UNIT_FREQUENCY];
     *units = (whirl_shown_units){.result = result,
                                  .speed = chosen(choice.of[UNIT_SPEED]),
@@ -91,6 +146,7 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
                                  .frequency = frequency ? frequency->size : 0.0,
                                  .frequency_name = frequency ? frequency->shown : ""};
     choose_length(units, choice.of[UNIT_LENGTH]);
+    choose_quantities(units, &choice);
     return status;
 }
 

@@ -33,10 +33,11 @@ static void mistakes_are_named(void **state) {
         {"um, rmp", "'rmp' is no unit of figures, did you mean rpm?"},
         {"furlong",
          "'furlong' is no unit of figures, expected some of scale, m, mm, um, in, mil, rad/s, rpm, order, Hz, "
-         "cpm, 0-p, p-p, rms"},
+         "cpm, 0-p, p-p, rms, N, kN, lbf, kg, lbm, N/m, N/mm, MN/m, lbf/in, N s/m, kN s/m, lbf s/in, N m, lbf in, kg "
+         "m2, "
+         "lbm in2, kg mm, g mm, oz in, kg/m3, lbm/ft3, SI, US"},
         {"um, mil", "um and mil are both for lengths, expected one of them"},
-        {"um,,rpm", "'' is no unit of figures, expected some of scale, m, mm, um, in, mil, rad/s, rpm, order, Hz, cpm, "
-                    "0-p, p-p, rms"},
+        {"US, SI", "US and SI are both for systems of units, expected one of them"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         unit_choice choice;

@@ -1,0 +1,60 @@
+/// How findings are made: statements and sheets are begun, and filled in piece by piece. Memory that is lacking is
+/// noted (whirl_findings.failed), and what follows does nothing.
+#ifndef REPORT_FINDINGS_BUILD_H
+#define REPORT_FINDINGS_BUILD_H
+
+#include "whirl/engine/case.h"
+#include "whirl/engine/findings.h"
+
+/// A table of a result on which findings are made.
+typedef struct finder {
+    whirl_findings *findings;
+    const whirl_shown_units *units; ///< of the result
+    const whirl_result *result;     ///< a view of it (whirl_result_by_attractor)
+    const whirl_table *table;
+    const whirl_case *machine; ///< of the result; NULL where it cannot be read
+} finder;
+
+/// The first and the last point that is done; how many: 0, 1 or 2.
+size_t find_ends(const whirl_table *table, size_t ends[2]);
+
+/// A copy of a formatted text that lives as long as the findings; "" without memory.
+const char *find_text(whirl_findings *findings, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
+whirl_statement *find_statement(const finder *of, const char *what);
+
+/// The same with a verdict, which `told` begins with.
+whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
+
+/// Add to a phrase: a text, a number with its unit, and a value of the table's parameter.
+void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...) __attribute__((format(printf, 3, 4)));
+void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value);
+void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value);
+
+/// Begins a sheet; never NULL. It lives until the next one is begun.
+whirl_sheet *find_sheet(const finder *of, const char *name, const char *title);
+
+/// Lets go of the last sheet where it has no rows.
+void find_sheet_end(const finder *of);
+
+/// Add columns before the first row.
+void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
+                  int digits);
+void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
+                int digits, const char *between); ///< of several numbers a cell
+void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< of texts
+void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits); ///< of the parameter, if any
+
+/// Begins a row; then one of these for every column. Numbers that are not finite leave their cell empty; texts are
+/// static, or from find_text.
+void sheet_row(const finder *of, whirl_sheet *sheet);
+void cell_number(const finder *of, whirl_sheet *sheet, double number);
+void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers);
+void cell_text(const finder *of, whirl_sheet *sheet, const char *text);
+void cell_value(const finder *of, whirl_sheet *sheet, size_t point); ///< the parameter's; nothing of a table without
+
+/// All that is found in a table.
+void find_table(const finder *of);
+
+#endif

@@ -1,0 +1,93 @@
+// Findings as JSON: numbers in SI beside what is shown.
+#include <errno.h>
+#include <string.h>
+
+#include "report_parts.h"
+#include "whirl/engine/findings.h"
+
+static json_t *phrase_json(bool *well, const whirl_phrase *phrase) {
+    char text[STATEMENT_SIZE];
+    json_t *object = json_object(), *values = json_array();
+    whirl_phrase_text(phrase, text, sizeof text);
+    document_put(well, object, "text", document_text(text));
+    for (const whirl_piece *piece = phrase->pieces; piece < phrase->pieces + phrase->count; piece++)
+        if (!piece->text) document_append(well, values, document_number(piece->value));
+    document_put(well, object, "values", values);
+    return object;
+}
+
+static json_t *statement_json(bool *well, const whirl_statement *statement) {
+    json_t *one = json_object();
+    document_put(well, one, "table", document_text(statement->table));
+    document_put(well, one, "what", document_text(statement->what));
+    if (*statement->station) document_put(well, one, "station", document_text(statement->station));
+    if (statement->at.count > 0) document_put(well, one, "at", phrase_json(well, &statement->at));
+    if (*statement->clause) document_put(well, one, "clause", document_text(statement->clause));
+    document_put(well, one, "verdict", document_text(whirl_judgement_name(statement->judgement)));
+    document_put(well, one, "asked", phrase_json(well, &statement->asked));
+    document_put(well, one, "found", phrase_json(well, &statement->found));
+    document_put(well, one, "told", phrase_json(well, &statement->told));
+    return one;
+}
+
+static json_t *cell_json(bool *well, const whirl_column *column, const whirl_cell *cell) {
+    if (cell->text) return document_text(cell->text);
+    if (!column->between) return cell->count > 0 ? document_number(cell->number) : json_null();
+    json_t *array = json_array();
+    for (size_t i = 0; i < cell->count; i++)
+        document_append(well, array, document_number(cell->numbers ? cell->numbers[i] : cell->number));
+    return array;
+}
+
+static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
+    json_t *one = json_object(), *columns = json_array(), *rows = json_array();
+    document_put(well, one, "table", document_text(sheet->table));
+    document_put(well, one, "name", document_text(sheet->name));
+    document_put(well, one, "title", document_text(sheet->title));
+    if (*sheet->about) document_put(well, one, "about", document_text(sheet->about));
+    for (const whirl_column *column = sheet->column; column < sheet->column + sheet->columns; column++) {
+        json_t *heading = json_object();
+        document_put(well, heading, "key", document_text(column->key));
+        document_put(well, heading, "heading", document_text(column->heading));
+        document_put(well, heading, "unit", document_text(column->unit));
+        document_put(well, heading, "size", document_number(column->size));
+        document_put(well, heading, "digits", json_integer(column->digits));
+        document_append(well, columns, heading);
+    }
+    for (size_t r = 0; r < sheet->rows; r++) {
+        json_t *row = json_array();
+        for (size_t c = 0; c < sheet->columns; c++)
+            document_append(well, row, cell_json(well, &sheet->column[c], &sheet->cells[r * sheet->columns + c]));
+        document_append(well, rows, row);
+    }
+    document_put(well, one, "columns", columns);
+    document_put(well, one, "rows", rows);
+    return one;
+}
+
+json_t *statements_json(bool *well, const whirl_findings *findings) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < findings->statement_count; i++)
+        document_append(well, array, statement_json(well, &findings->statements[i]));
+    return array;
+}
+
+json_t *sheets_json(bool *well, const whirl_findings *findings) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < findings->sheet_count; i++)
+        document_append(well, array, sheet_json(well, &findings->sheets[i]));
+    return array;
+}
+
+whirl_status whirl_findings_write_json(const whirl_findings *findings, FILE *stream) {
+    bool well = true;
+    json_t *object = json_object();
+    document_put(&well, object, "statements", statements_json(&well, findings));
+    document_put(&well, object, "sheets", sheets_json(&well, findings));
+    errno = 0;
+    well = document_write(well, object, stream);
+    fputc('\n', stream);
+    if (fflush(stream) != 0 || ferror(stream))
+        return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
+    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
+}

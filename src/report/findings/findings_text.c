@@ -1,0 +1,254 @@
+// Findings as texts: numbers, phrases, headings, and sheets as aligned text, CSV and LaTeX.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report_parts.h"
+#include "whirl/engine/findings.h"
+#include "words.h"
+
+enum { CELL_SIZE = 1024 };
+
+/// Appends what a format gives; what does not fit is cut.
+#define APPEND(text, size, ...) snprintf((text) + strlen(text), (size)-strlen(text), __VA_ARGS__)
+
+void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size) {
+    *text = '\0';
+    for (const whirl_piece *piece = phrase->pieces; piece < phrase->pieces + phrase->count; piece++) {
+        if (piece->text)
+            APPEND(text, size, "%s", piece->text);
+        else
+            APPEND(text, size, "%.*g%s%s", piece->digits, piece->value / piece->size, *piece->unit ? " " : "",
+                   piece->unit);
+    }
+}
+
+void whirl_column_heading(const whirl_column *column, char *text, size_t size) {
+    snprintf(text, size, *column->unit ? "%s (%s)" : "%s", column->heading, column->unit);
+}
+
+/// A cell with as many digits as are given.
+static void cell_told(const whirl_column *column, const whirl_cell *cell, int digits, char *text, size_t size) {
+    *text = '\0';
+    if (cell->text) snprintf(text, size, "%s", cell->text);
+    for (size_t i = 0; i < cell->count; i++) {
+        const double number = cell->numbers ? cell->numbers[i] : cell->number;
+        APPEND(text, size, "%s%.*g", i ? column->between : "", digits, number / column->size);
+    }
+}
+
+void whirl_cell_text(const whirl_column *column, const whirl_cell *cell, char *text, size_t size) {
+    cell_told(column, cell, column->digits, text, size);
+}
+
+void statement_text(const whirl_statement *statement, char *text, size_t size) {
+    char part[STATEMENT_SIZE];
+    *text = '\0';
+    if (statement->at.count > 0) {
+        whirl_phrase_text(&statement->at, part, sizeof part);
+        APPEND(text, size, "at %s: ", part);
+    }
+    APPEND(text, size, "%s%s%s", statement->what, *statement->station ? " at " : "", statement->station);
+    const whirl_phrase *const phrases[] = {&statement->asked, &statement->found, &statement->told};
+    static const char *const before[] = {", asked for ", ": ", ": "};
+    for (size_t i = 0; i < 3; i++) {
+        if (phrases[i]->count == 0) continue;
+        whirl_phrase_text(phrases[i], part, sizeof part);
+        APPEND(text, size, "%s%s", before[i], part);
+    }
+}
+
+bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
+    for (size_t r = 0; r < sheet->rows; r++) {
+        const whirl_cell *cell = &sheet->cells[r * sheet->columns + column];
+        if (cell->count > 0 || (cell->text && *cell->text)) return false;
+    }
+    return true;
+}
+
+// ---------------------------------------------------------------- aligned text
+// Rows below headings; or, where that is wider than a terminal and there are few rows, headings beside them.
+
+enum { MOST_WIDTH = 118, MOST_BESIDE = 3 };
+
+/// A sheet as texts, without empty columns, in a grid whose first line is the heading.
+typedef struct text_grid {
+    size_t lines, columns;
+    char **texts; ///< [lines][columns]
+    bool *right;  ///< [columns] of numbers, which stand at the right
+} text_grid;
+
+static void grid_free(text_grid *grid) {
+    for (size_t i = 0; grid->texts && i < grid->lines * grid->columns; i++) free(grid->texts[i]);
+    free(grid->texts);
+    free(grid->right);
+}
+
+/// Of these rows of a sheet [count]; false without memory.
+static bool grid_make(const whirl_sheet *sheet, const size_t *rows, size_t count, text_grid *grid) {
+    char text[CELL_SIZE];
+    *grid = (text_grid){.lines = count + 1};
+    for (size_t c = 0; c < sheet->columns; c++) grid->columns += !sheet_column_empty(sheet, c);
+    grid->texts = calloc(grid->lines * grid->columns + 1, sizeof *grid->texts);
+    grid->right = calloc(grid->columns + 1, sizeof *grid->right);
+    bool well = grid->texts && grid->right;
+    for (size_t c = 0, to = 0; c < sheet->columns && well; c++) {
+        const whirl_column *column = &sheet->column[c];
+        if (sheet_column_empty(sheet, c)) continue;
+        grid->right[to] = column->digits > 0 && !column->between;
+        for (size_t line = 0; line < grid->lines && well; line++) {
+            if (line == 0)
+                whirl_column_heading(column, text, sizeof text);
+            else
+                whirl_cell_text(column, &sheet->cells[rows[line - 1] * sheet->columns + c], text, sizeof text);
+            grid->texts[line * grid->columns + to] = strdup(text);
+            well = grid->texts[line * grid->columns + to] != NULL;
+        }
+        to++;
+    }
+    if (!well) grid_free(grid);
+    return well;
+}
+
+/// Lines become columns; false without memory.
+static bool grid_turn(text_grid *grid) {
+    text_grid turned = {.lines = grid->columns,
+                        .columns = grid->lines,
+                        .texts = calloc(grid->lines * grid->columns + 1, sizeof *turned.texts),
+                        .right = calloc(grid->lines + 1, sizeof *turned.right)};
+    if (!turned.texts || !turned.right) {
+        free(turned.texts);
+        free(turned.right);
+        return false;
+    }
+    for (size_t line = 0; line < grid->lines; line++)
+        for (size_t c = 0; c < grid->columns; c++)
+            turned.texts[c * turned.columns + line] = grid->texts[line * grid->columns + c];
+    free(grid->texts);
+    free(grid->right);
+    *grid = turned;
+    return true;
+}
+
+/// Letters of a text in UTF-8, as terminals have them in columns.
+static size_t letters_of(const char *text) {
+    size_t count = 0;
+    for (; *text; text++) count += ((unsigned char)*text & 0xC0u) != 0x80u;
+    return count;
+}
+
+static size_t grid_width(const text_grid *grid, size_t column) {
+    size_t widest = 0;
+    for (size_t line = 0; line < grid->lines; line++) {
+        const size_t own = letters_of(grid->texts[line * grid->columns + column]);
+        if (own > widest) widest = own;
+    }
+    return widest;
+}
+
+static void grid_write(FILE *stream, const text_grid *grid) {
+    for (size_t line = 0; line < grid->lines; line++) {
+        fputs("   ", stream);
+        for (size_t c = 0; c < grid->columns; c++) {
+            const char *text = grid->texts[line * grid->columns + c];
+            const int gap = (int)(grid_width(grid, c) - letters_of(text));
+            const bool last = c + 1 == grid->columns;
+            fprintf(stream, " %*s%s", grid->right[c] ? gap : 0, "", text);
+            if (!grid->right[c] && !last) fprintf(stream, "%*s", gap, "");
+            fputs(last ? "\n" : " ", stream);
+        }
+    }
+}
+
+bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most) {
+    size_t *rows = calloc(sheet->rows + 1, sizeof *rows), count = 0, width = 0;
+    text_grid grid;
+    if (!rows) return false;
+    for (size_t r = 0; r < sheet->rows; r++)
+        if (r + 1 == sheet->rows || r + 1 < most) rows[count++] = r;
+    bool well = grid_make(sheet, rows, count, &grid);
+    free(rows);
+    if (!well) return false;
+    fprintf(stream, "  %s", sheet->title);
+    if (count < sheet->rows && count <= 2)
+        fprintf(stream, " (the first and the last of %zu rows)", sheet->rows);
+    else if (count < sheet->rows)
+        fprintf(stream, " (%zu of %zu rows)", count, sheet->rows);
+    fputs(":\n", stream);
+    for (size_t c = 0; c < grid.columns; c++) width += grid_width(&grid, c) + 2;
+    if (width > MOST_WIDTH && count <= MOST_BESIDE) well = grid_turn(&grid);
+    if (well) grid_write(stream, &grid);
+    grid_free(&grid);
+    return well;
+}
+
+// ---------------------------------------------------------------- CSV and LaTeX
+
+/// A field after RFC 4180: quoted where it must be.
+static void write_field(FILE *stream, const char *text) {
+    if (!text[strcspn(text, "\",\n\r")]) {
+        fputs(text, stream);
+        return;
+    }
+    fputc('"', stream);
+    for (; *text; text++) fputs(*text == '"' ? "\"\"" : (char[]){*text, '\0'}, stream);
+    fputc('"', stream);
+}
+
+/// Letters that mean something to LaTeX.
+static void write_letters(FILE *stream, const char *text) {
+    for (; *text; text++) {
+        if (strncmp(text, "\u00b5", 2) == 0) {
+            fputs("$\\mu$", stream);
+            text++;
+        } else if (*text == '\\' || *text == '~' || *text == '^') {
+            fprintf(stream, *text == '\\' ? "\\textbackslash{}" : *text == '~' ? "\\textasciitilde{}" : "\\^{}");
+        } else {
+            fprintf(stream, strchr("&%$#_{}", *text) ? "\\%c" : "%c", *text);
+        }
+    }
+}
+
+/// A row, of which 0 is the heading, with what stands between cells and at its end.
+static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void (*write)(FILE *, const char *),
+                        int digits, const char *between, const char *end) {
+    const bool drop = digits == 0; // a file for programs has all columns
+    char text[CELL_SIZE];
+    bool first = true;
+    for (size_t c = 0; c < sheet->columns; c++) {
+        const whirl_column *column = &sheet->column[c];
+        if (drop && sheet_column_empty(sheet, c)) continue;
+        if (row == 0)
+            whirl_column_heading(column, text, sizeof text);
+        else
+            cell_told(column, &sheet->cells[(row - 1) * sheet->columns + c], digits ? digits : column->digits, text,
+                      sizeof text);
+        if (!first) fputs(between, stream);
+        first = false;
+        write(stream, text);
+    }
+    fputs(end, stream);
+}
+
+static void write_latex(FILE *stream, const whirl_sheet *sheet) {
+    fputs("\\begin{tabular}{", stream);
+    for (size_t c = 0; c < sheet->columns; c++)
+        if (!sheet_column_empty(sheet, c))
+            fputc(sheet->column[c].digits > 0 && !sheet->column[c].between ? 'r' : 'l', stream);
+    fputs("}\n\\toprule\n", stream);
+    for (size_t row = 0; row <= sheet->rows; row++) {
+        write_cells(stream, sheet, row, write_letters, 0, " & ", " \\\\\n");
+        if (row == 0) fputs("\\midrule\n", stream);
+    }
+    fputs("\\bottomrule\n\\end{tabular}\n", stream);
+}
+
+whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream) {
+    enum { ALL_DIGITS = 17 };
+    if (form == WHIRL_SHEET_TEXT && !sheet_write_text(stream, sheet, sheet->rows + 1))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sheet %.80s", sheet->name);
+    if (form == WHIRL_SHEET_LATEX) write_latex(stream, sheet);
+    for (size_t row = 0; row <= sheet->rows && form == WHIRL_SHEET_CSV; row++)
+        write_cells(stream, sheet, row, write_field, ALL_DIGITS, ",", "\r\n");
+    return whirl_ok();
+}
