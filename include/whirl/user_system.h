@@ -48,7 +48,8 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
 void whirl_user_system_free(whirl_user_system *system); ///< Frees a system; NULL is none.
 
 /// Adds a parameter with its value in SI, its SI unit ("1" for plain numbers) and how it was written. Names are those
-/// of case files: letters, digits and _. WHIRL_BAD_INPUT for another name, one that is there or no finite value.
+/// of case files: letters, digits and _. WHIRL_BAD_INPUT for another name, one that is there, no finite value, a unit
+/// that UDUNITS does not know and one that is not SI ("rpm").
 whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *name, double value, const char *unit,
                                          const char *text);
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "user.h"
+#include "whirl/engine/case.h"
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -73,6 +74,21 @@ static void *grow(void **items, size_t count, size_t size) {
     return memset((char *)more + count * size, 0, size);
 }
 
+/// WHIRL_BAD_INPUT for a unit that is none, or that is not an SI unit: values are in SI.
+static whirl_status check_unit(const char *name, const char *unit) {
+    char one[WHIRL_NAME_SIZE + 8];
+    double size;
+    if (!unit || !*unit || strcmp(unit, "1") == 0) return whirl_ok();
+    const int length = snprintf(one, sizeof one, "1 %s", unit);
+    if (length >= (int)sizeof one || whirl_quantity_value(one, "", &size).code != WHIRL_OK)
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "the unit of %.63s is '%.80s', expected one that UDUNITS knows, such as rad/s", name, unit);
+    if (fabs(size - 1.0) <= 1e-12) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "the unit of %.63s is %s, 1 of which is %.10g in SI, expected an SI unit: values are in SI", name,
+                      unit, size);
+}
+
 whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *name, double value, const char *unit,
                                          const char *text) {
     if (!is_name(name))
@@ -80,6 +96,8 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
     if (find_parameter(system, name) < system->parameter_count)
         return whirl_fail(WHIRL_BAD_INPUT, "there are two parameters called %s", name);
     if (!isfinite(value)) return whirl_fail(WHIRL_BAD_INPUT, "%s is %g, expected a finite number", name, value);
+    const whirl_status known = check_unit(name, unit);
+    if (known.code != WHIRL_OK) return known;
     if (system->parameter_count == USER_MOST_PARAMETERS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d parameters", USER_MOST_PARAMETERS);
     whirl_parameter *one = grow((void **)&system->parameters, system->parameter_count, sizeof *one);

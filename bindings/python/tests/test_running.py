@@ -243,6 +243,27 @@ def test_python_exit():
         assert (told.returncode, told.stdout) == (0, "left with 0 runs\n"), told.stderr
 
 
+SUBINTERPRETER = '''
+try:
+    import _interpreters as interpreters
+except ImportError:
+    import _xxsubinterpreters as interpreters
+import whirl
+whirl.Case
+interpreters.run_string(interpreters.create(), """
+try:
+    import whirl
+except ImportError as refused:
+    print(refused, flush=True)
+""")
+'''
+
+
+def test_subinterpreters_are_refused_in_words():
+    done = subprocess.run([sys.executable, "-c", SUBINTERPRETER], capture_output=True, text=True, timeout=60, check=False)
+    assert done.stdout == "whirl works in the main interpreter of a program alone, not in a subinterpreter\n", done.stderr
+
+
 def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):
     program = tmp_path / "forks.py"
     program.write_text(

@@ -344,6 +344,8 @@ def test_what_is_wrong_is_said():
         ("the period is '1 s', expected a number in SI", lambda: make(period="1 s")),
         ("speed is 3, expected the name of a parameter", lambda: make(speed=3)),
         ("no parameter omgea that has a unit, did you mean omega", lambda: make(period=1, units={"omgea": "rad/s"})),
+        ("the unit of omega is 'furlogn', expected one", lambda: make(period=1, units={"omega": "furlogn"})),
+        ("the unit of omega is rpm, .*expected an SI unit", lambda: make(period=1, units={"omega": "rpm"})),
         ("an axis of the map is 'F', expected", lambda: make(period=1).map("F", "omega")),
         ("no option stepp, did you mean step", lambda: make(period=1).branch("F", 0, 1, stepp=1)),
         (

@@ -9,6 +9,8 @@ Everything is computed by the library libwhirl; numbers are those of the command
 
 from importlib import import_module
 
+from . import _interpreter  # noqa: F401
+
 TYPE_CHECKING = False  # that of typing, without its import; checkers of types know the name
 if TYPE_CHECKING:
     from . import plot, signals, systems

@@ -52,21 +52,6 @@ def _open():
     return library
 
 
-def _is_main_interpreter():
-    """Whether this is the interpreter that the program began with."""
-    for name in ("_interpreters", "_xxsubinterpreters"):  # of Python 3.13, and before
-        try:
-            module = __import__(name)
-            own, main = module.get_current(), module.get_main()
-        except (ImportError, AttributeError):
-            continue
-        return (own[0] if isinstance(own, tuple) else own) == (main[0] if isinstance(main, tuple) else main)
-    return True
-
-
-if not _is_main_interpreter():
-    # Callbacks of cffi would take the lock of the main interpreter, and wait for it without an end.
-    raise ImportError("whirl works in the main interpreter of a program alone, not in a subinterpreter")
 lib = _open()
 _forbidden: list[str] = []
 

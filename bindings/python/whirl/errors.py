@@ -37,15 +37,23 @@ class BadInput(Error, ValueError):
         self.problems = list(problems)
 
 
-class MissingFile(BadInput, FileNotFoundError):
-    """A case, a result or another file that was to be read is not there."""
+class _OfFile:
+    """Makes errors that are OSErrors, too, say the library's sentence, with the ``errno`` of their class."""
+
+    _errno: int
 
     def __init__(self, message: str) -> None:
         super().__init__(message)
-        self.errno = errno.ENOENT
+        self.errno = self._errno
 
     def __str__(self) -> str:
         return self.args[0]
+
+
+class MissingFile(_OfFile, BadInput, FileNotFoundError):
+    """A case, a result or another file that was to be read is not there."""
+
+    _errno = errno.ENOENT
 
 
 class ReadOnlyCopy(Error, TypeError):
@@ -60,15 +68,10 @@ class FileFailure(Error, OSError):
     """A file could not be read or written."""
 
 
-class ExistingFile(FileFailure, FileExistsError):
+class ExistingFile(_OfFile, FileFailure, FileExistsError):
     """A file that is there would be replaced; it is kept."""
 
-    def __init__(self, message: str) -> None:
-        super().__init__(message)
-        self.errno = errno.EEXIST
-
-    def __str__(self) -> str:
-        return self.args[0]
+    _errno = errno.EEXIST
 
 
 class NumericalFailure(Error, ArithmeticError):

@@ -334,7 +334,7 @@ class System:
         Whether slopes have kinks without jumps, as springs have that touch. Where slopes jump (a contact with a damper,
         dry friction) it is not set: motions are right without it, and slopes that jump are refused with it.
     units : mapping of str to str, optional
-        Of parameters, as UDUNITS has them.
+        SI units of parameters, as UDUNITS has them: ``{"omega": "rad/s"}``.
     title : str
         For results.
     identity : str, optional

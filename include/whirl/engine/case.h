@@ -56,8 +56,8 @@ whirl_status whirl_case_assign(whirl_case *object, const char *assignment);
 /// What the study of the case may spend on points in doubt (whirl_study.refine); nothing where it is not called.
 void whirl_case_refine(whirl_case *object, whirl_budget budget);
 
-/// Reads a number as cases have it: in SI, "628", or with any unit of the dimension of `unit`, "6000 rpm" for "rad/s".
-/// WHIRL_BAD_INPUT with a sentence for anything else.
+/// Reads a number as cases have it: in SI, "628", or with any unit of the dimension of `unit`, "6000 rpm" for "rad/s";
+/// of any dimension where that is "". WHIRL_BAD_INPUT with a sentence for anything else.
 whirl_status whirl_quantity_value(const char *text, const char *unit, double *value);
 
 /// Value of a parameter in SI. WHIRL_BAD_INPUT for an unknown name.

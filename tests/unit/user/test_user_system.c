@@ -336,6 +336,12 @@ static void what_is_wrong_is_said(void **state) {
     refused(whirl_user_system_parameter(system, "omega", 1.0, "1", ""), "two parameters called omega");
     refused(whirl_user_system_parameter(system, "2x", 1.0, "1", ""), "'2x', expected letters, digits and _");
     refused(whirl_user_system_parameter(system, "y", NAN, "1", ""), "y is nan, expected a finite number");
+    refused(whirl_user_system_parameter(system, "y", 1.0, "furlogn", ""), "unit of y is 'furlogn', expected one that");
+    refused(whirl_user_system_parameter(system, "y", 1.0, "rad/", ""), "unit of y is 'rad/', expected one that");
+    refused(whirl_user_system_parameter(system, "y", 1.0, "rpm", ""), "y is rpm, 1 of which is 0.1047197551 in SI");
+    refused(whirl_user_system_parameter(system, "y", 1.0, "degC", ""), "y is degC, 1 of which is 274.15 in SI");
+    good(whirl_user_system_parameter(system, "k", 1.0, "N s/m", ""));
+    good(whirl_user_system_parameter(system, "T", 1.0, "K", ""));
     refused(whirl_user_system_speed(system, "omgea"), "no parameter omgea, did you mean omega?");
     refused(whirl_user_system_start(system, 2, 1.0), "no coordinate 2, expected 0 to 1");
     refused(whirl_user_system_station(system, "s", 0, 1, 2, 1), "no coordinate 2, expected 0 to 1");
