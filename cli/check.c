@@ -61,7 +61,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-enum { LOOKED_AT = 3 }; ///< values of a batch: the first, the middle and the last
+enum {
+    LOOKED_AT = 3,   ///< values of a batch: the first, the middle and the last
+    MOST_SECONDS = 1 ///< for a look at their motions
+};
 
 /// Machines at the values looked at, and their states.
 typedef struct look {
@@ -98,7 +101,7 @@ static whirl_status begin_look(look *l, const whirl_study *study, const whirl_ba
 /// Carries the machines that go side by side with one of them over a few revolutions, by a method that is stable: films
 /// stiffen as a motion grows. One that cannot go on stays at its start, and all where they are when it takes too long.
 static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) {
-    enum { REVOLUTIONS = 10, MOST_SECONDS = 1 };
+    enum { REVOLUTIONS = 10 };
     whirl_integrate_options stable = batch->integrate;
     whirl_ensemble *lanes;
     size_t in[LOOKED_AT], used = 0;
@@ -126,18 +129,22 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
-/// The steps that a batch needs, 0 where its own are short enough.
+/// The steps that a batch needs, 0 where its own are short enough. A revolution that takes too long is looked at as far
+/// as it is known by then.
 static whirl_status needed_steps(const whirl_study *study, const whirl_batch *batch, double *needed) {
     look l = {0};
     *needed = 0.0;
     whirl_status status = begin_look(&l, study, batch);
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++)
         if (!l.carried[i]) status = carry_with(&l, i, batch);
+    whirl_integrate_options own = batch->integrate;
+    own.stop = limit_begin(MOST_SECONDS);
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++) {
         whirl_step_check check = {.growth = 1.0};
-        status = whirl_step_check_revolution(l.machines[i].system, &batch->integrate, l.x[i], NULL, 1e-5, &check);
+        status = whirl_step_check_revolution(l.machines[i].system, &own, l.x[i], NULL, 1e-5, &check);
         if (whirl_step_is_unstable(&check)) *needed = fmax(*needed, check.steps);
     }
+    limit_end();
     end_look(&l);
     return status;
 }
