@@ -31,6 +31,9 @@ struct whirl_case {
 /// Whether an expression depends on a parameter, itself or by others that it names (uses.c).
 bool case_depends(const case_content *content, const char *expression, const char *name);
 
+/// The first number of some settings that depends on a parameter, those in lists included; NULL where none does.
+const setting *case_list_depends(const case_content *content, const setting_list *list, const char *name);
+
 /// The first setting of the machine, its initial state left out, that depends on a parameter; NULL where none does.
 const setting *case_machine_use(const case_content *content, const char *name);
 

@@ -226,7 +226,11 @@ void machine_read(case_reader *reader, const file_node *where, bool may_stand_st
 // ---------------------------------------------------------------- building
 
 static void settle_list(valuation *v, setting_list *list) {
-    for (size_t i = 0; i < list->count; i++) formula_settle(v, &list->items[i].value);
+    for (size_t i = 0; i < list->count; i++) {
+        setting *item = &list->items[i];
+        formula_settle(v, &item->value);
+        for (size_t k = 0; k < item->entry_count; k++) formula_settle(v, &item->entries[k].value);
+    }
 }
 
 void machine_settle(valuation *v, machine_parts *machine) {
@@ -238,12 +242,31 @@ void machine_settle(valuation *v, machine_parts *machine) {
 }
 
 /// What the rotor layer takes: numbers in SI, and words.
-static whirl_status evaluate(const setting_list *settings, valuation *v, whirl_setting values[SETTINGS_MAX]) {
+typedef struct evaluated {
+    whirl_setting values[SETTINGS_MAX];
+    char *texts; ///< of lists in which expressions stand, one after the other; or NULL
+} evaluated;
+
+/// Makes room for the texts of lists in which expressions stand; false without memory.
+static bool make_texts(const setting_list *settings, evaluated *out) {
+    size_t size = 0;
+    for (size_t i = 0; i < settings->count; i++)
+        if (settings->items[i].entries) size += setting_list_size(&settings->items[i]);
+    out->texts = size > 0 ? malloc(size) : NULL;
+    return size == 0 || out->texts;
+}
+
+/// Evaluates settings; out->texts is freed by the caller, after a failure too.
+static whirl_status evaluate(const setting_list *settings, valuation *v, evaluated *out) {
+    if (!make_texts(settings, out)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the lists of a machine");
+    char *text = out->texts;
     for (size_t i = 0; i < settings->count && i < SETTINGS_MAX; i++) {
         const setting *item = &settings->items[i];
-        values[i] = (whirl_setting){.key = item->key->name, .text = item->word};
+        out->values[i] = (whirl_setting){.key = item->key->name, .text = item->entries ? text : item->word};
         if (item->word) continue;
-        const whirl_status status = valuation_number(v, &item->value, &values[i].number);
+        const whirl_status status = item->entries ? setting_list_text(v, item, text)
+                                                  : valuation_number(v, &item->value, &out->values[i].number);
+        if (item->entries) text += setting_list_size(item);
         if (status.code == WHIRL_OK) continue;
         return whirl_fail(status.code, "%.63s.%s %.250s", settings->name, item->key->name, status.message);
     }
@@ -267,20 +290,22 @@ static whirl_status new_design(const machine_parts *machine, valuation *v, doubl
 typedef whirl_status add_part_fn(whirl_design *design, const char *name, const whirl_setting *settings, size_t count);
 
 static whirl_status add_parts(const named_list *parts, valuation *v, add_part_fn *add, whirl_design *design) {
-    whirl_setting values[SETTINGS_MAX];
+    evaluated settings;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < parts->count && status.code == WHIRL_OK; i++) {
-        status = evaluate(&parts->items[i], v, values);
-        if (status.code == WHIRL_OK) status = add(design, parts->names[i], values, parts->items[i].count);
+        status = evaluate(&parts->items[i], v, &settings);
+        if (status.code == WHIRL_OK) status = add(design, parts->names[i], settings.values, parts->items[i].count);
+        free(settings.texts);
     }
     return status;
 }
 
 static whirl_status add_element(const machine_parts *machine, size_t index, valuation *v, whirl_design *design) {
-    whirl_setting values[SETTINGS_MAX];
+    evaluated settings;
     const setting_list *element = &machine->elements[index];
-    whirl_status status = evaluate(element, v, values);
-    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, values, element->count);
+    whirl_status status = evaluate(element, v, &settings);
+    if (status.code == WHIRL_OK) status = whirl_design_element(design, element->name, settings.values, element->count);
+    free(settings.texts);
     return status;
 }
 
@@ -493,7 +518,8 @@ static bool needs_others(const setting_list *element) {
     for (size_t k = 0; k < element->group->key_count; k++)
         if (element->group->keys[k].kind == WHIRL_KEY_NAME) return true;
     for (size_t i = 0; i < element->count; i++)
-        if (element->items[i].key->kind == WHIRL_KEY_NUMBERS && element->items[i].word) return true;
+        if (element->items[i].key->kind == WHIRL_KEY_NUMBERS && (element->items[i].word || element->items[i].entries))
+            return true;
     return false;
 }
 

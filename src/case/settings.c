@@ -151,22 +151,24 @@ static bool read_number(case_reader *reader, const file_node *where, const whirl
     return !unit[0] || read_dimension(reader, where, unit, result);
 }
 
-/// Appends the numbers of a list. Expressions stand in single numbers alone.
-static bool append_list(case_reader *reader, const file_node *where, const whirl_key *key, char **text) {
-    char shown[SHOWN_SIZE];
+/// Reads the numbers of a list into entries, from *count on. The first one that is an expression sets *varies.
+static bool read_entries(case_reader *reader, const file_node *where, const whirl_key *key, setting *result,
+                         bool *varies) {
     for (const file_node *item = where->first; item; item = item->next) {
-        number_formula value;
-        if (!formula_read(reader, item, key, &value)) return false;
-        if (value.expression) {
-            problem_at(reader->problems, item, "is %s, expected a number, no expression, in a list",
-                       node_shown(item, shown));
-            return false;
-        }
-        if (item != where->first) *text += strlen(strcpy(*text, ", "));
-        number_text(value.number, *text);
-        *text += strlen(*text);
+        setting *entry = &result->entries[result->entry_count++];
+        *entry = (setting){.key = key, .place = item};
+        if (!formula_read(reader, item, key, &entry->value)) return false;
+        entry->good = true;
+        *varies = *varies || entry->value.expression;
     }
     return true;
+}
+
+/// Appends number `index` of a list.
+static char *append_number(const setting *list, size_t index, double number, char *text) {
+    if (index > 0) text += strlen(strcpy(text, index % list->row_length > 0 ? ", " : "; "));
+    number_text(number, text);
+    return text + strlen(text);
 }
 
 static bool check_count(case_reader *reader, const file_node *where, const char *what) {
@@ -193,19 +195,26 @@ static bool check_rows(case_reader *reader, const file_node *where) {
     return true;
 }
 
-/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000", and [[1, 2], [3, 4]] "1, 2; 3, 4".
+/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000", and [[1, 2], [3, 4]] "1, 2; 3, 4"; where expressions are among
+/// them, the entries stay.
 static bool read_list(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     const bool nested = where->count > 0 && where->first->kind == NODE_LIST;
+    bool varies = false;
     if (nested ? !check_rows(reader, where) : !check_count(reader, where, "numbers")) return false;
-    const size_t count = nested ? where->count * where->first->count : where->count;
+    result->row_length = nested ? where->first->count : where->count;
+    const size_t count = nested ? where->count * result->row_length : where->count;
+    result->entries = arena_take(reader->arena, count * sizeof *result->entries);
     char *text = arena_take(reader->arena, count * (NUMBER_SIZE + 2));
-    reader->no_memory = reader->no_memory || !text;
+    reader->no_memory = reader->no_memory || !result->entries || !text;
+    if (!result->entries || !text) return false;
+    if (!nested && !read_entries(reader, where, key, result, &varies)) return false;
+    for (const file_node *row = nested ? where->first : NULL; row; row = row->next)
+        if (!read_entries(reader, row, key, result, &varies)) return false;
+    if (varies) return true;
     result->word = text;
-    if (!text || !nested) return text && append_list(reader, where, key, &text);
-    for (const file_node *row = where->first; row; row = row->next) {
-        if (row != where->first) text += strlen(strcpy(text, "; "));
-        if (!append_list(reader, row, key, &text)) return false;
-    }
+    for (size_t i = 0; i < count; i++) text = append_number(result, i, result->entries[i].value.number, text);
+    result->entries = NULL;
+    result->entry_count = 0;
     return true;
 }
 
@@ -312,28 +321,51 @@ const setting *settings_find(const setting_list *settings, const char *key) {
     return NULL;
 }
 
+size_t setting_numbers(const setting *item, const setting **first) {
+    *first = item->entries ? item->entries : item;
+    return item->entries ? item->entry_count : 1;
+}
+
+size_t setting_list_size(const setting *item) {
+    return item->entry_count * (NUMBER_SIZE + 2) + 1;
+}
+
+whirl_status setting_list_text(valuation *v, const setting *item, char *text) {
+    for (size_t i = 0; i < item->entry_count; i++) {
+        double number;
+        const whirl_status status = valuation_number(v, &item->entries[i].value, &number);
+        if (status.code != WHIRL_OK) return status;
+        text = append_number(item, i, number, text);
+    }
+    return whirl_ok();
+}
+
+/// Checks the value of one number that is an expression; false after a problem.
+static bool check_expression(case_reader *reader, valuation *v, const setting *item) {
+    char shown[SHOWN_SIZE], why[WHY_SIZE];
+    double number;
+    whirl_status status = valuation_number(v, &item->value, &number);
+    const bool evaluated = status.code == WHIRL_OK;
+    if (evaluated) status = formula_check(v->parameters, item->key, &item->value, number);
+    const bool turned = strcmp(expression_unit(v->parameters, item->value.expression), "rad") == 0;
+    if (status.code == WHIRL_OK && !turned && !angle_is_likely(item->key, number, why))
+        status = whirl_fail(WHIRL_BAD_INPUT, "%s", why);
+    if (status.code == WHIRL_OK) return true;
+    if (evaluated)
+        problem_at(reader->problems, item->place, "= %s %s", text_shown(item->value.expression, shown), status.message);
+    else
+        problem_at(reader->problems, item->place, "%s", status.message);
+    return false;
+}
+
 bool settings_check(case_reader *reader, valuation *v, const setting_list *settings) {
     bool good = true;
-    char shown[SHOWN_SIZE];
     for (size_t i = 0; i < settings->count; i++) {
-        const setting *item = &settings->items[i];
+        const setting *item = &settings->items[i], *number;
+        const size_t count = setting_numbers(item, &number);
         good = good && item->good;
-        if (!item->good || !item->value.expression) continue;
-        double number;
-        whirl_status status = valuation_number(v, &item->value, &number);
-        const bool evaluated = status.code == WHIRL_OK;
-        if (evaluated) status = formula_check(v->parameters, item->key, &item->value, number);
-        const bool turned = strcmp(expression_unit(v->parameters, item->value.expression), "rad") == 0;
-        char why[WHY_SIZE];
-        if (status.code == WHIRL_OK && !turned && !angle_is_likely(item->key, number, why))
-            status = whirl_fail(WHIRL_BAD_INPUT, "%s", why);
-        if (status.code == WHIRL_OK) continue;
-        good = false;
-        if (evaluated)
-            problem_at(reader->problems, item->place, "= %s %s", text_shown(item->value.expression, shown),
-                       status.message);
-        else
-            problem_at(reader->problems, item->place, "%s", status.message);
+        for (size_t k = 0; k < count && item->good; k++)
+            if (number[k].value.expression) good = check_expression(reader, v, &number[k]) && good;
     }
     return good;
 }
@@ -358,6 +390,10 @@ size_t settings_list_plain(case_reader *reader, const setting_list *settings, co
                            size_t most) {
     const setting *given = settings_find(settings, name);
     if (given && !given->good) return 0;
+    if (given && given->entries) {
+        problem_at(reader->problems, given->place, "has an expression, expected numbers");
+        return 0;
+    }
     if (!given || !given->word) {
         *out = settings_plain(reader, settings, name);
         return isfinite(*out) ? 1 : 0;

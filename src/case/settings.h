@@ -12,10 +12,12 @@ enum { SETTINGS_MAX = 64 };
 typedef struct setting {
     const whirl_key *key;
     const file_node *place;
-    bool good;            ///< no problem was found; what follows counts only then
-    number_formula value; ///< of numbers
-    bool scaled;          ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
-    const char *word;     ///< of choices, texts, stations and lists ("a, b"); NULL for numbers and parts of the file
+    bool good;               ///< no problem was found; what follows counts only then
+    number_formula value;    ///< of numbers
+    bool scaled;             ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
+    const char *word;        ///< of choices, texts, stations and lists ("a, b"); NULL for numbers and parts of the file
+    struct setting *entries; ///< [entry_count] of a list in which expressions stand, in place of `word`; or NULL
+    size_t entry_count, row_length; ///< of these, row after row
 } setting;
 
 typedef struct setting_list {
@@ -41,6 +43,16 @@ bool settings_misspelt(const setting_list *settings, const char *key);
 
 /// The setting of a key if it was given, else NULL.
 const setting *settings_find(const setting_list *settings, const char *key);
+
+/// The numbers of a setting, each as a setting: the entries of a list in which expressions stand, else the setting
+/// alone. Returns how many there are.
+size_t setting_numbers(const setting *item, const setting **first);
+
+/// Room for the text of a list in which expressions stand; 1 of others.
+size_t setting_list_size(const setting *item);
+
+/// Writes the numbers of such a list as rotors read them: "1, 2; 3, 4". Errors as valuation_number.
+whirl_status setting_list_text(valuation *v, const setting *item, char *text);
 
 /// Evaluates expressions and reports the ones that have no value or one out of range. false when any has.
 bool settings_check(case_reader *reader, valuation *v, const setting_list *settings);

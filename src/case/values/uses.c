@@ -33,8 +33,9 @@ static bool see_name(void *context, const char *name, size_t length) {
 static void see_list(walk *w, const setting_list *list) {
     char why[WHY_SIZE];
     for (size_t i = 0; i < list->count; i++) {
-        w->at = &list->items[i];
-        if (w->at->key && w->at->value.expression) expression_check(w->at->value.expression, see_name, w, why);
+        const size_t count = setting_numbers(&list->items[i], &w->at);
+        for (size_t k = 0; k < count; k++, w->at++)
+            if (w->at->key && w->at->value.expression) expression_check(w->at->value.expression, see_name, w, why);
     }
 }
 
@@ -76,10 +77,14 @@ bool case_depends(const case_content *content, const char *expression, const cha
     return d.found;
 }
 
-static const setting *find_dependent(const case_content *content, const setting_list *list, const char *name) {
+const setting *case_list_depends(const case_content *content, const setting_list *list, const char *name) {
     for (size_t i = 0; i < list->count; i++) {
-        const char *expression = list->items[i].key ? list->items[i].value.expression : NULL;
-        if (expression && case_depends(content, expression, name)) return &list->items[i];
+        const setting *number;
+        const size_t count = setting_numbers(&list->items[i], &number);
+        for (size_t k = 0; k < count; k++) {
+            const char *expression = number[k].key ? number[k].value.expression : NULL;
+            if (expression && case_depends(content, expression, name)) return &number[k];
+        }
     }
     return NULL;
 }
@@ -96,7 +101,8 @@ const setting *case_machine_use(const case_content *content, const char *name) {
                  {machine->elements, machine->element_count}};
     const setting *found = NULL;
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
-        for (size_t i = 0; i < parts[p].count && !found; i++) found = find_dependent(content, &parts[p].lists[i], name);
+        for (size_t i = 0; i < parts[p].count && !found; i++)
+            found = case_list_depends(content, &parts[p].lists[i], name);
     return found;
 }
 

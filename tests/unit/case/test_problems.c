@@ -222,9 +222,9 @@ static void names(void **state) {
                    "t:14:15: rotor.elements[1].shaft.between: is a list, expected two stations: [one, other]");
     expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5 rpm, 9 kg], kxx: [1 N/m, 2 N/m]}",
                    "t:17:43: rotor.elements[4].bearing.speeds[2]: is in kg, expected a unit of rad/s");
-    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5, 900], kxx: [1 N/m, = kappa]}",
-                   "t:17:58: rotor.elements[4].bearing.kxx[2]: is = kappa, expected a number, no expression, in a "
-                   "list");
+    expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5, 900], kxx: [1 N/m, = kapa]}",
+                   "t:17:58: rotor.elements[4].bearing.kxx[2]: is = kapa, but no parameter is called kapa, did you "
+                   "mean kappa?");
     expect_problem("- gravity: 9.81 m/s2", "- bearing: {at: disc, speeds: [5, 90], kxx: [1 N/m, 2 N/m]}",
                    "t:17:7: rotor.elements[4].bearing: bearing is known from 5 to 90 rad/s (47.7465 to 859.437 rpm), "
                    "and the rotor turns at 100 rad/s (954.93 rpm)");
