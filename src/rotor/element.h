@@ -216,8 +216,9 @@ void doubt_value(const doubt_teller *to, const char *key, const char *format, ..
 void element_on(const key_value *at, const assembly *to, axis first, element *out);
 
 /// The ports of an element between the two stations of its key `between`, one of them perhaps the ground: the first
-/// one's coordinates along `axes` [count], then the other's (AXES: none), with NO_COORDINATE for the ground's; and the
-/// station where it sits. WHIRL_BAD_INPUT where both are one, or a station does not move so.
+/// one's coordinates along `axes` [count], then the other's (AXES: none), with NO_COORDINATE for the ground's and for
+/// those along which a station does not move (`moves`), where it is held as the ground is; and the station where it
+/// sits. WHIRL_BAD_INPUT where both are one, a station does not tilt along one of the axes, or neither moves along any.
 whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
                              element *out);
 
@@ -227,6 +228,11 @@ whirl_status element_beside_none(const key_value *between, const assembly *to);
 
 /// The same in x and y of an element at a station, in a housing that is the station of `from`, or else the ground.
 whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out);
+
+/// Returns whether the housing of an element with the ports of element_in_housing moves along neither axis.
+static inline bool element_housing_stands(const element *own) {
+    return own->port[2] == NO_COORDINATE && own->port[3] == NO_COORDINATE;
+}
 
 /// The library's elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
 extern const element_type *const element_types[];

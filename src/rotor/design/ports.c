@@ -1,14 +1,27 @@
 // Where an element acts: the coordinates of its stations.
 #include "element.h"
 
-/// The coordinates of a place along some axes; of the ground, and along AXES, none.
+/// The coordinates of a place along some axes; of the ground, and along AXES, none. A station that does not move along
+/// x or y is held there, as the ground is.
 static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port) {
     for (size_t a = 0; a < count; a++) {
         port[a] = NO_COORDINATE;
         if (station == GROUND || axes[a] == AXES) continue;
         const whirl_status status = assembly_find(to, station, axes[a], &port[a]);
-        if (status.code != WHIRL_OK) return status;
+        const bool held = axes[a] == AXIS_X || axes[a] == AXIS_Y;
+        if (status.code != WHIRL_OK && !held) return status;
     }
+    return whirl_ok();
+}
+
+/// Refuses ports [2 count] of which none moves: the element would do nothing.
+static whirl_status check_moving(const assembly *to, size_t station, const axis *axes, size_t count,
+                                 const size_t *port) {
+    size_t none = NO_COORDINATE;
+    for (size_t p = 0; p < 2 * count; p++)
+        if (port[p] != NO_COORDINATE) return whirl_ok();
+    for (size_t a = 0; a < count; a++)
+        if (axes[a] != AXES) return assembly_find(to, station, axes[a], &none);
     return whirl_ok();
 }
 
@@ -24,8 +37,9 @@ whirl_status element_between(const key_value *between, const assembly *to, const
     const size_t one = between->station[0], other = between->station[1];
     if (one == other) return whirl_fail(WHIRL_BAD_INPUT, "between names one station twice, expected two");
     out->station = one == GROUND ? other : one;
-    const whirl_status status = find_place(to, one, axes, count, out->port);
-    return status.code == WHIRL_OK ? find_place(to, other, axes, count, out->port + count) : status;
+    whirl_status status = find_place(to, one, axes, count, out->port);
+    if (status.code == WHIRL_OK) status = find_place(to, other, axes, count, out->port + count);
+    return status.code == WHIRL_OK ? check_moving(to, out->station, axes, count, out->port) : status;
 }
 
 whirl_status element_beside_none(const key_value *between, const assembly *to) {

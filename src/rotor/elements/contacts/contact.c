@@ -276,8 +276,7 @@ static bool jumps(const element *own) {
 }
 
 static double contact_gap(const element *own) {
-    const bool stands = own->port[2] == NO_COORDINATE && own->port[3] == NO_COORDINATE;
-    return stands && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
+    return element_housing_stands(own) && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
 }
 
 /// The gap around the origin does not tell of contact.

@@ -160,6 +160,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK && out->law && values[LOAD].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");
     if (status.code == WHIRL_OK) status = find_turning(values, to, &turns);
+    // Its kernels and scales are of a journal that moves in the plane.
+    if (status.code == WHIRL_OK) status = assembly_find_plane(to, values[AT].station[0], out->port);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     const double clearance = values[CLEARANCE].number / to->length, square = clearance * clearance;

@@ -79,7 +79,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
 
 /// Around a place that does not move.
 static double bearing_clearance(const element *own) {
-    return own->port[KERNEL_AXES] == NO_COORDINATE ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
+    return element_housing_stands(own) ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
 }
 
 KERNELS_OF_EVERY_ISA(squeeze_kernels);

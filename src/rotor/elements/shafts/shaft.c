@@ -85,6 +85,9 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     whirl_status status = element_beside_none(&between, to);
     if (status.code == WHIRL_OK) status = element_between(&between, to, axes, 2, out);
+    // Its kernel turns, and takes both ends to move in the plane.
+    for (size_t end = 0; end < 2 && status.code == WHIRL_OK; end++)
+        if (station[end] != GROUND) status = assembly_find_plane(to, station[end], out->port + 2 * end);
     if (status.code != WHIRL_OK) return status;
     const double k1 = values[K1].number, k2 = values[K2].given ? values[K2].number : k1;
     const double mean = 0.5 * (k1 + k2), half = 0.5 * (k1 - k2);
