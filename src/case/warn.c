@@ -37,11 +37,8 @@ static void warn(warner *w, const char *path, const char *sentence) {
 
 /// Whether an element depends on what the study varies.
 static bool varies(const warner *w, const setting_list *element) {
-    for (size_t i = 0; i < element->count; i++)
-        for (size_t k = 0; k < w->given_count; k++)
-            if (element->items[i].value.expression &&
-                case_depends(w->content, element->items[i].value.expression, w->given[k].name))
-                return true;
+    for (size_t k = 0; k < w->given_count; k++)
+        if (case_list_depends(w->content, element, w->given[k].name)) return true;
     return false;
 }
 
@@ -56,12 +53,36 @@ static void take_doubt(void *context, size_t index, const char *key, const char 
     warn(w, path, text);
 }
 
+/// Warns of stations nearly without mass. Slow modes are what is left where films and springs balance: beside
+/// accelerations of such a station they are lost in rounding.
+static void warn_of_masses(warner *w, valuation *v) {
+    static const double least = 5e-9; // of the largest mass; measured on a ring in its films
+    const named_list *stations = &w->content->machine.stations;
+    double largest = 0.0;
+    for (size_t i = 0; i < stations->count; i++)
+        largest = fmax(largest, settings_number(v, &stations->items[i], "mass"));
+    for (size_t i = 0; i < stations->count; i++) {
+        const setting_list *station = &stations->items[i];
+        const double mass = settings_number(v, station, "mass");
+        char path[160], text[WHIRL_MESSAGE_SIZE];
+        if (!settings_find(station, "mass") || !(mass > 0.0) || mass >= least * largest) continue;
+        node_path(station->place, path, sizeof path);
+        snprintf(path + strlen(path), sizeof path - strlen(path), ".mass");
+        snprintf(text, sizeof text,
+                 "is %.3g of the largest mass of a station: rounding of its accelerations hides slow modes, expected "
+                 "%.0g of it or more, which changes them as little",
+                 mass / largest, least);
+        warn(w, path, text);
+    }
+}
+
 static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
     valuation v;
     w->given = given;
     w->given_count = count;
     whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
     if (status.code == WHIRL_OK) status = machine_doubts(&w->content->machine, &v, take_doubt, w);
+    if (status.code == WHIRL_OK) warn_of_masses(w, &v);
     valuation_close(&v);
     w->given = NULL;
     w->given_count = 0;

@@ -16,6 +16,7 @@ typedef struct search {
     mean_system *mean;
     double share;
     double *load;     ///< [count] f(start)
+    double *weight;   ///< [count] by which residuals count
     double *f;        ///< [count] at x
     double *step;     ///< [count]
     double *jacobian; ///< [count][count]
@@ -31,9 +32,12 @@ static double size_of(const double *numbers, size_t count) {
     return largest;
 }
 
-static double norm_of(const double *numbers, size_t count) {
+static double norm_of(const search *s, const double *numbers) {
     double sum = 0.0;
-    for (size_t i = 0; i < count; i++) sum += numbers[i] * numbers[i];
+    for (size_t i = 0; i < s->mean->count; i++) {
+        const double own = s->weight[i] * numbers[i];
+        sum += own * own;
+    }
     return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
 }
 
@@ -50,7 +54,7 @@ static double residual(search *s, double *x) {
     mean_slope(s->mean, x, s->f);
     leave_settled(s->mean, s->f);
     for (size_t i = 0; i < n; i++) s->f[i] -= (1.0 - s->share) * s->load[i];
-    return norm_of(s->f, n);
+    return norm_of(s, s->f);
 }
 
 /// Holds what is idle where it is: nothing says where it goes.
@@ -88,7 +92,7 @@ static bool is_rounding(search *s, const double *x) {
     static const double beside[][2] = {
         {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
     const size_t n = s->mean->count, d = s->mean->system->dimension;
-    const double scale = 1.0 + size_of(x, d), norm = norm_of(s->f, n);
+    const double scale = 1.0 + size_of(x, d), norm = norm_of(s, s->f);
     double noise = 0.0;
     memcpy(s->step, s->f, n * sizeof *s->step);
     for (size_t k = 0; k < sizeof beside / sizeof *beside; k++) {
@@ -100,6 +104,7 @@ static bool is_rounding(search *s, const double *x) {
             double change = s->f[i] - s->step[i];
             for (size_t c = 0; c < n; c++)
                 change -= s->jacobian[i * n + c] * (s->trial[s->mean->kept[c]] - x[s->mean->kept[c]]);
+            change *= s->weight[i];
             square += change * change;
         }
         noise = fmax(noise, sqrt(square));
@@ -146,6 +151,17 @@ static bool solve(search *s, double *x) {
     return false;
 }
 
+/// Weighs each residual by the largest entry of its row of the Jacobian at x: as displacements. Accelerations of a
+/// station that is nearly without mass are so large, and so is what rounding leaves of them, that nothing else counts.
+static void weigh_rows(search *s, const double *x) {
+    const size_t n = s->mean->count;
+    mean_jacobian(s->mean, x, s->jacobian);
+    for (size_t i = 0; i < n; i++) {
+        const double largest = size_of(s->jacobian + i * n, n);
+        s->weight[i] = largest > 0.0 && isfinite(largest) ? 1.0 / largest : 1.0;
+    }
+}
+
 /// The load in shares, each from where the one before came to rest.
 static bool bring_load_on(search *s, double *x, double *at) {
     const double least = 1.0 / 4096.0;
@@ -189,22 +205,32 @@ static void leave_centres(const mean_system *m, const double *load, double *x) {
 /// rest_find, and the share of the load that the place of rest was followed up to.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
-    double *block = calloc(3 * n + n * n + 2 * d + 1, sizeof *block);
+    double *block = calloc(4 * n + n * n + 3 * d + 1, sizeof *block);
     if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the equilibrium of %zu coordinates", d);
     search s = {.mean = m,
                 .load = block,
                 .f = block + n,
                 .step = block + 2 * n,
-                .jacobian = block + 3 * n,
-                .trial = block + 3 * n + n * n};
+                .weight = block + 3 * n,
+                .jacobian = block + 4 * n,
+                .trial = block + 4 * n + n * n};
+    double *at = s.trial + d, *start = at + d;
+    for (size_t i = 0; i < n; i++) s.weight[i] = 1.0;
     mean_slope(m, x, s.load);
     leave_centres(m, s.load, x);
     bool starts = mean_settle(m, x);
     mean_slope(m, x, s.load);
     leave_settled(m, s.load);
-    starts = starts && isfinite(norm_of(s.load, n));
-    const bool found = starts && bring_load_on(&s, x, s.trial + d);
+    starts = starts && isfinite(norm_of(&s, s.load));
+    memcpy(start, x, d * sizeof *x);
+    bool found = starts && bring_load_on(&s, x, at);
     *share = starts ? s.share : 0.0;
+    if (starts && !found) {
+        weigh_rows(&s, start);
+        found = bring_load_on(&s, start, at);
+        *share = fmax(*share, s.share);
+        if (found) memcpy(x, start, d * sizeof *x);
+    }
     free(block);
     if (found) return whirl_ok();
     if (!starts)

@@ -10,6 +10,7 @@
 
 #include "support_check.h"
 #include "support_flow.h"
+#include "whirl/engine/linear.h"
 #include "whirl/engine/rotor.h"
 
 /// A journal at 8000 rad/s, with 5 N or none, in a ring without weight: speeds and places by Brent's method on the
@@ -20,12 +21,12 @@ static const double clearance[2] = {20e-6, 45e-6}, radius[2] = {0.005, 0.008}, l
 
 enum { POSITIONS = 4, RING_STATE = 8, DIMENSION = 9 };
 
-static whirl_rotor *make_ring(double turning) {
+static whirl_rotor *make_light(double turning, double ring_mass, double gravity) {
     whirl_design *design;
     whirl_rotor *rotor;
     require_ok(whirl_design_new(turning, clearance[0], &design));
     require_ok(whirl_design_station(design, "journal", (whirl_setting[]){{"mass", mass[0], NULL}}, 1));
-    require_ok(whirl_design_station(design, "ring", (whirl_setting[]){{"mass", mass[1], NULL}}, 1));
+    require_ok(whirl_design_station(design, "ring", (whirl_setting[]){{"mass", ring_mass, NULL}}, 1));
     const whirl_setting ring[] = {{"at", 0.0, "journal"},
                                   {"ring", 0.0, "ring"},
                                   {"inertia", inertia, NULL},
@@ -38,9 +39,15 @@ static whirl_rotor *make_ring(double turning) {
                                   {"outer_length", length[1], NULL},
                                   {"outer_viscosity", viscosity[1], NULL}};
     require_ok(whirl_design_element(design, "floating_ring", ring, sizeof ring / sizeof *ring));
+    const whirl_setting weight[] = {{"acceleration", gravity, NULL}};
+    if (gravity > 0.0) require_ok(whirl_design_element(design, "gravity", weight, 1));
     require_ok(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
     return rotor;
+}
+
+static whirl_rotor *make_ring(double turning) {
+    return make_light(turning, mass[1], 0.0);
 }
 
 /// The ring's speed with both in the middle, and what its differences from that fade by in a radian.
@@ -87,6 +94,24 @@ static void rest(void **unused) {
     check_within("floating-ring", "eccentricity ratio of the ring", .063027655823096, hypot(x[2], x[3]) / outside,
                  3e-13);
     whirl_rotor_free(rotor);
+}
+
+/// The place of rest does not depend on the mass of a ring without weight, and is found for any of it: accelerations of
+/// the ring, and their rounding, are 1e12 times those of the journal for the lightest one.
+static void light_rings(void **unused) {
+    (void)unused;
+    static const double light[] = {1e-6, 1e-8, 1e-9, 1e-10, 1e-12};
+    for (size_t i = 0; i < sizeof light / sizeof *light; i++) {
+        whirl_rotor *rotor = make_light(speed, light[i], load / mass[0]);
+        double x[DIMENSION] = {0.0};
+        require_ok(whirl_equilibrium(whirl_rotor_system(rotor), x));
+        // The ring weighs 2e-6 of the load where it has 1 mg.
+        check_within("floating-ring", words("ring of %g kg: eccentricity ratio of the journal in it", light[i]),
+                     .020483188693214, hypot(x[0] - x[2], x[1] - x[3]), 1e-10 + 2.0 * light[i]);
+        check_within("floating-ring", words("ring of %g kg: eccentricity ratio of the ring", light[i]),
+                     .063027655823096, hypot(x[2], x[3]) * clearance[0] / clearance[1], 1e-10 + 2.0 * light[i]);
+        whirl_rotor_free(rotor);
+    }
 }
 
 static void spin(void **unused) {
@@ -139,6 +164,7 @@ static void derivatives(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rest), cmocka_unit_test(spin), cmocka_unit_test(derivatives)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(rest), cmocka_unit_test(light_rings), cmocka_unit_test(spin),
+                                       cmocka_unit_test(derivatives)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
