@@ -44,6 +44,31 @@ static whirl_status describe_ranges(const whirl_system *system, whirl_result *re
     return status;
 }
 
+/// "weight" is "9.80665 m/s2 across the shafts", or what there is in its place.
+static whirl_status describe_weight(const case_content *content, whirl_result *result) {
+    char text[4 * WHIRL_NAME_SIZE];
+    whirl_weight weight;
+    valuation v;
+    whirl_status status = valuation_open(&v, &content->parameters, NULL, 0);
+    if (status.code == WHIRL_OK) status = machine_weight(&content->machine, &v, &weight);
+    valuation_close(&v);
+    if (status.code != WHIRL_OK) return status;
+    if (!weight.given)
+        snprintf(text, sizeof text, "none: the machine has no gravity");
+    else if (weight.stands && weight.across > 0.0)
+        snprintf(text, sizeof text, "%.6g m/s2 along the shafts, which lean, and %.6g m/s2 across", weight.along,
+                 weight.across);
+    else if (weight.stands)
+        snprintf(text, sizeof text,
+                 "%.6g m/s2 along the shafts: the machine stands vertically, and weight loads no journal bearing",
+                 weight.along);
+    else if (weight.across > 0.0)
+        snprintf(text, sizeof text, "%.6g m/s2 across the shafts", weight.across);
+    else
+        snprintf(text, sizeof text, "none: gravity is 0");
+    return whirl_result_add_fact(result, "weight", text);
+}
+
 static whirl_status describe_rotor(const whirl_case *object, whirl_result *result) {
     whirl_rotor *rotor;
     const whirl_status status = whirl_case_rotor_outline(object, NULL, 0.0, &rotor);
@@ -294,6 +319,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     memcpy(result->case_text, object->text, object->length + 1);
     whirl_status status = describe_parameters(&object->content, result);
     if (status.code == WHIRL_OK) status = describe_rotor(object, result);
+    if (status.code == WHIRL_OK) status = describe_weight(&object->content, result);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_scales(&object->content, result, &result->tables[i]);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)

@@ -379,6 +379,14 @@ whirl_status machine_statics(const machine_parts *machine, valuation *v, const c
     return status;
 }
 
+whirl_status machine_weight(const machine_parts *machine, valuation *v, whirl_weight *out) {
+    whirl_design *design;
+    const whirl_status status = make_design(machine, v, 0.0, &design);
+    if (status.code == WHIRL_OK) *out = whirl_design_weight(design);
+    whirl_design_free(design);
+    return status;
+}
+
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context) {
     whirl_design *design;
     const whirl_status status = make_design(machine, v, 0.0, &design);

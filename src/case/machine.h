@@ -60,6 +60,9 @@ whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, 
 whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
                              whirl_station_statics *out, double *influence);
 
+/// How weight acts on it, as whirl_design_weight tells it.
+whirl_status machine_weight(const machine_parts *machine, valuation *v, whirl_weight *out);
+
 /// Tells of its doubts, as whirl_design_doubts does.
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context);
 

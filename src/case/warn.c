@@ -90,12 +90,30 @@ static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
 }
 
+/// Warns of statics of a machine that has no weight.
+static void warn_of_weight(warner *w, const whirl_batch *batch, const whirl_given *given, size_t count) {
+    char path[2 * WHIRL_NAME_SIZE];
+    whirl_weight weight = {.given = true};
+    valuation v;
+    if (w->status.code != WHIRL_OK || !whirl_analysis_has(batch->analyses, "statics")) return;
+    whirl_status status = valuation_open(&v, &w->content->parameters, given, count);
+    if (status.code == WHIRL_OK) status = machine_weight(&w->content->machine, &v, &weight);
+    valuation_close(&v);
+    if (status.code == WHIRL_NO_MEMORY) w->status = status;
+    snprintf(path, sizeof path, "study.%s", batch->name);
+    if (!weight.given)
+        warn(w, path,
+             "the machine has no gravity: no weight is taken, bearings carry nothing and shafts do not sag; expected "
+             "the element gravity");
+}
+
 /// A point of a batch, by its index among the values of its axes.
 static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
     whirl_given given[PLAN_MAX_GIVEN];
     char path[2 * WHIRL_NAME_SIZE], doubt[WHIRL_MESSAGE_SIZE];
     const size_t count = plan_given_at(batch, point, given);
     warn_of_machine(w, given, count);
+    warn_of_weight(w, batch, given, count);
     if (w->status.code != WHIRL_OK || !plan_moves(batch)) return;
     w->status = case_tell_fits(w->content, given, count, w->result, doubt);
     snprintf(path, sizeof path, "study.%s", batch->name);

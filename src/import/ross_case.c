@@ -338,7 +338,7 @@ static void put_film(FILE *out, const ross_rotor *rotor, const ross_bearing *bea
     static const char *const units[] = {"m", "m", "m", "Pa s"};
     char text[QUANTITY_SIZE];
     page_quantity(bearing->film->load, "N", text);
-    fprintf(out, "    # of a short film under %s, which motions may have itself, with gravity: {}\n", text);
+    fprintf(out, "    # of a short film under %s, which motions may have itself, with gravity\n", text);
     fprintf(out, "    # - film: {at: %s", ross_station_at(rotor, bearing->node)->name);
     if (bearing->link >= 0) fprintf(out, ", from: %s", ross_station_at(rotor, bearing->link)->name);
     fputs(", law: short", out);
@@ -360,6 +360,35 @@ static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *
 
 // ---------------------------------------------------------------- the whole
 
+/// Returns true where every shaft has two bearings at least with a stiffness along y, none of them a magnet: weight has
+/// a place of rest, and moves nothing that modes or responses depend on.
+static bool is_carried(const ross_rotor *rotor) {
+    for (size_t s = 0; s < rotor->shaft_count; s++) {
+        size_t bearings = 0;
+        for (size_t i = 0; i < rotor->bearing_count; i++) {
+            const ross_bearing *const own = &rotor->bearings[i];
+            const ross_station *const at = ross_station_at(rotor, own->node);
+            if (own->magnet) return false;
+            if (own->seal || !at->place || at->place->shaft != s) continue;
+            bool stiff = true;
+            for (size_t k = 0; k < (own->varies[KYY] ? table_size(own) : 1); k++)
+                stiff = stiff && own->values[KYY][k] > 0.0;
+            bearings += stiff;
+        }
+        if (bearings < 2) return false;
+    }
+    return true;
+}
+
+/// Weight as ROSS has it in static analyses: its shafts lie.
+static void put_gravity(FILE *out, const ross_rotor *rotor) {
+    if (is_carried(rotor))
+        fputs("    - gravity: 9.8065 m/s2    # that of ROSS, for statics: responses do not depend on it\n", out);
+    else
+        fputs("    # - gravity: 9.8065 m/s2    # that of ROSS, for statics of a rotor that rests on its bearings\n",
+              out);
+}
+
 static void put_rotor(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NAME_SIZE]) {
     char text[QUANTITY_SIZE];
     page_quantity(1e6 * length_scale(rotor), "um", text);
@@ -369,6 +398,7 @@ static void put_rotor(FILE *out, const ross_rotor *rotor, char (*names)[WHIRL_NA
     fputs("  stations:    # those of a shaft may have eccentricity: ROSS saves no unbalance\n", out);
     for (size_t i = 0; i < rotor->station_count; i++) put_station(out, rotor, &rotor->stations[i]);
     fputs("  elements:    # plain numbers are in SI: rad/s, N/m, N s/m, kg\n", out);
+    put_gravity(out, rotor);
     for (size_t i = 0; i < rotor->piece_count; i++) {
         const ross_piece *const piece = &rotor->pieces[i];
         put_piece(out, rotor, piece, i > 0 && piece[-1].node == piece->node, names[piece->material]);

@@ -189,9 +189,11 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "integrated", methods, stream) && well;
 }
 
-/// Where sections are not those of the shaft.
-static bool dump_keyphasor(const whirl_result *result, FILE *stream) {
+/// How weight acts on the machine; where sections are not those of the shaft.
+static bool dump_machine(const whirl_result *result, FILE *stream) {
     const char *keyphasor = whirl_result_keyphasor(result);
+    const char *weight = whirl_result_fact(result, "weight");
+    if (*weight && !dump_member(",\n", "weight", document_text(weight), stream)) return false;
     return !*keyphasor || (dump_member(",\n", "keyphasor", document_text(keyphasor), stream) &&
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
 }
@@ -284,7 +286,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
     return dump_member("{", "whirl", document_text(version_of(result)), stream) &&
            dump_member(",\n", "title", document_text(result->title), stream) &&
            dump_member(",\n", "case", document_text(result->case_name), stream) &&
-           dump_member(",\n", "speed", document_number(result->speed), stream) && dump_keyphasor(result, stream) &&
+           dump_member(",\n", "speed", document_number(result->speed), stream) && dump_machine(result, stream) &&
            dump_film_tables(result, stream) &&
            dump_member(",\n", "length_scale", document_number(result->length_scale), stream) &&
            dump_member(",\n", "amplitudes", document_text("0-p"), stream) && // as analyses have them
@@ -297,11 +299,11 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
-    static const char *const taken[] = {"whirl",       "title",      "case",       "speed",          "length_scale",
-                                        "force_scale", "partial",    "table",      "points",         "parameters",
-                                        "jumps",       "integrated", "keyphasor",  "keyphasor_rate", "attractors",
-                                        "refined",     "warnings",   "margins",    "beyond",         "held",
-                                        "unfound",     "fits",       "amplitudes", "asked",          "film_tables"};
+    static const char *const taken[] = {
+        "whirl",      "title",      "case",       "speed",       "length_scale", "force_scale", "partial",
+        "table",      "points",     "parameters", "jumps",       "integrated",   "keyphasor",   "keyphasor_rate",
+        "attractors", "refined",    "warnings",   "margins",     "beyond",       "held",        "unfound",
+        "fits",       "amplitudes", "asked",      "film_tables", "weight"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

@@ -60,6 +60,7 @@ static whirl_status lay(double length, size_t count, const double *places, const
         const whirl_setting spring[] = {word("at", names[i]), number("kxx", 1e8)};
         if (bearing[i]) assert_int_equal(whirl_design_element(design, "bearing", spring, 2).code, WHIRL_OK);
     }
+    assert_int_equal(whirl_design_element(design, "gravity", NULL, 0).code, WHIRL_OK);
     const whirl_status status = whirl_design_statics(design, couplings, out, influence);
     whirl_design_free(design);
     return status;
@@ -133,6 +134,40 @@ static void aligned_rotors(void **unused) {
             check_relative("B14", words("two rotors: load of bearing %zu, N", i), loads[i], at[i].load, 1e-7);
 }
 
+/// A sleeve on a shaft: the moment and the masses are those of both, and so is the load.
+static void two_layers(void **unused) {
+    static const double L = 2.0, sleeve = 0.4;
+    whirl_design *design;
+    whirl_station_statics at[3];
+    double influence[9];
+    (void)unused;
+    assert_int_equal(whirl_design_new(100.0, 1e-3, &design).code, WHIRL_OK);
+    const whirl_setting steel[] = {number("modulus", modulus), number("poisson", 0.3), number("density", density)};
+    const whirl_setting shaft[] = {word("shear", "none"), word("material", "steel")};
+    assert_int_equal(whirl_design_material(design, "steel", steel, 3).code, WHIRL_OK);
+    assert_int_equal(whirl_design_shaft(design, "shaft", shaft, 2).code, WHIRL_OK);
+    for (size_t i = 0; i < 3; i++) {
+        const whirl_setting place = number("position", 0.5 * L * (double)i);
+        assert_int_equal(whirl_design_station(design, (const char *[]){"a", "b", "c"}[i], &place, 1).code, WHIRL_OK);
+    }
+    const whirl_setting inner[] = {number("length", L), number("outer", diameter)};
+    const whirl_setting outer[] = {number("length", L), number("start", 0.0), number("outer", sleeve),
+                                   number("inner", diameter)};
+    assert_int_equal(whirl_design_element(design, "segment", inner, 2).code, WHIRL_OK);
+    assert_int_equal(whirl_design_element(design, "segment", outer, 4).code, WHIRL_OK);
+    for (size_t i = 0; i < 3; i += 2) {
+        const whirl_setting spring[] = {word("at", i == 0 ? "a" : "c"), number("kxx", 1e8)};
+        assert_int_equal(whirl_design_element(design, "bearing", spring, 2).code, WHIRL_OK);
+    }
+    assert_int_equal(whirl_design_element(design, "gravity", NULL, 0).code, WHIRL_OK);
+    assert_int_equal(whirl_design_statics(design, "", at, influence).code, WHIRL_OK);
+    whirl_design_free(design);
+    const double line = density * pi * sleeve * sleeve / 4.0;
+    check_relative("B14", "two layers: load of a bearing, N", 0.5 * line * g * L, at[0].load, 1e-9);
+    check_relative("B14", "two layers: moment in the middle, N m", line * g * L * L / 8.0, at[1].moment, 1e-9);
+    check_relative("B14", "two layers: mass left of the middle, kg", 0.5 * line * L, at[1].mass[0], 1e-9);
+}
+
 static void what_is_refused(void **unused) {
     static const double places[] = {0.0, 1.0, 2.0};
     static const bool two[] = {true, false, true}, one[] = {true, false, false};
@@ -152,10 +187,8 @@ static void what_is_refused(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(beam_with_overhang),
-        cmocka_unit_test(three_bearings),
-        cmocka_unit_test(aligned_rotors),
-        cmocka_unit_test(what_is_refused),
+        cmocka_unit_test(beam_with_overhang), cmocka_unit_test(three_bearings),  cmocka_unit_test(aligned_rotors),
+        cmocka_unit_test(two_layers),         cmocka_unit_test(what_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,10 +129,23 @@ void whirl_design_in_time(whirl_design *design);
 /// and elements `unbalance`, and skew. Borrowed until the rotor is built. 0: the rotor has its own.
 void whirl_design_unbalances(whirl_design *design, size_t count, const whirl_placed *placed);
 
+/// How weight acts on a machine: the sum of its elements `gravity`.
+typedef struct whirl_weight {
+    bool given;    ///< it has such an element
+    bool stands;   ///< one acts along the shafts
+    double across; ///< m/s2 across the shafts; 0: bearings carry nothing
+    double up;     ///< how far up the y axis points; 1 where nothing acts across
+    double along;  ///< m/s2 along shafts that stand, the largest
+} whirl_weight;
+
+/// Finds it.
+whirl_weight whirl_design_weight(const whirl_design *design);
+
 /// What the weight does to the shafts of finite elements, each on its own bearings (bearing, film, ball_bearing,
 /// roller_bearing), which hold it without giving way: out [stations of the design], and influence [stations][stations]
 /// as whirl_machine has it. Masses of stations and discs weigh, fluid does not; shafts with flats bend by their mean
-/// stiffness. Of gravity the acceleration counts, where the design has any, else 9.80665 m/s2. couplings: names of
+/// stiffness. Of gravity the acceleration across the shafts counts; without any, loads are those of elevations alone,
+/// and masses those of shafts that lie. couplings: names of
 /// stations, separated by blanks: the bearings behind the first two of a shaft are raised until it carries neither
 /// moment nor shear there (the mean of both sides), by the least elevations that do so. WHIRL_BAD_INPUT where there is
 /// no such shaft, one has fewer than two bearings or shares one with another shaft, a name is no station of a shaft, or

@@ -241,10 +241,14 @@ typedef struct whirl_station_statics {
     double moment;     ///< N m, bending moment, > 0 where the shaft sags
     double shear[2];   ///< N, all forces on the shaft to the left of it, this end and the other end of its own
     double load;       ///< N, of the bearings here, that carry the shaft
-    double carried;    ///< kg, that load over the acceleration of gravity, also where the machine has none
-    double bearings;   ///< how many there are here
-    double mass[2];    ///< kg of the shaft and what it carries to the left and to the right, without its own
-    double elevation;  ///< m, of the bearings here, with which couplings carry neither moment nor shear; 0 without them
+    double carried;   ///< kg, that load over the acceleration of gravity; where the machine has none across its shafts,
+                      ///< what the bearings would carry, did the shaft lie
+    double bearings;  ///< how many there are here
+    double mass[2];   ///< kg of the shaft and what it carries to the left and to the right, without its own
+    double elevation; ///< m, of the bearings here, with which couplings carry neither moment nor shear; 0 without them
+    double axial[2];  ///< N, in the shaft to the left and to the right, > 0 where it is pulled; 0 beyond its ends
+    double thrust;    ///< N, of what holds a shaft that stands here along its axis; NaN where nothing does
+    double thrust_mass; ///< kg, of that shaft with all that is on it
 } whirl_station_statics;
 
 /// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.

@@ -12,6 +12,9 @@ enum {
     SHEAR,
     MASS,
     ELEVATION,
+    AXIAL_FORCE,
+    THRUST,
+    THRUST_MASS,
     INFLUENCE,
     ECCENTRICITY,
     ATTITUDE,
@@ -40,6 +43,14 @@ static const field_plan fields[FIELD_COUNT] = {
               WHIRL_PER_STATION, 2, NULL},
     [ELEVATION] = {WHIRL_FIELD_STATICS_ELEVATION, "length",
                    "of the bearings here, for no moment and no shear at the couplings", WHIRL_PER_STATION, 1, NULL},
+    [AXIAL_FORCE] = {WHIRL_FIELD_STATICS_AXIAL_FORCE, "N",
+                     "left, right (of the station, in the shaft: above 0 where it is pulled)", WHIRL_PER_STATION, 2,
+                     NULL},
+    [THRUST] = {WHIRL_FIELD_STATICS_THRUST, "N",
+                "of what holds a shaft that stands here along its axis, upwards on it (missing where nothing does)",
+                WHIRL_PER_STATION, 1, NULL},
+    [THRUST_MASS] = {WHIRL_FIELD_STATICS_THRUST_MASS, "kg", "of that shaft with all that is on it", WHIRL_PER_STATION,
+                     1, NULL},
     [INFLUENCE] = {WHIRL_FIELD_STATICS_INFLUENCE, "N/m",
                    "load of the bearings here by raising those at each station (0: there are none)", WHIRL_PER_STATION,
                    1, every_station},
@@ -104,8 +115,8 @@ static void fill_film(const whirl_system *system, const double *x, size_t which,
         if (gap.pads > 0) *view_numbers(view, UNLOADED, which) = unloaded;
     }
     *view_numbers(view, SEAL, which) = isnan(force[0]) ? 1.0 : 0.0;
-    // The load is what the film pushes against.
-    if (hypot(force[0], force[1]) * radius > 0.0)
+    // The load is what the film pushes against; of a journal in the middle but for rounding it has no direction.
+    if (hypot(force[0], force[1]) > 0.0 && radius > 1e-9 * probe->clearance)
         *view_numbers(view, ATTITUDE, which) =
             whirl_probe_way(probe) * atan2(across, along) * (180.0 / 3.14159265358979323846);
 }
@@ -159,6 +170,9 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
         *view_numbers(view, SLOPE, p) = at->slope;
         *view_numbers(view, MOMENT, p) = at->moment;
         *view_numbers(view, ELEVATION, p) = at->elevation / machine.length;
+        *view_numbers(view, THRUST, p) = at->thrust;
+        *view_numbers(view, THRUST_MASS, p) = at->thrust_mass;
+        for (size_t i = 0; i < 2; i++) view_numbers(view, AXIAL_FORCE, p)[i] = at->axial[i];
         for (size_t i = 0; i < 2; i++) view_numbers(view, SHEAR, p)[i] = at->shear[i];
         for (size_t i = 0; i < 2; i++) view_numbers(view, MASS, p)[i] = at->mass[i];
         memcpy(view_numbers(view, INFLUENCE, p), machine.influence + p * probes, probes * sizeof *machine.influence);

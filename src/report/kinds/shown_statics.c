@@ -48,6 +48,38 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
+/// Axial forces of shafts that stand, and what holds these.
+static void find_axial(const finder *of, const size_t *ends, size_t count) {
+    bool stands = false;
+    for (const size_t *point = ends; point < ends + count; point++)
+        for (size_t station = 0; station < of->result->station_count; station++)
+            stands = stands || isfinite(number(of, *point, WHIRL_FIELD_STATICS_THRUST, station));
+    if (!stands) return;
+    whirl_sheet *sheet = find_sheet(of, "axial", "Axial forces of shafts that stand");
+    sheet->about =
+        "What the thrust bearing holds, and the force in the shaft to both sides of a station, above 0 where "
+        "it pulls: weight and axial forces of segments.";
+    sheet_values(of, sheet, "", 6);
+    sheet_texts(of, sheet, "station", "station");
+    sheet_column(of, sheet, "thrust_mass", "mass held", WHIRL_QUANTITY_MASS, 6);
+    sheet_column(of, sheet, "thrust", "load held", WHIRL_QUANTITY_FORCE, 6);
+    sheet_column(of, sheet, "axial_left", "axial force to the left", WHIRL_QUANTITY_FORCE, 6);
+    sheet_column(of, sheet, "axial_right", "axial force to the right", WHIRL_QUANTITY_FORCE, 6);
+    for (const size_t *point = ends; point < ends + count; point++)
+        for (size_t station = 0; station < of->result->station_count; station++) {
+            const double *axial = whirl_table_field(of->table, *point, WHIRL_FIELD_STATICS_AXIAL_FORCE, station);
+            if (!axial || isnan(*axial)) continue;
+            sheet_row(of, sheet);
+            cell_value(of, sheet, *point);
+            cell_text(of, sheet, station_name(of, station));
+            cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_THRUST_MASS, station));
+            cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_THRUST, station));
+            cell_number(of, sheet, axial[0]);
+            cell_number(of, sheet, axial[1]);
+        }
+    find_sheet_end(of);
+}
+
 /// Numbers of pads without a film, "2, 3", from their digits.
 static const char *pads_of(const finder *of, double unloaded) {
     char digits[32] = "", list[96] = "";
@@ -111,10 +143,13 @@ static void find_coefficients(const finder *of) {
 static void find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
+    const char *const weight = whirl_result_fact(of->result, "weight");
+    if (*weight) phrase_text(of, &find_statement(of, "weight")->found, "%s", weight);
     if (*of->table->record.coupling)
         phrase_text(of, &find_statement(of, "alignment")->found, "raised for no moment and no shear at %s",
                     of->table->record.coupling);
     find_weight(of, ends, count);
+    find_axial(of, ends, count);
     find_films(of, ends, count);
     find_coefficients(of);
 }

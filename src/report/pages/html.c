@@ -58,3 +58,11 @@ void html_number(FILE *stream, double value) {
     else
         fputs("<td></td>", stream);
 }
+
+void html_weight(FILE *stream, const whirl_result *result) {
+    const char *const weight = whirl_result_fact(result, "weight");
+    if (!*weight) return;
+    fputs("<p>Weight: ", stream);
+    html_text(stream, weight);
+    fputs(".</p>\n", stream);
+}

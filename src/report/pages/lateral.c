@@ -281,6 +281,7 @@ static void write_machine(const page *to) {
         }
         page_ranges(to, r);
         page_machine(to, r);
+        html_weight(to->stream, result);
         whirl_model model = {0};
         const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
         write_shafts(to, machine, &model);

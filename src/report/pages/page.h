@@ -126,4 +126,7 @@ void html_table(FILE *stream, const char *label, const char *class);
 /// A cell of a table with a number of six digits; an empty one where it is not finite.
 void html_number(FILE *stream, double value);
 
+/// Writes a paragraph on how weight acts on a machine, where the result knows it.
+void html_weight(FILE *stream, const whirl_result *result);
+
 #endif

@@ -228,6 +228,8 @@ void page_computed(const page *to, size_t index) {
     const whirl_unit length = whirl_result_length_unit(result);
     snprintf(text, sizeof text, "%.6g %s", result->length_scale / length.size, length.name);
     write_row(to->stream, "Length scale", text);
+    const char *const weight = whirl_result_fact(result, "weight");
+    if (*weight) write_row(to->stream, "Weight", weight);
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {
         const size_t used = strlen(text);

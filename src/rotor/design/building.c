@@ -207,6 +207,10 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     whirl_status status = begin(b, design);
     if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
     if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
+    size_t culprit = WHIRL_NO_ELEMENT;
+    if (status.code == WHIRL_OK) status = thrust_build(b, &culprit);
+    if (status.code != WHIRL_OK) status = with_element(b, culprit, status);
+    if (b->problems > 0) return status;
     if (status.code == WHIRL_OK) mesh_inertia(&b->mesh, &b->assembly);
     if (status.code == WHIRL_OK) status = assembly_number(&b->assembly, order);
     b->assembly.balanced = design->placed_count > 0;

@@ -5,6 +5,13 @@
 #include "design.h"
 #include "mesh.h"
 
+/// What holds a shaft of a machine that stands along its axis.
+typedef struct shaft_thrust {
+    bool held;         ///< false: nothing, the shaft lies
+    size_t station;    ///< of the design
+    double mass, load; ///< kg and N, of the shaft and all that is on it
+} shaft_thrust;
+
 /// A design on its way to a rotor.
 typedef struct building {
     const whirl_design *design;
@@ -16,6 +23,7 @@ typedef struct building {
     whirl_rotor_tell *tell; ///< NULL: the first problem ends the building
     void *context;
     size_t problems;
+    shaft_thrust thrust[WHIRL_MAX_SHAFTS];
     reduction reductions[WHIRL_MAX_SHAFTS];
     between_term *between; ///< [between_count]
     size_t between_count;
@@ -32,6 +40,10 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
 whirl_status building_finish(building *b);
 
 void building_end(building *b);
+
+/// Adds the weight of shafts that stand to the axial forces of their pieces; called when stations have the masses of
+/// stations and discs alone. WHIRL_BAD_INPUT with *culprit, the design's element gravity, where nothing holds a shaft.
+whirl_status thrust_build(building *b, size_t *culprit);
 
 /// The value of a key of an element; NULL where it has no such key.
 const key_value *building_value(const design_element *own, const char *key);

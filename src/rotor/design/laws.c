@@ -7,6 +7,7 @@
 
 #include "design.h"
 #include "numerics.h"
+#include "registry.h"
 #include "shafts.h"
 #include "table.h"
 
@@ -101,6 +102,8 @@ void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, vo
         const design_element *own = &design->elements[i];
         const doubt_teller to = {tell, context, i};
         if (own->type->doubt) own->type->doubt(own->values, fabs(speed_at(design, own)), &to);
+        if (own->type == &gravity_element && own->values[GRAVITY_HELD_AT].given && design->shaft_count == 0)
+            doubt_value(&to, "held_at", "has no effect without a shaft of finite elements (segment)");
     }
 }
 

@@ -253,7 +253,7 @@ static shaft_piece piece_between(const span *own, const shaft_settings *shaft, d
                          .of = own->of,
                          .shear = shaft->shear,
                          .rotary = shaft->rotary,
-                         .axial = values[SEGMENT_AXIAL_FORCE].number};
+                         .axial = {values[SEGMENT_AXIAL_FORCE].number, values[SEGMENT_AXIAL_FORCE].number}};
     for (int end = 0; end < 2; end++) {
         const double at = ((end == 0 ? from : to) - own->from) / whole;
         const double outer = values[SEGMENT_OUTER].number, inner = values[SEGMENT_INNER].number;

@@ -23,15 +23,15 @@ typedef struct material {
     double modulus, shear_modulus, density;
 } material;
 
-/// m; N, positive where it pulls.
+/// m; N.
 typedef struct shaft_piece {
     double length;
     double outer[2], inner[2]; ///< diameters at its ends
     double flats;              ///< distance of two flats across the shaft; 0: it is round
     material of;
     shear_law shear;
-    bool rotary; ///< with rotary inertia
-    double axial;
+    bool rotary;     ///< with rotary inertia
+    double axial[2]; ///< axial force at its ends, positive where it pulls; linear between them
 } shaft_piece;
 
 /// By displacement and slope of the left end, then of the right one.
@@ -97,6 +97,10 @@ enum {
     SEGMENT_STIFFNESS_DAMPING,
     SEGMENT_KEYS
 };
+
+/// Keys of the element `gravity`, and the words of its `axis`.
+enum { GRAVITY_ACCELERATION, GRAVITY_DIRECTION, GRAVITY_AXIS, GRAVITY_HELD_AT, GRAVITY_TOP, GRAVITY_KEYS };
+enum { GRAVITY_HORIZONTAL, GRAVITY_VERTICAL };
 
 extern const whirl_group material_group, shaft_group;
 

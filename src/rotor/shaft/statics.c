@@ -8,7 +8,7 @@
 #include "mesh.h"
 #include "words.h"
 
-/// m/s2. All is solved with it, and scaled to that of the design, which may have none.
+/// m/s2. The effect of weight is solved with it and scaled to that of the design.
 static const double standard_gravity = 9.80665;
 
 /// A shaft in the plane of its weight: displacement upwards and slope of each node, node by node along it.
@@ -17,9 +17,10 @@ typedef struct beam {
     size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
     size_t first;                            ///< of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
-    double gravity, up;                      ///< m/s2; how far up y points, 1 where gravity pulls against it
-    double *matrix;                          ///< [unknowns][unknowns]
-    double *all; ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
+    double solved;      ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
+    double *matrix;     ///< [unknowns][unknowns]
+    double *all;        ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
 } beam;
 
 static whirl_status no_memory(void) {
@@ -50,8 +51,8 @@ static void piece_stiffness(const mesh_piece *own, matrix4 *stiffness, double we
 
 static bool solve(const beam *of) {
     for (size_t n = 0; n < of->nodes; n++) {
-        of->all[2 * n] = -standard_gravity * station_of(of, n)->mass;
-        of->all[2 * n + 1] = -standard_gravity * station_of(of, n)->pull_moment;
+        of->all[2 * n] = -of->solved * station_of(of, n)->mass;
+        of->all[2 * n + 1] = -of->solved * station_of(of, n)->pull_moment;
     }
     for (size_t s = 0; s < of->supports; s++) of->all[(1 + s) * of->unknowns + 2 * of->nodes + s] = 1.0;
     held_fill(&(held_shaft){&of->b->mesh, of->shaft, of->first, of->nodes, of->supports, of->support}, true,
@@ -61,29 +62,28 @@ static bool solve(const beam *of) {
 
 // ---------------------------------------------------------------- within the shaft
 
-/// Bending moment and shear beside a node, from the end forces of the piece on that side (which: 0 left, 1 right), by
+/// Bending moment and shear beside a node, from the end forces of the pieces on that side (which: 0 left, 1 right), by
 /// the weight or (`by` > 0) by raising a support. 0 at an end of the shaft.
 static void cut(const beam *of, size_t node, size_t which, size_t by, double *moment, double *shear) {
     const mesh *from = &of->b->mesh;
     const double *at = of->all + by * of->unknowns;
-    *moment = *shear = 0.0;
+    double force[2] = {0.0, 0.0};
     for (size_t p = 0; p < from->piece_count; p++) {
         const mesh_piece *own = &from->pieces[p];
         matrix4 stiffness;
-        double weight[4], force[2] = {0.0, 0.0};
+        double weight[4];
         if (own->node[1 - which] != of->first + node) continue;
         piece_stiffness(own, &stiffness, weight);
         for (size_t i = 0; i < 2; i++) {
             const size_t row = 2 * (1 - which) + i;
             for (size_t j = 0; j < 4; j++)
                 force[i] += stiffness.at[row][j] * at[2 * (own->node[j / 2] - of->first) + j % 2];
-            if (by == 0) force[i] += standard_gravity * weight[row];
+            if (by == 0) force[i] += of->solved * weight[row];
         }
-        // The end at the node: the right one of the piece to the left.
-        *shear = which == 0 ? -force[0] : force[0];
-        *moment = which == 0 ? force[1] : -force[1];
-        return;
     }
+    // The end at the node: the right one of the pieces to the left.
+    *shear = which == 0 ? -force[0] : force[0];
+    *moment = which == 0 ? force[1] : -force[1];
 }
 
 /// Moment and mean shear at a coupling.
@@ -187,68 +187,121 @@ static double weight_of(const beam *of) {
     return standard_gravity * mass;
 }
 
-static void fill_station(const beam *of, size_t node, whirl_station_statics *out) {
-    const double scale = of->gravity / standard_gravity, weight = weight_of(of);
-    const double length = node_of(of, of->nodes - 1)->z - node_of(of, 0)->z;
-    double moment[2], shear[2], carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
-    for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment[which], &shear[which]);
+/// What is solved times this is the machine's.
+static double scale_of(const beam *of) {
+    return of->solved > 0.0 ? of->gravity / of->solved : 1.0;
+}
+
+/// Axial force in the shaft beside a node, 0 at an end of it.
+static double axial_beside(const beam *of, size_t node, size_t which) {
+    const mesh *from = &of->b->mesh;
+    double force = 0.0;
+    for (size_t p = 0; p < from->piece_count; p++)
+        if (from->pieces[p].node[1 - which] == of->first + node) force += from->pieces[p].piece.axial[1 - which];
+    return force;
+}
+
+/// Masses to both sides of a node.
+static void fill_masses_beside(const beam *of, size_t node, whirl_station_statics *out) {
+    const double weight = weight_of(of);
+    double moment, shear[2], carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
+    for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment, &shear[which]);
     for (size_t s = 0; s < of->supports; s++)
         if (of->support[s] != node) carried[of->support[s] > node] += of->all[2 * of->nodes + s];
-    const bool end = node == 0 || node + 1 == of->nodes; // free
-    out->deflection = scale * of->all[2 * node];
-    out->slope = scale * of->all[2 * node + 1];
-    out->moment = end ? 0.0 : scale * rounded(moment[0], weight * length);
-    for (size_t which = 0; which < 2; which++) out->shear[which] = scale * rounded(shear[which], weight);
     out->mass[0] = rounded(carried[0] - shear[0], weight) / standard_gravity;
     out->mass[1] = rounded(carried[1] + shear[1], weight) / standard_gravity;
 }
 
+static void fill_masses(const beam *of, whirl_station_statics *out) {
+    for (size_t n = 0; n < of->nodes; n++)
+        if (!station_of(of, n)->hidden) fill_masses_beside(of, n, &out[node_of(of, n)->station]);
+    for (size_t s = 0; s < of->supports; s++)
+        out[node_of(of, of->support[s])->station].carried =
+            rounded(of->all[2 * of->nodes + s], weight_of(of)) / standard_gravity;
+}
+
+static void fill_station(const beam *of, size_t node, whirl_station_statics *out) {
+    const double scale = scale_of(of), weight = weight_of(of);
+    const double length = node_of(of, of->nodes - 1)->z - node_of(of, 0)->z;
+    double moment[2], shear[2];
+    for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment[which], &shear[which]);
+    const bool end = node == 0 || node + 1 == of->nodes; // free
+    out->deflection = scale * of->all[2 * node];
+    out->slope = scale * of->all[2 * node + 1];
+    out->moment = end ? 0.0 : scale * rounded(moment[0], weight * length);
+    for (size_t which = 0; which < 2; which++) {
+        out->shear[which] = scale * rounded(shear[which], weight);
+        out->axial[which] = axial_beside(of, node, which);
+    }
+}
+
 static void fill_stations(const beam *of, const double *elevation, whirl_station_statics *out, double *influence) {
     const size_t stations = of->b->design->station_count;
+    const shaft_thrust *thrust = &of->b->thrust[of->shaft];
     for (size_t n = 0; n < of->nodes; n++)
         if (!station_of(of, n)->hidden) fill_station(of, n, &out[node_of(of, n)->station]);
     for (size_t s = 0; s < of->supports; s++) {
         const size_t at = node_of(of, of->support[s])->station;
-        out[at].carried = rounded(of->all[2 * of->nodes + s], weight_of(of)) / standard_gravity;
-        out[at].load = of->gravity * out[at].carried;
-        out[at].elevation = out[at].deflection = of->gravity / standard_gravity * elevation[s]; // without rounding
+        out[at].load = scale_of(of) * rounded(of->all[2 * of->nodes + s], weight_of(of));
+        out[at].elevation = out[at].deflection = scale_of(of) * elevation[s]; // without rounding
         out[at].bearings = (double)count_bearings(of, at, &(bool){false}, &(double){0.0});
         for (size_t k = 0; k < of->supports; k++)
             influence[at * stations + node_of(of, of->support[k])->station] =
                 of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
     }
+    if (!thrust->held) return;
+    out[thrust->station].thrust = thrust->load;
+    out[thrust->station].thrust_mass = thrust->mass;
 }
 
-/// Raises bearings by the elevations that they have, in the scale of what the standard weight does.
-static whirl_status raise_given(const beam *of, double *elevation) {
-    bool any = false;
+/// Raises bearings by the elevations that they have, in the scale of what is solved.
+static void raise_given(const beam *of, double *elevation) {
     for (size_t s = 0; s < of->supports; s++) {
         double own = 0.0;
         count_bearings(of, node_of(of, of->support[s])->station, &(bool){false}, &own);
-        elevation[s] = own != 0.0 ? own * of->up * standard_gravity / of->gravity : 0.0;
-        any = any || own != 0.0;
+        elevation[s] = own != 0.0 ? own * of->up / scale_of(of) : 0.0;
     }
-    if (any && of->gravity == 0.0)
-        return whirl_fail(WHIRL_BAD_INPUT,
-                          "bearings have an elevation, and gravity is 0, expected weight for its loads");
     raise_supports(of, elevation);
-    return whirl_ok();
+}
+
+/// Raises the bearings behind the first two of the shaft for its couplings; elevation [2][supports]: of all bearings,
+/// and room for these.
+static whirl_status raise_aligned(const beam *of, const char *couplings, double *elevation) {
+    size_t node[MOST_COUPLINGS];
+    const size_t count = find_couplings(of, couplings, node);
+    double *further = elevation + of->supports;
+    const whirl_status status = count > 0 ? align(of, count, node, further) : whirl_ok();
+    if (status.code != WHIRL_OK) return status;
+    raise_supports(of, further);
+    for (size_t s = 0; s < of->supports; s++) elevation[s] += further[s];
+    return status;
+}
+
+/// Takes the weight out of what is solved: bearings carry what their elevations alone bring.
+static void take_weight(beam *of, double *elevation) {
+    of->solved = 0.0;
+    memset(of->all, 0, of->unknowns * sizeof *of->all);
+    memset(elevation, 0, 2 * of->supports * sizeof *elevation);
 }
 
 static whirl_status fill_shaft(beam *of, const char *couplings, double *elevation, whirl_station_statics *out,
                                double *influence) {
-    size_t node[MOST_COUPLINGS];
+    const bool weightless = of->gravity == 0.0;
+    of->solved = standard_gravity;
     if (!solve(of))
         return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' does not rest on its bearings",
                           of->b->design->shafts[of->shaft].name);
-    const size_t count = find_couplings(of, couplings, node);
-    double *further = elevation + of->supports;
-    whirl_status status = raise_given(of, elevation);
-    if (status.code == WHIRL_OK && count > 0) status = align(of, count, node, further);
+    if (!weightless) raise_given(of, elevation);
+    whirl_status status = raise_aligned(of, couplings, elevation);
     if (status.code != WHIRL_OK) return status;
-    raise_supports(of, further);
-    for (size_t s = 0; s < of->supports; s++) elevation[s] += further[s];
-    fill_stations(of, elevation, out, influence);
+    // Masses are those that bearings would carry, did the shaft lie.
+    fill_masses(of, out);
+    if (weightless) {
+        take_weight(of, elevation);
+        raise_given(of, elevation);
+        status = raise_aligned(of, couplings, elevation);
+    }
+    if (status.code == WHIRL_OK) fill_stations(of, elevation, out, influence);
     return status;
 }
 
@@ -265,23 +318,6 @@ static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_st
 }
 
 // ---------------------------------------------------------------- all shafts
-
-/// The acceleration of gravity that the design has, of all that act together, and how far up y points.
-static double gravity_of(const whirl_design *design, double *up) {
-    double x = 0.0, y = 0.0;
-    bool any = false;
-    for (size_t i = 0; i < design->element_count; i++) {
-        const design_element *own = &design->elements[i];
-        if (strcmp(own->type->group.name, "gravity") != 0) continue;
-        const double size = building_value(own, "acceleration")->number;
-        const double direction = building_value(own, "direction")->number;
-        x += size * cos(direction);
-        y += size * sin(direction);
-        any = true;
-    }
-    *up = any && hypot(x, y) > 0.0 ? -y / hypot(x, y) : 1.0;
-    return any ? hypot(x, y) : standard_gravity;
-}
 
 static whirl_status find_supports(const beam *of, size_t *support, size_t *count) {
     const char *name = of->b->design->shafts[of->shaft].name;
@@ -303,13 +339,15 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
 
 static whirl_status fill(const building *b, const char *couplings, size_t *support, whirl_station_statics *out,
                          double *influence) {
+    const whirl_weight weight = whirl_design_weight(b->design);
     whirl_status status = whirl_ok();
     if (b->mesh.shaft_count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "there is no shaft of finite elements (segment), whose weight is asked for");
     for (size_t shaft = 0; shaft < b->mesh.shaft_count && status.code == WHIRL_OK; shaft++) {
         const held_shaft own = held_find(&b->mesh, shaft);
         beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};
-        of.gravity = gravity_of(b->design, &of.up);
+        of.gravity = weight.across;
+        of.up = weight.up;
         status = find_supports(&of, support, &of.supports);
         if (status.code == WHIRL_OK) status = take_shaft(&of, couplings, out, influence);
     }
@@ -343,7 +381,10 @@ whirl_status whirl_design_statics(const whirl_design *design, const char *coupli
                                          .load = none,
                                          .carried = none,
                                          .mass = {none, none},
-                                         .elevation = none};
+                                         .elevation = none,
+                                         .axial = {none, none},
+                                         .thrust = none,
+                                         .thrust_mass = none};
     memset(influence, 0, design->station_count * design->station_count * sizeof *influence);
     whirl_status status = support ? building_assemble(&b, design, NULL) : no_memory();
     if (status.code == WHIRL_OK) status = check_couplings(&b, couplings);

@@ -155,7 +155,7 @@ static void add_slice(const shaft_piece *piece, const moments *m, double z, doub
     add_outer(&out->mass, mass, moved);
     add_outer(&out->mass, rotary, turned);
     add_outer(&out->polar, 2.0 * rotary, turned);
-    add_outer(&out->axial, part * piece->axial, leant);
+    add_outer(&out->axial, part * (piece->axial[0] + share[1] * (piece->axial[1] - piece->axial[0])), leant);
     for (int i = 0; i < 4; i++) out->weight[i] += mass * moved[i];
     for (int end = 0; end < 2; end++) {
         out->lumped_mass[end] += share[end] * mass;

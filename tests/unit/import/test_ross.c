@@ -284,7 +284,7 @@ static void test_film(void **state) {
     expect_line("BearingElement_Support\"]\n",
                 "CylindricalBearing_Support\"]\nweight = 525.0\nbearing_length = 0.03\njournal_diameter = 0.1\n"
                 "radial_clearance = 1e-4\noil_viscosity = 0.1\n",
-                "    # of a short film under 525 N, which motions may have itself, with gravity: {}\n"
+                "    # of a short film under 525 N, which motions may have itself, with gravity\n"
                 "    # - film: {at: pedestal, law: short, radius: 0.05 m, length: 0.03 m, clearance: 0.0001 m, "
                 "viscosity: 0.1 Pa s}\n");
 }

@@ -141,7 +141,7 @@ static void an_axial_force_pulls_it_straight(void **state) {
     piece_matrices m;
     (void)state;
     piece.shear = SHEAR_NONE;
-    piece.axial = 3e4;
+    piece.axial[0] = piece.axial[1] = 3e4;
     piece_fill(&piece, &m);
     // 6N/(5L), N/10, 2NL/15, -NL/30 (Przemieniecki 1968, eq. 15.30)
     near(6.0 * 3e4 / (5.0 * 0.25), m.axial.at[0][0], 1e-9);
