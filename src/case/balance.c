@@ -14,6 +14,13 @@ enum { VERSION = 1, MOST_ROWS = 10000 };
 
 static const double two_pi = 6.283185307179586476925;
 
+/// A vibration by amplitude and phase, or by its parts.
+#define VECTOR_KEYS(unit, size, angle)                                                                                 \
+    NUMBER_KEY("amplitude", "", unit, OPTIONAL, WHIRL_NOT_NEGATIVE, size),                                             \
+        NUMBER_KEY("phase", "", "rad", OPTIONAL, WHIRL_ANY, angle),                                                    \
+        NUMBER_KEY("real", "", unit, OPTIONAL, WHIRL_ANY, "amplitude cos(phase), in place of both, with imag"),        \
+        NUMBER_KEY("imag", "", unit, OPTIONAL, WHIRL_ANY, "amplitude sin(phase)")
+
 static const whirl_key file_keys[] = {
     WHOLE_KEY("balance", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
@@ -27,7 +34,8 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("planes", REQUIRED, "", "a list of planes in which weights are put"),
     CHOICE_KEY("trials", OPTIONAL, "",
                "a list of the weights that runs had; absent: none, the model proposes some or balances by itself"),
-    CHOICE_KEY("vibration", REQUIRED, "", "a list of what probes saw in runs"),
+    CHOICE_KEY("vibration", REQUIRED, "",
+               "a list of what probes saw in runs, or the path of a table (CSV) of it, from the folder of this file"),
     CHOICE_KEY("slow_roll", OPTIONAL, "",
                "a list of what probes see at low speed, of the shaft itself: it is taken off all of their readings"),
     CHOICE_KEY("coefficients", OPTIONAL, "",
@@ -39,6 +47,8 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("modes", OPTIONAL, "", "a list of modes that are balanced one by one, by sets of weights"),
     CHOICE_KEY("keep_rigid", DEFAULT("no"), "yes|no",
                "whether sets have no resultant and no couple: N + 2 planes for N modes, in place of N"),
+    CHOICE_KEY("least", DEFAULT("squares"), "squares|max",
+               "what weights make the least: the sum of the squares of what is left, or the largest of it"),
     CHOICE_KEY("probes", OPTIONAL, "", "a list of what is known of probes beside what they saw"),
     CHOICE_KEY("model", OPTIONAL, "", "path of a case of the rotor, from the folder of this file"),
     CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "where influence coefficients come from"),
@@ -86,24 +96,21 @@ static const whirl_key vibration_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE, "at once a revolution, as `amplitudes` says"),
-    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of it"),
+    VECTOR_KEYS("m", "at once a revolution, as `amplitudes` says", "of it"),
     NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "by which its square counts"),
 };
 
 static const whirl_key slow_roll_keys[] = {
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    NUMBER_KEY("amplitude", "", "m", REQUIRED, WHIRL_NOT_NEGATIVE, "at once a revolution, as `amplitudes` says"),
-    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of it"),
+    VECTOR_KEYS("m", "at once a revolution, as `amplitudes` says", "of it"),
 };
 
 static const whirl_key coefficient_keys[] = {
     CHOICE_KEY("plane", REQUIRED, "", "its plane"),
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    NUMBER_KEY("amplitude", "", "m/(kg m)", REQUIRED, WHIRL_NOT_NEGATIVE,
-               "of the vibration by a weight, over its moment, as `amplitudes` says"),
-    NUMBER_KEY("phase", "", "rad", REQUIRED, WHIRL_ANY, "of the vibration by a weight at angle 0"),
+    VECTOR_KEYS("m/(kg m)", "of the vibration by a weight, over its moment, as `amplitudes` says",
+                "of the vibration by a weight at angle 0"),
 };
 
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
@@ -237,11 +244,6 @@ static void read_modes(case_reader *reader, const setting_list *file, whirl_bala
             if (other->speed == mode->speed && mode->speed > 0.0)
                 problem_at(reader->problems, at, "is a second mode at that speed, expected speeds of their own");
     }
-    for (size_t p = 0; p < out->plane_count && out->mode_count > 0; p++)
-        if (isfinite(out->planes[p].limit))
-            problem_at(reader->problems, settings_find(file, "planes")->place,
-                       "has a limit for plane '%s', and modes are balanced by sets, expected no limit",
-                       out->planes[p].name);
     out->keep_rigid = settings_yes(file, "keep_rigid");
     if (out->keep_rigid && !settings_find(file, "modes"))
         problem_at(reader->problems, settings_find(file, "keep_rigid")->place,
@@ -331,34 +333,89 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
                        out->planes[p].name);
 }
 
-/// Reads an amplitude with its phase, which leads or lags as the file says, into x and y of a vector.
-static void read_phasor(case_reader *reader, const setting_list *item, const whirl_balance *out, double vector[2]) {
-    set_vector(number_of(reader, item, "amplitude"), (out->leads ? 1.0 : -1.0) * number_of(reader, item, "phase"),
-               vector);
+/// Reads an amplitude with its phase, which leads or lags as the file says, or both parts, into x and y of a vector.
+static void read_phasor(case_reader *reader, const file_node *at, const setting_list *item, const whirl_balance *out,
+                        double vector[2]) {
+    const double way = out->leads ? 1.0 : -1.0;
+    const bool amplitude = settings_find(item, "amplitude"), phase = settings_find(item, "phase"),
+               real = settings_find(item, "real"), imaginary = settings_find(item, "imag");
+    if (at->kind != NODE_MAPPING) return; // said already
+    if (amplitude != phase || real != imaginary || amplitude == real) {
+        const bool parts = real || imaginary;
+        const char *missing = parts ? (real ? "imag" : "real") : amplitude ? "phase" : "amplitude";
+        if ((amplitude || phase) && parts)
+            problem_at(reader->problems, at, "has both, expected either amplitude and phase, or real and imag");
+        else if (!settings_misspelt(item, missing))
+            problem_missing(reader->problems, at, missing,
+                            "is missing, expected amplitude and phase, or real and imag");
+        return;
+    }
+    if (amplitude) {
+        set_vector(number_of(reader, item, "amplitude"), way * number_of(reader, item, "phase"), vector);
+    } else {
+        vector[0] = number_of(reader, item, "real");
+        vector[1] = way * number_of(reader, item, "imag");
+    }
 }
 
-static void read_vibration(case_reader *reader, const setting_list *file, whirl_balance *out) {
-    out->vibrations = room_for(reader, file, "vibration", sizeof *out->vibrations);
-    const file_node *first = out->vibrations ? items_of(reader, file, "vibration", MOST_ROWS) : NULL;
-    for (const file_node *at = first; at; at = at->next) {
-        setting_list item;
-        whirl_balance_vibration *seen = &out->vibrations[out->vibration_count++];
-        settings_read(reader, at, &vibration_group, &item);
-        seen->run = (int)number_of(reader, &item, "run");
-        seen->speed = number_of(reader, &item, "speed");
-        settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
-        seen->weight = number_of(reader, &item, "weight");
-        for (const whirl_balance_vibration *other = out->vibrations; other < seen; other++)
-            if (other->speed == seen->speed && strcmp(other->probe, seen->probe) == 0 &&
-                other->weight != seen->weight) {
-                problem_at(reader->problems, at,
-                           "has the weight %g, and an earlier reading of '%s' at that speed %g, "
-                           "expected one weight for a probe at a speed",
-                           seen->weight, seen->probe, other->weight);
-                break;
-            }
-        read_phasor(reader, &item, out, seen->vibration);
+/// Reads one reading, behind those in out->vibrations.
+static void read_reading(case_reader *reader, const file_node *at, const whirl_balance *out,
+                         whirl_balance_vibration *seen) {
+    setting_list item;
+    settings_read(reader, at, &vibration_group, &item);
+    seen->run = (int)number_of(reader, &item, "run");
+    seen->speed = number_of(reader, &item, "speed");
+    settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
+    seen->weight = number_of(reader, &item, "weight");
+    for (const whirl_balance_vibration *other = out->vibrations; other < seen; other++)
+        if (other->speed == seen->speed && strcmp(other->probe, seen->probe) == 0 && other->weight != seen->weight) {
+            problem_at(reader->problems, at,
+                       "has the weight %g, and an earlier reading of '%s' at that speed %g, "
+                       "expected one weight for a probe at a speed",
+                       seen->weight, seen->probe, other->weight);
+            break;
+        }
+    read_phasor(reader, at, &item, out, seen->vibration);
+}
+
+/// Reads the items of a list of readings.
+static void read_readings(case_reader *reader, const file_node *list, whirl_balance *out) {
+    out->vibrations = calloc(list->count + 1, sizeof *out->vibrations);
+    reader->no_memory = reader->no_memory || !out->vibrations;
+    for (const file_node *at = out->vibrations ? list->first : NULL; at; at = at->next)
+        read_reading(reader, at, out, &out->vibrations[out->vibration_count++]);
+}
+
+/// Reads readings that stand in a table beside the file; false where not all of them were read.
+static bool read_table(case_reader *reader, const file_node *where, whirl_balance *out) {
+    whirl_problems problems = {0};
+    case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
+    const char *file = reader->problems->file, *slash = strrchr(file, '/');
+    const int folder = *where->text == '/' || !slash ? 0 : (int)(slash + 1 - file);
+    char path[sizeof problems.file];
+    if (snprintf(path, sizeof path, "%.*s%s", folder, file, where->text) >= (int)sizeof path) {
+        problem_at(reader->problems, where, "is too long for the path of a table");
+        return false;
     }
+    const file_node *list = balance_readings(&own, path, &vibration_group);
+    if (list && list->count > MOST_ROWS)
+        problem_at(reader->problems, where, "has %zu readings, expected 1 to %d", list->count, MOST_ROWS);
+    else if (list)
+        read_readings(&own, list, out);
+    reader->no_memory = reader->no_memory || own.no_memory;
+    balance_take_problems(reader, where, &problems);
+    const bool good = list && problems.count == 0;
+    whirl_problems_free(&problems);
+    return good;
+}
+
+/// False where readings of a table were not read: what follows from that is not said.
+static bool read_vibration(case_reader *reader, const setting_list *file, whirl_balance *out) {
+    const setting *given = settings_find(file, "vibration");
+    if (given && given->place->kind == NODE_TEXT && !node_is_null(given->place))
+        return read_table(reader, given->place, out);
+    if (items_of(reader, file, "vibration", MOST_ROWS)) read_readings(reader, given->place, out);
+    return true;
 }
 
 /// Takes what probes see of the shaft itself off all readings.
@@ -371,7 +428,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
         bool read = false;
         settings_read(reader, at, &slow_roll_group, &item);
         settings_text(reader, &item, "probe", seen->probe, sizeof seen->probe);
-        read_phasor(reader, &item, out, seen->vibration);
+        read_phasor(reader, at, &item, out, seen->vibration);
         for (const whirl_balance_vibration *other = out->slow_rolls; other < seen; other++)
             if (strcmp(other->probe, seen->probe) == 0 && *seen->probe)
                 problem_at(reader->problems, at, "is a second slow roll of '%s', expected one for a probe",
@@ -396,7 +453,7 @@ static void read_coefficients(case_reader *reader, const setting_list *file, whi
         own->plane = find_plane(reader, &item, out);
         own->speed = number_of(reader, &item, "speed");
         settings_text(reader, &item, "probe", own->probe, sizeof own->probe);
-        read_phasor(reader, &item, out, own->influence);
+        read_phasor(reader, at, &item, out, own->influence);
         for (const whirl_balance_coefficient *other = out->coefficients; other < own; other++)
             if (other->plane == own->plane && other->speed == own->speed && strcmp(other->probe, own->probe) == 0)
                 problem_at(reader->problems, at, "is a second coefficient of that plane, probe and speed");
@@ -424,6 +481,7 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
     out->against = strcmp(settings_word(file, "angles"), "against") == 0;
     out->leads = strcmp(settings_word(file, "phases"), "lead") == 0;
     snprintf(out->counted, sizeof out->counted, "%s", settings_word(file, "amplitudes"));
+    out->least_max = strcmp(settings_word(file, "least"), "max") == 0;
     out->mass = number_of(reader, file, "mass");
     out->grade = number_of(reader, file, "grade");
     out->service_speed = number_of(reader, file, "service_speed");
@@ -438,9 +496,9 @@ static void fill(case_reader *reader, const setting_list *file, void *into) {
                         "is missing, and there is no model, mode or coefficient");
     read_coefficients(reader, file, out);
     read_trials(reader, file, out);
-    read_vibration(reader, file, out);
+    const bool all_read = read_vibration(reader, file, out);
     read_slow_roll(reader, file, out);
-    check_runs(reader, file, out);
+    if (all_read) check_runs(reader, file, out);
 }
 
 static void release(void *made) {

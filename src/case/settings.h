@@ -90,6 +90,17 @@ void describe_names(const char *word, const char *const *names, size_t count, ch
 /// Reads what a file says of it; problems where that is not complete, or said twice.
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);
 
+// ---------------------------------------------------------------- balance_readings
+// Readings of a file on balancing in a table of its own.
+
+/// Reads comma-separated values (or values between semicolons or tabs) under headings that are keys of the group, with
+/// units behind them ("amplitude [um]"): the list of mappings that would stand in their place. NULL after a problem;
+/// problems, of which the reader has none before, are of the table.
+const file_node *balance_readings(case_reader *reader, const char *path, const whirl_group *group);
+
+/// Reports problems of a table where the file names it, each with its line and column in the table.
+void balance_take_problems(case_reader *reader, const file_node *where, const whirl_problems *of);
+
 // ---------------------------------------------------------------- file
 // Files that are read by tables of keys: the steps that all of them go through.
 

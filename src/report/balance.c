@@ -28,6 +28,11 @@ static double left_of(const whirl_correction *found, const whirl_balance_row *ro
     return after > rounding * largest && largest > 0.0 ? after : 0.0;
 }
 
+/// How whirl_correction.left counts.
+static const char *left_as(const whirl_balance *of) {
+    return of->least_max ? "at most" : "in the mean square";
+}
+
 static double way_of_angles(const whirl_balance *of) {
     return of->against ? -1.0 : 1.0;
 }
@@ -186,9 +191,9 @@ static bool warn(const whirl_balance *of, const whirl_correction *found, size_t 
         name_unknown(of, without, name, sizeof name);
         snprintf(text, SENTENCE,
                  "%s acts nearly as the others do (significance %.2g, below %.2g after Darlow 1982; condition %.3g): "
-                 "without it %.4g um are left in the mean square in place of %.4g um",
+                 "without it %.4g um are left %s in place of %.4g um",
                  name, found->significance[without], WHIRL_BALANCE_SIGNIFICANT, found->condition,
-                 found->reduced.left / um, found->left / um);
+                 found->reduced.left / um, left_as(of), found->left / um);
         return true;
     }
     for (size_t n = 0; n < found->proposal_count; n++) {
@@ -218,8 +223,8 @@ static void print_reduced(FILE *out, const whirl_balance *of, const whirl_correc
     char name[WHIRL_NAME_SIZE];
     if (!found->reduced.there) return;
     name_unknown(of, found->reduced.without, name, sizeof name);
-    fprintf(out, "correction without %s, which leaves %.4g um in the mean square in place of %.4g um:\n", name,
-            found->reduced.left / um, found->left / um);
+    fprintf(out, "correction without %s, which leaves %.4g um %s in place of %.4g um:\n", name,
+            found->reduced.left / um, left_as(of), found->left / um);
     for (size_t p = 0; p < of->plane_count; p++) {
         if (of->mode_count == 0 && p == found->reduced.without) continue;
         fputs("  ", out);
@@ -299,7 +304,7 @@ whirl_status whirl_balance_write_summary(const whirl_balance *of, const whirl_ba
     if (found->found) print_influence(out, of, found);
     print_sets(out, of, model, found);
     if (found->found) {
-        fputs("correction:\n", out);
+        fputs(of->least_max ? "correction, by which the largest vibration is the least:\n" : "correction:\n", out);
         for (size_t p = 0; p < of->plane_count; p++) {
             fputs("  ", out);
             print_plane(out, of, p, found->moment[p]);
@@ -411,6 +416,7 @@ static void put_reduced(bool *well, json_t *all, const whirl_balance *of, const 
         name_unknown(of, n, name, sizeof name);
         document_put(well, significance, name, document_number(found->significance[n]));
     }
+    document_put(well, all, "least", document_text(of->least_max ? "max" : "squares"));
     document_put(well, all, "left", document_number(found->left));
     document_put(well, all, "condition", document_number(found->condition));
     document_put(well, all, "significance", significance);

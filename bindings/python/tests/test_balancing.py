@@ -435,7 +435,7 @@ GOOD = {
 @pytest.mark.parametrize(
     "change, sentence",
     [
-        ({}, r"trials: is missing, and there is no model or mode$"),
+        ({}, r"trials: is missing, and there is no model, mode or coefficient$"),
         ({"influence": "model"}, r"influence: is model, expected a model, too$"),
         ({"modes": [{"speed": 300.0}]}, r"modes\[1\]\.shape: is missing, and there is no model that would tell it$"),
         ({"modes": [{"speed": 300.0, "shape": [1]}]}, r"shape: is a list, expected a list of 2 numbers, one for every"),
@@ -465,6 +465,27 @@ GOOD = {
 def test_refused(change, sentence):
     with pytest.raises(whirl.BadInput, match=sentence):
         whirl.balance({**GOOD, **change})
+
+
+def test_readings_in_a_table_and_the_least_largest(tmp_path):
+    """Of two probes and one plane the least largest vibration leaves both alike; squares leave less in the mean."""
+    rows = "run,speed,probe,real [um],imag [um]\n1,300,a,5,0\n1,300,b,1,0\n2,300,a,3,0\n2,300,b,0,1\n"
+    (tmp_path / "readings.csv").write_text(rows)
+    file = {
+        "angles": "with",
+        "phases": "lag",
+        "planes": [{"name": "p"}],
+        "trials": [{"run": 2, "plane": "p", "moment": 1e-3, "angle": 0.0}],
+        "vibration": str(tmp_path / "readings.csv"),
+    }
+    found = {least: whirl.balance({**file, "least": least}) for least in ("squares", "max")}
+    left = {least: [row.after.size for row in found[least].rows] for least in found}
+    assert found["max"].least == "max" and found["squares"].least == "squares"
+    assert left["max"][0] == pytest.approx(left["max"][1], rel=1e-9)
+    assert found["max"].left == pytest.approx(max(left["max"]), rel=1e-9)
+    assert max(left["max"]) < max(left["squares"]) and sum(a * a for a in left["squares"]) < sum(
+        a * a for a in left["max"]
+    )
 
 
 def test_stations_of_the_model(tmp_path):

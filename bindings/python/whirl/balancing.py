@@ -126,7 +126,8 @@ class Balance:
     couple: Optional[
         Vector
     ]  #: kg m, of two planes: half of their difference, in the first, and against it in the second
-    left: Optional[float]  #: m, root of the weighted mean square of what remains, by the coefficients
+    least: Optional[str]  #: what the weights make the least: "squares", or "max", the largest vibration
+    left: Optional[float]  #: m, root of the weighted mean square of what remains by the coefficients, or the largest
     condition: Optional[float]  #: of the influence matrix: largest over smallest singular value
     significance: dict[
         str, Optional[float]
@@ -194,6 +195,7 @@ def _made(of) -> Balance:
         allowed=of["allowed"],
         static=_vector(of.get("static"), "moment"),
         couple=_vector(of.get("couple"), "moment"),
+        least=of.get("least"),
         left=of.get("left"),
         condition=of.get("condition"),
         significance=of.get("significance", {}),

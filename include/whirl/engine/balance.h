@@ -104,6 +104,7 @@ typedef struct whirl_balance {
     size_t mode_count;                                    ///< of modes; 0: planes are balanced, not modes
     whirl_balance_mode modes[WHIRL_MAX_PLANES];           ///< [mode_count]
     bool keep_rigid; ///< sets of weights have no resultant and no couple: N + 2 planes for N modes
+    bool least_max;  ///< the largest root of weight times |vibration| is to be the least, in place of the squares
 } whirl_balance;
 
 /// What a model says of a probe at a speed.
@@ -169,14 +170,15 @@ typedef struct whirl_balance_reduced {
 /// Significance below which a plane acts nearly as the others do (Darlow 1982).
 #define WHIRL_BALANCE_SIGNIFICANT 0.2
 
-/// The correction that makes sum of weight |vibration|^2 the least.
+/// The correction that makes the sum of weight |vibration|^2 the least, or the largest of them
+/// (whirl_balance.least_max).
 typedef struct whirl_correction {
     size_t row_count;                   ///< of rows
     whirl_balance_row *rows;            ///< [row_count]
     double moment[WHIRL_MAX_PLANES][2]; ///< kg m
     bool found;                         ///< there are weights; false where nothing was tried yet: all are 0 then
     bool by_set;                        ///< influence is that of sets
-    double left;                        ///< root of the weighted mean of |after|^2
+    double left;                        ///< root of the weighted mean of |after|^2, or the largest |after|
     double condition;                   ///< of the influence matrix: largest over smallest singular value
     /// Of each plane, or set where there are modes: the part of its effect that no combination of the others has, over
     /// all of its effect (Darlow 1982); NaN of those that the correction has not.

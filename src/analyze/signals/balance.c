@@ -1,4 +1,4 @@
-// Influence coefficients and corrections by complex least squares.
+// Influence coefficients by complex least squares, and corrections by these or by the least largest vibration.
 #include "whirl/engine/balance.h"
 
 #include <math.h>
@@ -179,13 +179,17 @@ static void predict(const whirl_balance *of, whirl_correction *out, const size_t
     }
 }
 
+/// kg m that a kg m of an unknown puts into a plane.
+static double complex share_of(const whirl_balance *of, const whirl_correction *out, size_t unknown, size_t plane) {
+    return of->mode_count > 0 ? balance_number(out->sets[unknown][plane]) : (double)(unknown == plane);
+}
+
 /// Adds the weights in planes of the unknowns.
 static void place(const whirl_balance *of, const whirl_correction *found, const double complex *amounts,
                   const size_t *index, size_t count, double (*moment)[2]) {
     for (size_t n = 0; n < count; n++)
         for (size_t p = 0; p < of->plane_count; p++) {
-            const double complex share =
-                of->mode_count > 0 ? balance_number(found->sets[index[n]][p]) : (double)(p == index[n]);
+            const double complex share = share_of(of, found, index[n], p);
             if (share != 0.0) balance_set(moment[p], balance_number(moment[p]) + share * amounts[n]);
         }
 }
@@ -203,59 +207,110 @@ static balance_normal equations_of(const whirl_balance *of, const whirl_correcti
     return equations;
 }
 
-/// The best weights of the unknowns at index, within the limits of planes: amounts [count]. False where the rows do not
-/// tell them apart.
-static bool best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
-                         double complex *amounts) {
+/// Whether amounts take the weight in a plane beyond its limit.
+static bool are_beyond(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
+                       const double complex *amounts) {
+    for (size_t p = 0; p < of->plane_count; p++) {
+        double complex moment = 0.0;
+        for (size_t n = 0; n < count; n++) moment += share_of(of, out, index[n], p) * amounts[n];
+        if (cabs(moment) > of->planes[p].limit) return true;
+    }
+    return false;
+}
+
+/// The weights of the unknowns at index by an interior-point method.
+static whirl_status find_within(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
+                                double complex *amounts) {
+    double limits[WHIRL_MAX_PLANES];
+    const size_t lines = out->row_count + of->plane_count;
+    double complex *block = calloc(lines * count + out->row_count + 1, sizeof *block);
+    if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
+    double complex *share = block + out->row_count * count, *before = block + lines * count;
+    balance_goal goal = {
+        .n = count, .effect = block, .before = before, .share = share, .limits = limits, .least_max = of->least_max};
+    for (size_t r = 0; r < out->row_count; r++) {
+        const double root = sqrt(out->rows[r].weight);
+        if (root == 0.0) continue;
+        before[goal.rows] = root * balance_number(out->rows[r].before);
+        for (size_t n = 0; n < count; n++)
+            block[goal.rows * count + n] = root * effect_of(of, out, &out->rows[r], index[n]);
+        goal.rows++;
+    }
+    for (size_t p = 0; p < of->plane_count; p++) {
+        if (!isfinite(of->planes[p].limit)) continue;
+        for (size_t n = 0; n < count; n++) share[goal.planes * count + n] = share_of(of, out, index[n], p);
+        limits[goal.planes++] = of->planes[p].limit;
+    }
+    const bool found = balance_best_within(&goal, amounts);
+    free(block);
+    return found ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
+}
+
+/// The best weights of the unknowns at index, within the limits of planes: amounts [count]. *told: the rows tell them
+/// apart; without that there are none. WHIRL_NO_MEMORY.
+static whirl_status best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index,
+                                 size_t count, double complex *amounts, bool *told) {
     const balance_normal equations = equations_of(of, out, index, count);
     balance_normal solved = equations;
     double limits[BALANCE_UNKNOWNS];
-    if (!balance_unknowns(&solved)) return false;
-    for (size_t n = 0; n < count; n++) limits[n] = of->mode_count > 0 ? (double)INFINITY : of->planes[index[n]].limit;
+    *told = balance_unknowns(&solved);
+    if (!*told) return whirl_ok();
     memcpy(amounts, solved.side, count * sizeof *amounts);
+    if (of->least_max || (of->mode_count > 0 && are_beyond(of, out, index, count, amounts)))
+        return find_within(of, out, index, count, amounts);
+    if (of->mode_count > 0) return whirl_ok();
+    for (size_t n = 0; n < count; n++) limits[n] = of->planes[index[n]].limit;
     balance_within(&equations, limits, amounts);
-    return true;
+    return whirl_ok();
 }
 
-/// Root of the weighted mean square of what weights leave.
+/// What weights leave: the root of the weighted mean square, or the largest vibration where that is to be the least.
 static double left_with(const whirl_balance *of, const whirl_correction *out, const double complex *amounts,
                         const size_t *index, size_t count) {
-    double sum = 0.0, weights = 0.0;
+    double sum = 0.0, weights = 0.0, largest = 0.0;
     for (size_t r = 0; r < out->row_count; r++) {
         const whirl_balance_row *row = &out->rows[r];
         double complex after = balance_number(row->before);
         for (size_t n = 0; n < count; n++) after += effect_of(of, out, row, index[n]) * amounts[n];
         sum += row->weight * creal(after * conj(after));
         weights += row->weight;
+        if (row->weight > 0.0) largest = fmax(largest, cabs(after));
     }
-    return sqrt(sum / weights);
+    return of->least_max ? largest : sqrt(sum / weights);
 }
 
 /// Tells which unknowns act nearly as the others do, and the correction without the one of these that is missed least.
-static void reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
+static whirl_status reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
     double significance[BALANCE_UNKNOWNS];
+    whirl_status status = whirl_ok();
     const balance_normal equations = equations_of(of, out, index, count);
     out->condition = balance_condition(&equations, significance);
     for (size_t n = 0; n < count; n++) out->significance[index[n]] = significance[n];
-    for (size_t n = 0; n < count && count > 1; n++) {
+    for (size_t n = 0; n < count && count > 1 && status.code == WHIRL_OK; n++) {
         size_t others[WHIRL_MAX_PLANES], left = 0;
         double complex amounts[BALANCE_UNKNOWNS];
+        bool told;
         if (!(significance[n] < WHIRL_BALANCE_SIGNIFICANT)) continue;
         for (size_t k = 0; k < count; k++)
             if (k != n) others[left++] = index[k];
-        if (!best_weights(of, out, others, left, amounts)) continue;
+        status = best_weights(of, out, others, left, amounts, &told);
+        if (status.code != WHIRL_OK || !told) continue;
         const double remains = left_with(of, out, amounts, others, left);
         if (out->reduced.there && remains >= out->reduced.left) continue;
         out->reduced = (whirl_balance_reduced){.there = true, .without = index[n], .left = remains};
         place(of, out, amounts, others, left, out->reduced.moment);
     }
+    return status;
 }
 
 static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
     size_t index[WHIRL_MAX_PLANES] = {0};
     double complex amounts[BALANCE_UNKNOWNS];
+    bool told;
     const size_t count = find_used(of, out, index);
-    if (!best_weights(of, out, index, count, amounts))
+    const whirl_status status = best_weights(of, out, index, count, amounts, &told);
+    if (status.code != WHIRL_OK) return status;
+    if (!told)
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "%zu probe%s at a speed do not tell the weights of %zu %s%s apart, expected as many as %ss at least, with "
@@ -269,9 +324,8 @@ static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
     place(of, out, amounts, index, count, out->moment);
     predict(of, out, index, count);
     out->left = left_with(of, out, amounts, index, count);
-    reduce(of, out, index, count);
     out->found = true;
-    return whirl_ok();
+    return reduce(of, out, index, count);
 }
 
 static whirl_status solve(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {

@@ -53,6 +53,23 @@ size_t balance_mode_of(const whirl_balance *of, double speed);
 /// What a kg m of an unknown does at a row, by influence coefficients of planes.
 double complex balance_effect(const whirl_correction *of, const double (*influence)[2], size_t planes, size_t unknown);
 
+// ---------------------------------------------------------------- balance_limits
+// The best weights within limits, for goals that taking turns does not reach.
+
+/// What weights are to do: rows before + effect x, with planes that have moments share x of at most limits.
+typedef struct balance_goal {
+    size_t n, rows, planes;       ///< unknowns; readings; planes that have a limit
+    const double complex *effect; ///< [rows][n] times the root of a row's weight
+    const double complex *before; ///< [rows] times the same
+    const double complex *share;  ///< [planes][n]
+    const double *limits;         ///< [planes] kg m, above 0
+    bool least_max;               ///< the largest |row| is to be the least; false: the sum of their squares
+} balance_goal;
+
+/// Finds the unknowns x [n] that do that best: of the largest |row| to 1e-11, of the squares to 1e-11 of the largest
+/// |before|^2. The rows tell all unknowns apart. False without memory.
+bool balance_best_within(const balance_goal *goal, double complex *amounts);
+
 // ---------------------------------------------------------------- balance_sets
 // Sets of weights that excite one mode alone.
 
