@@ -70,9 +70,9 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 
 // ---------------------------------------------------------------- which points
 
-static const whirl_batch *find_batch(const whirl_study *study, const char *name) {
+static const whirl_batch *find_batch(const whirl_study *study, whirl_role role) {
     for (size_t i = 0; i < study->batch_count; i++)
-        if (strcmp(study->batches[i].name, name) == 0) return &study->batches[i];
+        if (study->batches[i].role == role) return &study->batches[i];
     return NULL;
 }
 
@@ -95,15 +95,15 @@ static void sample(whirl_batch *batch, size_t count, double *values) {
 
 /// The batch of points over one parameter or two; NULL where the study has none.
 static const whirl_batch *find_many(const whirl_study *study) {
-    static const char *const names[] = {"sweep", "map", "basin"};
+    static const whirl_role roles[] = {WHIRL_ROLE_SURVEY, WHIRL_ROLE_MAP, WHIRL_ROLE_BASIN};
     const whirl_batch *found = NULL;
-    for (size_t i = 0; i < sizeof names / sizeof *names && !found; i++) found = find_batch(study, names[i]);
+    for (size_t i = 0; i < sizeof roles / sizeof *roles && !found; i++) found = find_batch(study, roles[i]);
     return found;
 }
 
 /// Leaves in the study the points that are to be verified; gives the exit status.
 static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[2 * MOST_POINTS]) {
-    const whirl_batch *sweep = find_many(study), *detail = find_batch(study, "detail");
+    const whirl_batch *sweep = find_many(study), *detail = find_batch(study, WHIRL_ROLE_DETAIL);
     const size_t wanted = (size_t)arguments->points;
     if (wanted > 0 && (!sweep || wanted > sweep->count)) {
         if (sweep)

@@ -27,7 +27,7 @@ declare -A below=(
     [user]="system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h"
     [import]="system.h rotor.h case.h import.h"
-    [report]="bearing.h bearing_table.h system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h shown.h balance.h"
+    [report]="bearing.h bearing_table.h system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")
@@ -58,6 +58,11 @@ while read -r line; do
     [ -n "$line" ] && fail "asks which kind of points it has to do with: $line"
 done < <(grep -rnE 'whirl_analysis_kind\([^;]*->name|is_(resting|traced)\(' src cli --include=*.c --include=*.h |
     grep -v '^src/study/kinds/kinds.c')
+# A table has its role as a value; its name is for people.
+while read -r line; do
+    [ -n "$line" ] && fail "asks by its name what a table is: $line"
+done < <(grep -rnE 'strcmp\([^,]*name, "(sweep|map|basin|branch|curves|tori|motions|modes|unbalance|response|detail)"|whirl_result_table\([^,]+, "|find_batch\([^)]*"' \
+    src cli --include=*.c --include=*.h)
 figures=$(sed -n '/^extern const figure_kind/,/;/p' src/report/figures/figure_kinds.h | grep -oE '[a-z_]+_figure\b' | sed 's/_figure$//')
 [ -n "$figures" ] || fail "src/report/figures/figure_kinds.h lists no figure: mend this test"
 for name in $figures; do

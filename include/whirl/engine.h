@@ -16,6 +16,7 @@
 #include "whirl/engine/fields.h"
 #include "whirl/engine/figure.h"
 #include "whirl/engine/film_tables.h"
+#include "whirl/engine/findings.h"
 #include "whirl/engine/import.h"
 #include "whirl/engine/input.h"
 #include "whirl/engine/integrate.h"

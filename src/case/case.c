@@ -123,7 +123,7 @@ static void check_points(case_reader *reader, case_content *content) {
 /// The machines of a basin differ in where they start, and in nothing else.
 static void check_basin(case_reader *reader, const case_content *content, const plan_parts *parts) {
     const axis_parts *const axes[] = {&parts->sweep, &parts->across, &parts->planes};
-    if (!parts->map.group || strcmp(parts->map.group->name, "basin") != 0) return;
+    if (parts->map.group != &schema_basin) return;
     for (size_t i = 0; i < 3 && axes[i]->parameter; i++) {
         const setting *use = case_machine_use(content, axes[i]->parameter->name);
         if (!use) continue;

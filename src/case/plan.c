@@ -107,10 +107,10 @@ plan_origin *plan_next_origin(study_plan *result) {
     return &result->origins[result->batch_count];
 }
 
-whirl_batch *plan_add_batch(study_plan *result, const char *name, const file_node *place) {
+whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *name, const file_node *place) {
     whirl_batch *batch = &result->batches[result->batch_count];
     result->origins[result->batch_count++].place = place;
-    *batch = (whirl_batch){.count = 1};
+    *batch = (whirl_batch){.count = 1, .role = role};
     snprintf(batch->name, sizeof batch->name, "%s", name);
     return batch;
 }
@@ -252,12 +252,13 @@ static void note_axis(valuation *v, const axis_parts *axis, double last, study_p
     origin->end = missed_end(v, axis, last);
 }
 
-whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, study_plan *result) {
+whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
+                            study_plan *result) {
     size_t count;
     double *values = axis_values(reader, v, axis, &count);
     if (!values) return NULL;
     note_axis(v, axis, values[count - 1], result);
-    whirl_batch *batch = plan_add_batch(result, axis->keys.group->name, axis->keys.place);
+    whirl_batch *batch = plan_add_batch(result, role, axis->keys.group->name, axis->keys.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", axis->parameter->name);
     batch->count = count;
     batch->values = values;
@@ -267,7 +268,7 @@ whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts 
 static void make_sweep(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const setting_list *sweep = &parts->sweep.keys;
     plan_next_origin(result)->rest = strcmp(settings_word(sweep, "start"), "rest") == 0;
-    whirl_batch *batch = plan_make_axis(reader, v, &parts->sweep, result);
+    whirl_batch *batch = plan_make_axis(reader, v, &parts->sweep, WHIRL_ROLE_SURVEY, result);
     if (batch) batch->carry = carry_of(sweep, batch->values[0] <= batch->values[batch->count - 1]);
 }
 
@@ -337,7 +338,8 @@ static void make_map(case_reader *reader, valuation *v, const plan_parts *parts,
     origin->across = end_place(&parts->across, true);
     origin->units[1] = parts->across.written;
     origin->units[2] = parts->planes.written;
-    whirl_batch *batch = plan_add_batch(result, parts->map.group->name, parts->map.place);
+    whirl_batch *batch = plan_add_batch(result, parts->map.group == &schema_basin ? WHIRL_ROLE_BASIN : WHIRL_ROLE_MAP,
+                                        parts->map.group->name, parts->map.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->across.parameter->name);
     batch->count = count;
@@ -356,7 +358,7 @@ static void make_detail(case_reader *reader, valuation *v, const plan_parts *par
     double *values = list_values(reader, v, &parts->at);
     if (!values) return;
     plan_next_origin(result)->each = parts->at.places;
-    whirl_batch *batch = plan_add_batch(result, "detail", parts->detail.place);
+    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_DETAIL, "detail", parts->detail.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = parts->at.count;
     batch->values = values;
@@ -428,8 +430,9 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
         return;
     }
     *plan_next_origin(result) = result->origins[result->batch_count - 1];
-    whirl_batch *batch = plan_add_batch(result, "curves", curves->place);
+    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_CURVES, "curves", curves->place);
     *batch = branch;
+    batch->role = WHIRL_ROLE_CURVES;
     snprintf(batch->name, sizeof batch->name, "curves");
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->second->name);
     batch->second_value = own;
@@ -440,8 +443,9 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
 /// Tori of the branches, which stand at `branch`.
 static void make_tori(const plan_parts *parts, size_t branch, study_plan *result) {
     *plan_next_origin(result) = result->origins[branch];
-    whirl_batch *batch = plan_add_batch(result, "tori", parts->branch.place);
+    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_TORI, "tori", parts->branch.place);
     *batch = result->batches[branch];
+    batch->role = WHIRL_ROLE_TORI;
     snprintf(batch->name, sizeof batch->name, "tori");
     batch->analyses = 0;
     whirl_analysis_add(&batch->analyses, "torus");
@@ -463,7 +467,7 @@ static void make_branch(case_reader *reader, valuation *v, const plan_parts *par
     if (!values) return;
     *plan_next_origin(result) =
         (plan_origin){.each = begin_places(reader, parts, first), .units = {parts->sweep.written}, .end = NAN};
-    whirl_batch *batch = plan_add_batch(result, "branch", parts->branch.place);
+    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_BRANCHES, "branch", parts->branch.place);
     snprintf(batch->parameter, sizeof batch->parameter, "%.63s", parts->sweep.parameter->name);
     batch->count = count;
     batch->values = values;
@@ -549,7 +553,7 @@ static void check_starts(case_reader *reader, const plan_parts *parts, const fil
 /// Points in detail have but the first start.
 static void take_starts(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch) {
-    if (!settings_find(&parts->study, "starts") || strcmp(batch->name, "detail") == 0) return;
+    if (!settings_find(&parts->study, "starts") || batch->role == WHIRL_ROLE_DETAIL) return;
     const setting *grid = settings_find(&parts->starts, "grid");
     batch->starts = grid ? count_grid(plan) : (size_t)settings_number(v, &parts->starts, "count");
     batch->neighbours = (size_t)settings_number(v, &parts->starts, "neighbours");
@@ -560,11 +564,11 @@ void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *par
                         whirl_batch *batch) {
     settings_take(v, &parts->study, whirl_batch_members(), batch);
     take_starts(reader, v, parts, plan, batch);
-    if (strcmp(batch->name, "detail") == 0) {
+    if (batch->role == WHIRL_ROLE_DETAIL) {
         batch->record = detail_options(v, parts, &batch->record);
         check_detail(reader, parts, &batch->record);
     }
-    plan_choose_analyses(batch, parts->analyses, !batch->values || strcmp(batch->name, "detail") == 0);
+    plan_choose_analyses(batch, parts->analyses, !batch->values || batch->role == WHIRL_ROLE_DETAIL);
 }
 
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
@@ -580,7 +584,7 @@ void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study
     else if (parts->moves && parts->sweep.parameter)
         make_sweep(reader, v, parts, result);
     else if (parts->moves)
-        plan_add_batch(result, schema_response.name, parts->study.place);
+        plan_add_batch(result, WHIRL_ROLE_POINT, schema_response.name, parts->study.place);
     if (parts->at.count > 0) make_detail(reader, v, parts, result);
     if (parts->branches && parts->sweep.parameter) make_branch(reader, v, parts, result);
     for (size_t i = 0; i < result->batch_count; i++) {

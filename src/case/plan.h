@@ -179,10 +179,11 @@ bool plan_formula_value(case_reader *reader, valuation *v, const file_node *wher
 plan_origin *plan_next_origin(study_plan *result);
 
 /// One more batch, of one point.
-whirl_batch *plan_add_batch(study_plan *result, const char *name, const file_node *place);
+whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *name, const file_node *place);
 
 /// A batch along an axis, by the name of its group; NULL after a problem.
-whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, study_plan *result);
+whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
+                            study_plan *result);
 
 /// What a study says of all its motions.
 void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,

@@ -115,7 +115,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
     const char *text = given->place->kind == NODE_TEXT ? given->place->text : "";
     for (const resting_parts *one = parts->resting; one < resting; one++) {
         const char *own = one->name;
-        if (strcmp(one->axis.keys.group->name, "unbalance") != 0) continue;
+        if (one->axis.keys.group != &schema_at_rest[SCHEMA_AT_REST_unbalance]) continue;
         own += strncmp(own, "unbalance_", 10) == 0 ? 10 : 0;
         names[count++] = own;
         if (strcmp(own, text) == 0) resting->unbalances = one;
@@ -331,8 +331,9 @@ static void make_one(case_reader *reader, valuation *v, const plan_parts *parts,
              condition ? condition->place->key : "");
     if (plan_batch(result, name) < result->batch_count)
         problem_at_key(reader->problems, keys->place, "makes a second %s, expected another name", name);
-    whirl_batch *batch = resting->axis.parameter ? plan_make_axis(reader, v, &resting->axis, result)
-                                                 : plan_add_batch(result, resting->name, keys->place);
+    const whirl_role role = keys->group == &schema_motions ? WHIRL_ROLE_MOTIONS : WHIRL_ROLE_REST;
+    whirl_batch *batch = resting->axis.parameter ? plan_make_axis(reader, v, &resting->axis, role, result)
+                                                 : plan_add_batch(result, role, resting->name, keys->place);
     if (!batch) return;
     memcpy(batch->name, name, sizeof batch->name);
     batch->given = given;

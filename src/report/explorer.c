@@ -107,8 +107,7 @@ static const whirl_table *find_opening(const whirl_result *result, size_t *point
     if (!*diagram->parameter) return whirl_table_done(diagram, 0) ? diagram : NULL;
     double wanted = 0.5 * (diagram->values[0] + diagram->values[diagram->count - 1]);
     for (size_t t = 1; t < result->table_count && table == diagram; t++)
-        if (strcmp(result->tables[t].name, "detail") == 0 &&
-            strcmp(result->tables[t].parameter, diagram->parameter) == 0)
+        if (result->tables[t].role == WHIRL_ROLE_DETAIL && strcmp(result->tables[t].parameter, diagram->parameter) == 0)
             table = &result->tables[t];
     if (table != diagram) wanted = table->values[0];
     *point = nearest_point(table, wanted, true);

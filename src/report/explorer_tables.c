@@ -193,7 +193,7 @@ static void write_attractor(FILE *stream, const whirl_table *table, const whirl_
 /// Of a basin its attractors, and of every point the number of its own, from 1; 0: none is told.
 static void write_attractors(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
-    if (strcmp(table->name, "basin") != 0) return;
+    if (table->role != WHIRL_ROLE_BASIN) return;
     whirl_attractor found[MOST_ATTRACTORS];
     size_t *labels = calloc(table->count + 1, sizeof *labels), count = 0;
     // Without memory the page shows regimes.
@@ -428,7 +428,7 @@ static size_t count_all_nodes(const whirl_table *table) {
 /// Of branches, so that the page can show orbits that motions leave: [points] period, nodes, with all digits. Of so
 /// many points as there is room for, every "orbit_stride"-th.
 static void write_orbits(FILE *stream, const whirl_table *table) {
-    if (strcmp(table->name, "branch") != 0 || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||
+    if (table->role != WHIRL_ROLE_BRANCHES || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||
         !table->blocks)
         return;
     const size_t stride = count_all_nodes(table) / MOST_NODES + 1;

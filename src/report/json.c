@@ -72,7 +72,7 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     json_t *object = json_object();
     for (size_t t = 0; t < result->table_count; ++t) {
         const whirl_table *table = &result->tables[t];
-        if (strcmp(table->name, "sweep") == 0 && table->starts <= 1)
+        if (table->role == WHIRL_ROLE_SURVEY && table->starts <= 1)
             document_put(&well, object, table->name, jumps_of(&well, result, table));
     }
     return dump_member(",\n", "jumps", object, stream) && well;
@@ -138,7 +138,7 @@ static void append_coexisting(bool *well, const whirl_result *result, const whir
 
 static bool dump_attractors(const whirl_result *result, FILE *stream) {
     bool well = true;
-    const whirl_table *basin = whirl_result_table(result, "basin");
+    const whirl_table *basin = whirl_result_role(result, WHIRL_ROLE_BASIN);
     if (basin) return dump_member(",\n", "attractors", attractors_of(&well, basin), stream) && well;
     json_t *array = NULL;
     for (size_t t = 0; t < result->table_count; ++t) {

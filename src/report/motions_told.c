@@ -10,9 +10,7 @@
 #include "whirl/engine/shown.h"
 
 bool motions_beside(const whirl_table *table) {
-    static const char name[] = "motions";
-    const size_t length = sizeof name - 1;
-    return strncmp(table->name, name, length) == 0 && (!table->name[length] || table->name[length] == '_');
+    return table->role == WHIRL_ROLE_MOTIONS;
 }
 
 /// What is being written.

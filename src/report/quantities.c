@@ -99,6 +99,6 @@ bool has_rub(const whirl_table *table, size_t contact_count) {
 }
 
 const whirl_table *detail_table(const whirl_result *result) {
-    const whirl_table *detail = whirl_result_table(result, "detail");
-    return detail ? detail : whirl_result_table(result, "response");
+    const whirl_table *detail = whirl_result_role(result, WHIRL_ROLE_DETAIL);
+    return detail ? detail : whirl_result_role(result, WHIRL_ROLE_POINT);
 }

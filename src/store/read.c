@@ -392,7 +392,7 @@ static void get_plane(whirl_status *status, hid_t group, shape points, whirl_tab
     const bool is_map = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
     if (status->code == WHIRL_OK && points.rank > 1 && (!is_map || table->grid > 0))
         *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has rows of points, expected a list", table->name);
-    if (is_map || strcmp(table->name, "curves") == 0)
+    if (is_map || table->role == WHIRL_ROLE_CURVES)
         get_text_attribute(status, group, "second", table->second, sizeof table->second);
     if (status->code != WHIRL_OK || !is_map) return;
     table->row = (size_t)get_whole_attribute(status, group, "row", 1, planned > 0 ? (int64_t)planned : 1);
@@ -407,6 +407,12 @@ static void get_table(whirl_status *status, hid_t file, const whirl_result *resu
     whirl_table *table = &result->tables[index];
     const hid_t group = get_group(status, file, table->name);
     whirl_layout *layout = &table->layout;
+    char role[WHIRL_NAME_SIZE] = "";
+    get_text_attribute(status, group, "role", role, sizeof role);
+    table->role = whirl_role_of(role);
+    if (status->code == WHIRL_OK && table->role == WHIRL_ROLES)
+        *status = whirl_fail(WHIRL_BAD_INPUT, "/%s has the role '%.40s', expected %s, %s, ...", table->name, role,
+                             whirl_role_name(WHIRL_ROLE_POINT), whirl_role_name(WHIRL_ROLE_SURVEY));
     get_text_attribute(status, group, "parameter", table->parameter, sizeof table->parameter);
     get_analyses(status, group, &table->analyses);
     const whirl_member *members;

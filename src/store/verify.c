@@ -103,9 +103,10 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     for (size_t i = 0; i < there->table_count; ++i) {
         const whirl_table *own = &with->tables[i], *found = &there->tables[i];
         const size_t planned = whirl_table_planned(found);
-        if (planned != own->planned || found->count != own->count || found->grid != own->grid ||
-            found->refine != own->refine || found->neighbours != own->neighbours || found->places != own->places ||
-            found->clock_of != own->clock_of || !same_number(found->clock_factor, own->clock_factor))
+        if (own->role != found->role || planned != own->planned || found->count != own->count ||
+            found->grid != own->grid || found->refine != own->refine || found->neighbours != own->neighbours ||
+            found->places != own->places || found->clock_of != own->clock_of ||
+            !same_number(found->clock_factor, own->clock_factor))
             return differs(with->path, own, planned < own->planned ? planned : own->planned);
         for (size_t point = 0; point < own->count; ++point) {
             room_pass(own->room, point);

@@ -380,7 +380,7 @@ static void put_points(whirl_status *status, hid_t group, const whirl_result *re
     put_each_number(status, group, "length_scale", "m", length_scale_of, &from);
     if (status->code == WHIRL_OK) put_fields(status, group, result, whole, &own);
     if (whirl_layout_has_verdict(&whole->layout)) put_verdicts(status, group, whole, &own);
-    const bool attractors = whole->starts > 1 || strcmp(whole->name, "basin") == 0;
+    const bool attractors = whole->starts > 1 || whole->role == WHIRL_ROLE_BASIN;
     if (status->code == WHIRL_OK && attractors) put_attractors(status, group, whole, &own);
     finished_free(&own);
 }
@@ -389,6 +389,7 @@ static void put_table(whirl_status *status, hid_t file, const whirl_result *resu
     if (status->code == WHIRL_OK) *status = check_layout(table);
     const hid_t group = put_group(status, file, table->name);
     const whirl_layout *layout = &table->layout;
+    put_text_attribute(status, group, "role", whirl_role_name(table->role));
     put_text_attribute(status, group, "parameter", table->parameter);
     put_whole_attribute(status, group, "clock_of", table->clock_of);
     put_number_attribute(status, group, "clock_factor", table->clock_factor);

@@ -106,6 +106,7 @@ static whirl_batch branch_batch(const whirl_user_system *system) {
     const user_branches *own = &system->branches;
     whirl_batch batch = system->options;
     snprintf(batch.name, sizeof batch.name, "branch");
+    batch.role = WHIRL_ROLE_BRANCHES;
     memcpy(batch.parameter, system->parameters[own->parameter].name, sizeof batch.parameter);
     batch.count = own->count > 0 ? own->count : 1;
     batch.values = own->count > 0 ? own->at : own->bounds;
@@ -121,6 +122,7 @@ static whirl_batch curves_batch(const whirl_user_system *system, const whirl_bat
     const user_branches *own = &system->branches;
     whirl_batch batch = *branch;
     snprintf(batch.name, sizeof batch.name, "curves");
+    batch.role = WHIRL_ROLE_CURVES;
     memcpy(batch.second, system->parameters[own->second].name, sizeof batch.second);
     batch.second_value = system->parameters[own->second].value;
     memcpy(batch.second_bounds, own->second_bounds, sizeof batch.second_bounds);
@@ -130,6 +132,7 @@ static whirl_batch curves_batch(const whirl_user_system *system, const whirl_bat
 static whirl_batch tori_batch(const whirl_batch *branch) {
     whirl_batch batch = *branch;
     snprintf(batch.name, sizeof batch.name, "tori");
+    batch.role = WHIRL_ROLE_TORI;
     batch.analyses = 0;
     whirl_analysis_add(&batch.analyses, "torus");
     return batch;

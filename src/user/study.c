@@ -97,10 +97,12 @@ static whirl_carry carry_of(const whirl_user_system *system) {
 static whirl_status prepare_points(prepared *p) {
     static const char *const usual[] = {"poincare", "regime", "lyapunov", "orbit"};
     static const char *const names[] = {"response", "sweep", "map", "map"};
+    static const whirl_role roles[] = {WHIRL_ROLE_POINT, WHIRL_ROLE_SURVEY, WHIRL_ROLE_MAP, WHIRL_ROLE_MAP};
     const whirl_user_system *system = &p->system;
     whirl_batch *batch = &p->study.batches[0];
     *batch = system->options;
     snprintf(batch->name, sizeof batch->name, "%s", names[system->axis_count]);
+    batch->role = roles[system->axis_count];
     whirl_status status = fill_values(p, batch);
     if (status.code != WHIRL_OK) return status;
     name_axes(p, batch);

@@ -100,6 +100,7 @@ static void make_batch(const char *name, const char *analysis, const double *beg
                            .integrate = whirl_integrate_default(),
                            .record = whirl_record_default()};
     snprintf(batch->name, sizeof batch->name, "%s", name);
+    batch->role = strcmp(name, "branch") == 0 ? WHIRL_ROLE_BRANCHES : WHIRL_ROLE_TORI;
     strcpy(batch->integrate.method, "dop853");
     batch->record.transient = 20;
     batch->record.growth = WHIRL_GROWTH_NONE;

@@ -22,6 +22,27 @@
 extern "C" {
 #endif
 
+/// What the points of a table are in a study, whatever their analyses.
+typedef enum whirl_role {
+    WHIRL_ROLE_POINT,    ///< the machine as it stands: "response"
+    WHIRL_ROLE_SURVEY,   ///< along a parameter: "sweep"
+    WHIRL_ROLE_DETAIL,   ///< some of these, for longer: "detail"
+    WHIRL_ROLE_MAP,      ///< over two or three parameters: "map"
+    WHIRL_ROLE_BASIN,    ///< starts of one machine: "basin"
+    WHIRL_ROLE_BRANCHES, ///< orbits followed along a parameter: "branch"
+    WHIRL_ROLE_CURVES,   ///< special points followed over two: "curves"
+    WHIRL_ROLE_TORI,     ///< "tori"
+    WHIRL_ROLE_MOTIONS,  ///< motions beside studies at rest: "motions"
+    WHIRL_ROLE_REST,     ///< machines at rest: "modes", "statics", ...
+    WHIRL_ROLES
+} whirl_role;
+
+/// "survey", "detail", ...: as results have it. Static text.
+const char *whirl_role_name(whirl_role role);
+
+/// The role of that name; WHIRL_ROLES where it is none.
+whirl_role whirl_role_of(const char *name);
+
 // ---------------------------------------------------------------- single analyses, for any record
 
 /// A mean with its standard error.

@@ -37,7 +37,8 @@ typedef struct whirl_coexisting {
 
 /// The points of one batch.
 struct whirl_table {
-    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail"
+    char name[WHIRL_NAME_SIZE];      ///< "sweep", "modes_worn": as whoever reads the result calls it
+    whirl_role role;                 ///< of its points in the study
     char parameter[WHIRL_NAME_SIZE]; ///< what varies, or ""
     char second[WHIRL_NAME_SIZE];    ///< what varies besides, in a map, whose points have it in the field "map/second"
     size_t row;                      ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
@@ -80,6 +81,9 @@ struct whirl_table {
 };
 
 enum { WHIRL_CLOCK_UNKNOWN = 4 };
+
+/// The first table with that role; NULL where there is none.
+const whirl_table *whirl_result_role(const whirl_result *result, whirl_role role);
 
 /// A named parameter of the case with the value that the run used, in SI.
 typedef struct whirl_parameter {

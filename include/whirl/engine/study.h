@@ -45,7 +45,8 @@ enum { WHIRL_MAX_GIVEN = 8 };
 /// A batch of a map has a second parameter, too, with a value at every point: the points of its rows follow each other.
 /// With a third one it is a stack of such maps, plane after plane.
 typedef struct whirl_batch {
-    char name[WHIRL_NAME_SIZE];      ///< "response", "sweep", "map", "basin", "detail", "branch", "curves", "tori"
+    char name[WHIRL_NAME_SIZE];      ///< of its table, as whoever reads the result calls it
+    whirl_role role;                 ///< of its points in the study
     char parameter[WHIRL_NAME_SIZE]; ///< what varies; "" for a single point
     size_t count;                    ///< of points
     const double *values;            ///< [count] of the parameter, in SI; borrowed; NULL when nothing varies

@@ -86,6 +86,22 @@ static const whirl_analysis analyses[] = {ANALYSES(ABOUT){NULL, NULL, NULL, ON_D
 
 const analysis_plan *const analysis_plans[] = {ANALYSES(PLAN) NULL};
 
+static const char *const roles[WHIRL_ROLES] = {
+    [WHIRL_ROLE_POINT] = "point",   [WHIRL_ROLE_SURVEY] = "survey", [WHIRL_ROLE_DETAIL] = "detail",
+    [WHIRL_ROLE_MAP] = "map",       [WHIRL_ROLE_BASIN] = "basin",   [WHIRL_ROLE_BRANCHES] = "branches",
+    [WHIRL_ROLE_CURVES] = "curves", [WHIRL_ROLE_TORI] = "tori",     [WHIRL_ROLE_MOTIONS] = "motions",
+    [WHIRL_ROLE_REST] = "rest"};
+
+const char *whirl_role_name(whirl_role role) {
+    return roles[role];
+}
+
+whirl_role whirl_role_of(const char *name) {
+    int role = 0;
+    while (role < WHIRL_ROLES && strcmp(roles[role], name) != 0) role++;
+    return (whirl_role)role;
+}
+
 const whirl_analysis *whirl_analyses(void) {
     return analyses;
 }

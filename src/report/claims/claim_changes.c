@@ -30,14 +30,15 @@ static double number_at(const whirl_table *table, size_t row, const char *field)
     return whirl_table_number(table, row, field, 0);
 }
 
-const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter) {
-    const whirl_table *table = whirl_result_table(result, name);
+const whirl_table *claim_table_over(const whirl_result *result, whirl_role role, const char *parameter) {
+    const whirl_table *table = whirl_result_role(result, role);
     return table && table->count > 0 && strcmp(table->parameter, parameter) == 0 ? table : NULL;
 }
 
 static claim_range range_of(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result) {
     const double aside = claim->from == claim->to ? NEAR_VALUE * fabs(claim->from) : 0.0;
-    return (claim_range){claim_table_over(result, "branch", claims->parameter), claim->from - aside, claim->to + aside};
+    return (claim_range){claim_table_over(result, WHIRL_ROLE_BRANCHES, claims->parameter), claim->from - aside,
+                         claim->to + aside};
 }
 
 /// Whether a row is a special point of that kind in the range.
@@ -152,7 +153,7 @@ static size_t leg_length(const whirl_table *table, size_t first) {
 
 /// The first curve of Hopf points; none: without rows.
 static claim_curve hopf_curve(const whirl_result *result) {
-    claim_curve curve = {whirl_result_table(result, "curves"), 0, 0, 0};
+    claim_curve curve = {whirl_result_role(result, WHIRL_ROLE_CURVES), 0, 0, 0};
     const whirl_table *table = curve.table;
     if (!table) return curve;
     while (curve.first < table->count && number_at(table, curve.first, WHIRL_FIELD_TRACE_SPECIAL) != WHIRL_HOPF)

@@ -98,8 +98,8 @@ typedef struct claim_selection {
     double nearest; ///< value of the point taken for a claim of one value
 } claim_selection;
 
-/// The table of that name whose parameter is the given one; NULL where there is none with a point.
-const whirl_table *claim_table_over(const whirl_result *result, const char *name, const char *parameter);
+/// The table with that role whose parameter is the given one; NULL where there is none with a point.
+const whirl_table *claim_table_over(const whirl_result *result, whirl_role role, const char *parameter);
 claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim);
 bool claim_selected(const claim_selection *of, size_t point);
 size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX where there is none of that name

@@ -95,7 +95,7 @@ static void where_met(const claim_view *view, const char *parameter, double valu
 void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result, char *text,
                        size_t size) {
     const claim_selection of = claim_select(result, claims->parameter, claim);
-    const whirl_table *sweep = claim_table_over(result, "sweep", claims->parameter);
+    const whirl_table *sweep = claim_table_over(result, WHIRL_ROLE_SURVEY, claims->parameter);
     const size_t station = claim_station(result, claims->station);
     snprintf(text, size, "not compared");
     if (station == SIZE_MAX || (speaks_of_points(claim) && of.count == 0)) return;

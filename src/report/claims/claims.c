@@ -29,16 +29,16 @@ static double spacing(const whirl_table *table) {
 
 /// One value: the detail point at it, else a single point computed there, else the sweep's nearest within one spacing.
 static claim_selection select_point(const whirl_result *result, const char *parameter, double value) {
-    const whirl_table *detail = claim_table_over(result, "detail", parameter);
+    const whirl_table *detail = claim_table_over(result, WHIRL_ROLE_DETAIL, parameter);
     if (detail) {
         const double found = detail->values[nearest_point(detail, value)];
         if (near(found, value)) return (claim_selection){detail, found, found, 1, found};
     }
-    const whirl_table *response = whirl_result_table(result, "response");
+    const whirl_table *response = whirl_result_role(result, WHIRL_ROLE_POINT);
     for (size_t i = 0; response && response->count == 1 && i < result->parameter_count; i++)
         if (strcmp(result->parameters[i].name, parameter) == 0 && near(result->parameters[i].value, value))
             return (claim_selection){response, NAN, NAN, 1, value};
-    const whirl_table *sweep = claim_table_over(result, "sweep", parameter);
+    const whirl_table *sweep = claim_table_over(result, WHIRL_ROLE_SURVEY, parameter);
     if (sweep) {
         const double found = sweep->values[nearest_point(sweep, value)];
         if (fabs(found - value) <= spacing(sweep) || near(found, value))
@@ -55,7 +55,7 @@ bool claim_selected(const claim_selection *of, size_t point) {
 
 claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim) {
     if (near(claim->from, claim->to)) return select_point(result, parameter, claim->from);
-    claim_selection of = {claim_table_over(result, "sweep", parameter), fmin(claim->from, claim->to),
+    claim_selection of = {claim_table_over(result, WHIRL_ROLE_SURVEY, parameter), fmin(claim->from, claim->to),
                           fmax(claim->from, claim->to), 0, 0.0};
     for (size_t i = 0; of.table && i < of.table->count; i++) of.count += claim_selected(&of, i);
     return of;

@@ -138,7 +138,7 @@ static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) 
 /// The section of the sweep beside the branches.
 static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
     enum { MOST_DOTS = 40000 };
-    const whirl_table *sweep = whirl_result_table(v->of->result, "sweep");
+    const whirl_table *sweep = whirl_result_role(v->of->result, WHIRL_ROLE_SURVEY);
     if (!sweep || !table_has(sweep, WHIRL_FIELD_POINCARE_SECTION)) return;
     whirl_series *dots = panel_named(figure, panel, WHIRL_DOTS, "sweep", "#C4C4C4", 0.27);
     for (size_t i = 0; i < sweep->count; i++) {
@@ -206,7 +206,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 }
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    const whirl_table *table = place->table, *sweep = whirl_result_table(of->result, "sweep");
+    const whirl_table *table = place->table, *sweep = whirl_result_role(of->result, WHIRL_ROLE_SURVEY);
     view v = {.of = of, .table = table, .station = place->station, .range = span_empty()};
     v.size = whirl_shown_parameter(of->units, table->parameter).size;
     for (size_t i = 0; i < table->count; i++) span_widen(&v.range, table->values[i] / v.size);

@@ -17,7 +17,7 @@ bool table_has(const whirl_table *table, const char *field) {
 
 bool table_is_sweep(const drawing *of, const whirl_table *table) {
     return *table->parameter && table->row == 0 && whirl_analysis_kind(table->analyses)->moves &&
-           table == whirl_result_table(of->result, "sweep");
+           table == whirl_result_role(of->result, WHIRL_ROLE_SURVEY);
 }
 
 static bool is_taken(const figure_list *list, const char *name) {

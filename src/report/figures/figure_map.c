@@ -351,7 +351,7 @@ static bool is_known(const map_drawing *map, const map_quantity *what, size_t st
 }
 
 static bool is_basin(const whirl_table *table) {
-    return strcmp(table->name, "basin") == 0;
+    return table->role == WHIRL_ROLE_BASIN;
 }
 
 static void add_to_list(figure_list *to, const map_drawing *map, size_t which, size_t station) {

@@ -20,7 +20,7 @@ static bool is_stable(const whirl_table *table, size_t point) {
 }
 
 const whirl_table *tori_table(const whirl_result *result) {
-    const whirl_table *table = whirl_result_table(result, "tori");
+    const whirl_table *table = whirl_result_role(result, WHIRL_ROLE_TORI);
     for (size_t point = 0; table && point < table->count; point++)
         if (whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_NUMBER) && is_torus(table, point)) return table;
     return NULL;
@@ -37,7 +37,7 @@ typedef struct band {
 /// The orbit at which a branch of tori begins, of no width.
 static bool beginning(const drawing *to, const whirl_table *table, size_t first, size_t station, size_t line,
                       band *out) {
-    const whirl_table *branches = whirl_result_table(to->result, "branch");
+    const whirl_table *branches = whirl_result_role(to->result, WHIRL_ROLE_BRANCHES);
     const double row = point_number(table, first, WHIRL_FIELD_TORUS_POINT);
     if (!branches || !(row >= 1.0 && row <= (double)branches->count)) return false;
     const whirl_field *field = whirl_layout_field(&branches->layout, WHIRL_FIELD_TRACE_SECTION);

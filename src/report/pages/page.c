@@ -102,7 +102,7 @@ static void write_kinds(const page *to, size_t r) {
 
 static void write_result_contents(const page *to, size_t r) {
     const whirl_result *result = to->results[r];
-    const whirl_table *sweep = whirl_result_table(result, "sweep");
+    const whirl_table *sweep = whirl_result_role(result, WHIRL_ROLE_SURVEY);
     fprintf(to->stream, "<li><a href=\"#result-%zu\">", r + 1);
     html_text(to->stream, to->names[r]);
     fputs("</a>\n<ul>\n", to->stream);
@@ -116,7 +116,7 @@ static void write_result_contents(const page *to, size_t r) {
         name_section(result, &result->tables[t], name, anchor, sizeof name);
         write_entry(to->stream, anchor, r + 1, name);
     }
-    if (whirl_result_table(result, "basin") || has_starts(result))
+    if (whirl_result_role(result, WHIRL_ROLE_BASIN) || has_starts(result))
         write_entry(to->stream, "attractors", r + 1, "Attractors");
     if (detail_table(result) && detail_table(result)->count > 0)
         write_entry(to->stream, "points", r + 1, "Points in detail");

@@ -46,7 +46,9 @@ void page_machine(const page *to, size_t index) {
 }
 
 const char *page_diagrams_title(const whirl_result *result) {
-    return whirl_result_table(result, "map") ? "Maps" : whirl_result_table(result, "basin") ? "Basins" : "Diagrams";
+    return whirl_result_role(result, WHIRL_ROLE_MAP)     ? "Maps"
+           : whirl_result_role(result, WHIRL_ROLE_BASIN) ? "Basins"
+                                                         : "Diagrams";
 }
 
 void page_figures(const page *to, size_t index) {

@@ -10,7 +10,7 @@
 /// Whether sentences tell of a table: not of points that a sweep beside them tells of.
 static bool is_told(const whirl_result *result, const whirl_table *table) {
     if (table->count == 0) return false;
-    return strcmp(table->name, "detail") != 0 || result->table_count == 1;
+    return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;
 }
 
 static void write_tables(const page *to, size_t index, bool at_rest) {
@@ -52,7 +52,7 @@ static void write_attractor(const page *to, const whirl_table *table, size_t num
 }
 
 void page_attractors(const page *to, size_t index) {
-    const whirl_table *table = whirl_result_table(to->results[index], "basin");
+    const whirl_table *table = whirl_result_role(to->results[index], WHIRL_ROLE_BASIN);
     whirl_attractor found[SHOWN];
     size_t count, told = 0, done = 0;
     if (!table || whirl_table_attractors(table, NULL, found, SHOWN, &count).code != WHIRL_OK || count == 0) return;
@@ -95,7 +95,7 @@ static void write_jump(const page *to, size_t index, const whirl_table *table, c
 }
 
 void page_jumps(const page *to, size_t index) {
-    const whirl_table *table = whirl_result_table(to->results[index], "sweep");
+    const whirl_table *table = whirl_result_role(to->results[index], WHIRL_ROLE_SURVEY);
     whirl_jump jumps[MOST_JUMPS];
     char label[UNIT_LABEL_SIZE];
     size_t count;

@@ -81,7 +81,7 @@ static void write_merged(FILE *stream, const shown_table *of, const regime_inter
 
 void page_intervals(const page *to, size_t index) {
     const whirl_result *result = to->results[index];
-    const whirl_table *table = whirl_result_table(result, "sweep");
+    const whirl_table *table = whirl_result_role(result, WHIRL_ROLE_SURVEY);
     if (!table || table->count == 0 || !whirl_layout_has_verdict(&table->layout)) return;
     regime_interval *intervals = malloc(table->count * sizeof *intervals);
     if (!intervals) return;

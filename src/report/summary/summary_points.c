@@ -156,7 +156,7 @@ static void print_counts(FILE *out, const whirl_shown_units *units, const whirl_
 }
 
 static bool is_basin(const whirl_table *table) {
-    return strcmp(table->name, "basin") == 0;
+    return table->role == WHIRL_ROLE_BASIN;
 }
 
 /// "attractor 1: P-1 at 1931 starts, 64.3 % +- 0.9 %", one line an attractor.

@@ -17,7 +17,7 @@ alike *alike_new(const whirl_table *table) {
     alike *labels = calloc(1, sizeof *labels);
     if (!labels) return NULL;
     labels->table = table;
-    labels->basin = strcmp(table->name, "basin") == 0;
+    labels->basin = table->role == WHIRL_ROLE_BASIN;
     labels->labels = calloc(table->count + 1, sizeof *labels->labels);
     if (labels->labels) return labels;
     alike_free(labels);

@@ -83,7 +83,7 @@ static whirl_status keep_row(const rows *r, size_t row) {
 
 /// Whether nothing of the rows was looked for yet. Of curves and tori there may be none where there are branches.
 static bool are_missing(const rows *r) {
-    const whirl_table *branches = whirl_result_table(r->run->result, "branch");
+    const whirl_table *branches = whirl_result_role(r->run->result, WHIRL_ROLE_BRANCHES);
     return branches && branches != r->table ? branches->planned > 0 : r->recalled == 0;
 }
 

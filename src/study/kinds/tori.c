@@ -240,7 +240,7 @@ static void trace_tori(tori *all) {
 }
 
 static whirl_status work(study_run *run, const pass *p) {
-    tori all = {.branches = whirl_result_table(run->result, "branch")};
+    tori all = {.branches = whirl_result_role(run->result, WHIRL_ROLE_BRANCHES)};
     whirl_status status = rows_open(&all.rows, run, p);
     const bool wanted = status.code == WHIRL_OK && !all.rows.left_out;
     if (wanted) status = collect(&all);

@@ -271,7 +271,7 @@ static whirl_status number_places(const whirl_table *table, size_t *numbers, dou
 
 whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
     if (table->starts > 1) return number_places(table, numbers, shares, errors);
-    if (strcmp(table->name, "basin") == 0) return number_basin(table, numbers, shares, errors);
+    if (table->role == WHIRL_ROLE_BASIN) return number_basin(table, numbers, shares, errors);
     for (size_t i = 0; i < table->count; i++) {
         if (numbers) numbers[i] = 0;
         if (shares) shares[i] = (double)NAN;

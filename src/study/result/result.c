@@ -32,6 +32,12 @@ const whirl_table *whirl_result_table(const whirl_result *result, const char *na
     return NULL;
 }
 
+const whirl_table *whirl_result_role(const whirl_result *result, whirl_role role) {
+    for (size_t i = 0; i < result->table_count; ++i)
+        if (result->tables[i].role == role) return &result->tables[i];
+    return NULL;
+}
+
 const double *whirl_table_block(const whirl_table *table, size_t point) {
     if (point >= table->count) return NULL;
     if (table->source) return whirl_table_block(table->source, table->chosen[point]);

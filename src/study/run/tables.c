@@ -40,6 +40,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
         status = refine_add_fields(&table->layout);
     if (status.code != WHIRL_OK) return status;
     memcpy(table->name, batch->name, sizeof table->name);
+    table->role = batch->role;
     memcpy(table->parameter, batch->parameter, sizeof table->parameter);
     memcpy(table->second, batch->second, sizeof table->second);
     if (batch->third_values) memcpy(table->third, batch->third, sizeof table->third);

@@ -80,6 +80,7 @@ static inline void sample_table(const whirl_result *result, whirl_table *table, 
                                  .probe_count = result->station_count,
                                  .probes = result->stations,
                                  .contact_count = result->contact_count};
+    table->role = detail ? WHIRL_ROLE_DETAIL : WHIRL_ROLE_SURVEY;
     snprintf(table->name, sizeof table->name, "%s", name);
     snprintf(table->parameter, sizeof table->parameter, "%s", result->parameters[0].name);
     for (size_t i = 0; i < (detail ? 7 : 6); i++)

@@ -20,6 +20,7 @@ static void add_table(whirl_result *result, const char *name, size_t count, cons
         .dimension = 8, .period = 6.283185307179586, .probe_count = 2, .probes = result->stations};
     whirl_table *table = &result->tables[result->table_count++];
     snprintf(table->name, sizeof table->name, "%s", name);
+    table->role = strcmp(name, "branch") == 0 ? WHIRL_ROLE_BRANCHES : WHIRL_ROLE_CURVES;
     snprintf(table->parameter, sizeof table->parameter, "r_k");
     assert_true(whirl_analysis_add(&table->analyses, "trace"));
     table->integrate = whirl_integrate_default();

@@ -23,7 +23,7 @@ static whirl_result *large_result(void) {
     whirl_result *result = calloc(1, sizeof *result);
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
-    *table = (whirl_table){.name = "sweep", .parameter = "a", .count = POINTS};
+    *table = (whirl_table){.name = "sweep", .role = WHIRL_ROLE_SURVEY, .parameter = "a", .count = POINTS};
     table->layout = (whirl_layout){.field_count = 1, .size = (size_t)ROWS * COLUMNS};
     table->layout.fields[0] = (whirl_field){.name = "poincare/section",
                                             .unit = "length",
@@ -89,7 +89,7 @@ static whirl_result *map_of(size_t columns, size_t rows) {
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
     const size_t count = columns * rows, size = sizeof names / sizeof *names;
-    *table = (whirl_table){.name = "map", .parameter = "a", .second = "b", .row = columns, .count = count};
+    *table = (whirl_table){.name = "map", .role = WHIRL_ROLE_MAP, .parameter = "a", .second = "b", .row = columns, .count = count};
     table->layout = (whirl_layout){.field_count = size, .size = size};
     for (size_t f = 0; f < size; f++) {
         table->layout.fields[f] = (whirl_field){
@@ -226,7 +226,11 @@ static whirl_result *many_orbits(size_t count) {
     whirl_result *result = calloc(1, sizeof *result);
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
-    *table = (whirl_table){.name = "branch", .parameter = "a", .count = count, .record = whirl_record_default()};
+    *table = (whirl_table){.name = "branch",
+                            .role = WHIRL_ROLE_BRANCHES,
+                            .parameter = "a",
+                            .count = count,
+                            .record = whirl_record_default()};
     table->record.trace.segments = SEGMENTS;
     table->record.trace.longest = 1;
     whirl_analysis_add(&table->analyses, "trace");

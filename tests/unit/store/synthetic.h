@@ -74,6 +74,7 @@ static inline void synthetic_traced(whirl_table *table, const whirl_result *resu
 static inline void synthetic_sweep(whirl_table *table, const whirl_result *result) {
     static const char *const analyses[] = {"poincare", "regime", "lyapunov", "spectrum", "orbit", "rub"};
     snprintf(table->name, sizeof table->name, "sweep");
+    table->role = WHIRL_ROLE_SURVEY;
     synthetic_layout(table, result, analyses, sizeof analyses / sizeof *analyses);
     synthetic_fill(table, SYNTHETIC_POINTS);
     static const double codes[SYNTHETIC_POINTS] = {WHIRL_PERIODIC, WHIRL_CHAOTIC, WHIRL_DIVERGING};
@@ -138,6 +139,7 @@ static inline void synthetic_detail(whirl_table *table, const whirl_result *resu
     };
     const size_t repeat[] = {1, result->station_count, result->contact_count};
     snprintf(table->name, sizeof table->name, "detail");
+    table->role = WHIRL_ROLE_DETAIL;
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; ++i) {
         whirl_field *field = &table->layout.fields[table->layout.field_count++];
         *field = (whirl_field){.unit = shapes[i].unit,

@@ -62,6 +62,7 @@ static void make(plane *s, const char *name, size_t refine, bool confirm) {
     s->study.machine = machine;
     s->study.family = &s->basin;
     strcpy(batch->name, name);
+    batch->role = s->basin ? WHIRL_ROLE_BASIN : WHIRL_ROLE_MAP;
     strcpy(batch->second, "q");
     batch->second_values = s->q;
     batch->row = COLUMNS;
