@@ -65,7 +65,8 @@ static whirl_result *run(const double *force, const double *x, const double *v, 
     whirl_batch *batch = &study.batches[0];
     whirl_result *result;
     const whirl_run_options options = {.threads = 2};
-    *batch = (whirl_batch){.name = "basin", .role = WHIRL_ROLE_BASIN, .parameter = "x", .second = "v", .count = count, .row = count};
+    *batch = (whirl_batch){
+        .name = "basin", .role = WHIRL_ROLE_BASIN, .parameter = "x", .second = "v", .count = count, .row = count};
     batch->values = x;
     batch->second_values = v;
     batch->integrate = whirl_integrate_default();

@@ -213,7 +213,12 @@ static whirl_result *run(const double *angles, const double *rates, size_t count
     whirl_batch *batch = &study.batches[0];
     whirl_result *result;
     const whirl_run_options options = {.threads = 2};
-    *batch = (whirl_batch){.name = "basin", .role = WHIRL_ROLE_BASIN, .parameter = "theta", .second = "rate", .count = count, .row = count};
+    *batch = (whirl_batch){.name = "basin",
+                           .role = WHIRL_ROLE_BASIN,
+                           .parameter = "theta",
+                           .second = "rate",
+                           .count = count,
+                           .row = count};
     batch->values = angles;
     batch->second_values = rates;
     batch->integrate = whirl_integrate_default();
