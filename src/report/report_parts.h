@@ -273,6 +273,19 @@ void units_parameter_label(const whirl_shown_units *units, const char *name, cha
 void units_point_label(const whirl_shown_units *units, const whirl_table *table, size_t point, char *label,
                        size_t size);
 
+// ---------------------------------------------------------------- weight
+// How weight acts on the machine of a result, which knows it of cases.
+
+/// "9.80665 m/s2 across the shafts"; "" where it is not known.
+const char *weight_told(const whirl_result *result);
+
+/// Returns true where it acts along the shafts.
+bool weight_stands(const whirl_result *result);
+
+/// Returns true where a summary begins with it: the machine stands, or journals in clearances have none. Statics say it
+/// themselves.
+bool weight_heads(const whirl_result *result);
+
 // ---------------------------------------------------------------- written
 // What functions write, as texts for programs in other languages.
 

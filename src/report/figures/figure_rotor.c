@@ -547,14 +547,13 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         fit_panel(&p);
     }
     snprintf(panel->x.label, sizeof panel->x.label, inches ? "$z$ (in)" : "$z$ (mm)");
-    const bool stands = strstr(whirl_result_fact(of->result, "weight"), " along ") != NULL;
     snprintf(figure->caption, sizeof figure->caption, "%s%s",
              l->to_scale
                  ? "The machine: shafts of finite elements to scale, along and across; discs and masses as discs of "
                    "steel of the same mass and polar inertia; symbols of what acts on stations, not to scale."
                  : "The machine: stations in their order, as large as the cube root of their masses; lines and springs "
                    "join them. It has no shaft of finite elements, so nothing is to scale.",
-             stands ? " The machine stands and is drawn lying." : "");
+             weight_stands(of->result) ? " The machine stands and is drawn lying." : "");
     whirl_model_free(&l->model);
     free(l);
 }

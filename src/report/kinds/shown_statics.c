@@ -143,7 +143,7 @@ static void find_coefficients(const finder *of) {
 static void find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
-    const char *const weight = whirl_result_fact(of->result, "weight");
+    const char *const weight = weight_told(of->result);
     if (*weight) phrase_text(of, &find_statement(of, "weight")->found, "%s", weight);
     if (*of->table->record.coupling)
         phrase_text(of, &find_statement(of, "alignment")->found, "raised for no moment and no shear at %s",

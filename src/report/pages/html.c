@@ -60,7 +60,7 @@ void html_number(FILE *stream, double value) {
 }
 
 void html_weight(FILE *stream, const whirl_result *result) {
-    const char *const weight = whirl_result_fact(result, "weight");
+    const char *const weight = weight_told(result);
     if (!*weight) return;
     fputs("<p>Weight: ", stream);
     html_text(stream, weight);

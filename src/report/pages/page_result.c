@@ -228,7 +228,7 @@ void page_computed(const page *to, size_t index) {
     const whirl_unit length = whirl_result_length_unit(result);
     snprintf(text, sizeof text, "%.6g %s", result->length_scale / length.size, length.name);
     write_row(to->stream, "Length scale", text);
-    const char *const weight = whirl_result_fact(result, "weight");
+    const char *const weight = weight_told(result);
     if (*weight) write_row(to->stream, "Weight", weight);
     text[0] = '\0';
     for (size_t s = 0; s < result->station_count; s++) {

@@ -110,7 +110,7 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
         fprintf(out, "warning: %s\n", whirl_result_warning(result, i));
     for (size_t i = 0; *whirl_result_fit(result, i); i++) fprintf(out, "%s\n", whirl_result_fit(result, i));
     if (*whirl_result_film_tables(result)) fprintf(out, "film tables: %s\n", whirl_result_film_tables(result));
-    if (summary_heads_weight(result)) fprintf(out, "weight: %s\n", whirl_result_fact(result, "weight"));
+    if (weight_heads(result)) fprintf(out, "weight: %s\n", weight_told(result));
     const char *const keyphasor = whirl_result_keyphasor(result);
     if (*keyphasor) whirl_write_keyphasor(keyphasor, whirl_result_clock(result), out);
     if (whirl_result_partial(result, &done, &total)) {

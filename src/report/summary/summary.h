@@ -25,10 +25,6 @@ typedef struct verdict_count {
 } verdict_count;
 size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VERDICTS]);
 
-/// Returns true where a summary begins with how weight acts: the machine stands, or journals in clearances have none.
-/// Statics say it themselves.
-bool summary_heads_weight(const whirl_result *result);
-
 /// The unit of lengths: the one that is asked for, else the one that the case writes them in.
 whirl_unit summary_length_unit(const whirl_shown_units *units);
 

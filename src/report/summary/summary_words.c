@@ -64,12 +64,3 @@ void summarize_doubts(FILE *out, const whirl_shown_units *units, const whirl_tab
     }
     if (remedied) fputs("  whirl run --refine does these points again so\n", out);
 }
-
-bool summary_heads_weight(const whirl_result *result) {
-    const char *const weight = whirl_result_fact(result, "weight");
-    bool journals = false;
-    for (size_t t = 0; t < result->table_count; t++)
-        if (whirl_layout_field(&result->tables[t].layout, WHIRL_FIELD_STATICS_LOAD)) return false;
-    for (size_t s = 0; s < result->station_count; s++) journals = journals || result->stations[s].clearance > 0.0;
-    return strstr(weight, " along ") || (journals && strncmp(weight, "none", 4) == 0);
-}

@@ -118,6 +118,7 @@ static void test_taken_over(void **state) {
     expect_line("", "", "    steel: {modulus: 211 GPa, shear_modulus: 81.2 GPa, density: 7810 kg/m3}\n");
     expect_line("", "", "    shaft: {material: steel, shear: cowper}\n");
     expect_line("", "", "    - segment: {length: 0.25 m, outer: 0.05 m}");
+    expect_line("", "", "    - gravity: 9.8065 m/s2    # that of ROSS");
     expect_line("", "", "inner: 0.01 m, outer_end: 0.04 m,\n                inner_end: 0.01 m}");
     expect_line("", "", "    disk_0: {position: 0.25 m, mass: 30 kg, diametral: 0.2 kg.m2, polar: 0.3 kg.m2}");
     expect_line("", "", "    bearing_0: {position: 0 m}");
