@@ -55,11 +55,20 @@ def problems_of_parts(site):
             yield f"{path.relative_to(site)} is a module"
 
 
+def problems_of_search(site):
+    """The search fetches nothing, which browsers refuse to pages on disk: its index is a script, summaries are off."""
+    if "searchindex.js" not in Page(site / "search.html").loaded or not (site / "searchindex.js").is_file():
+        yield "search.html does not load its index as a script"
+    options = site / "_static/documentation_options.js"
+    if "SHOW_SEARCH_SUMMARY: false" not in options.read_text(encoding="utf-8"):
+        yield "search.html fetches the pages that it finds for summaries"
+
+
 def main():
     site = Path(sys.argv[1]).resolve()
     # Explorers are pages of their own, with tests of their own.
     pages = {path: Page(path) for path in site.rglob("*.html") if "_downloads" not in path.parts}
-    found = sorted({*problems(site, pages), *problems_of_parts(site)})
+    found = sorted({*problems(site, pages), *problems_of_parts(site), *problems_of_search(site)})
     print("\n".join(found))
     print(f"{len(pages)} pages, {sum(len(page.links) for page in pages.values())} links, {len(found)} problems")
     return 1 if found or len(pages) < 20 else 0

@@ -15,7 +15,7 @@ enum { WHIRL_MAX_FILM_TABLES = 4096 };
 
 /// A set of tables: one bit a table of the process. All zero: the empty set.
 typedef struct whirl_film_tables {
-    uint64_t bits[WHIRL_MAX_FILM_TABLES / 64];
+    uint64_t bits[WHIRL_MAX_FILM_TABLES / 64]; ///< table i of the process: bit i % 64 of bits[i / 64]
 } whirl_film_tables;
 
 /// Size of the text of whirl_film_tables_text.

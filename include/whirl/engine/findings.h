@@ -39,21 +39,21 @@ enum { WHIRL_PHRASE_PIECES = 24 };
 
 /// A sentence, or a part of one, whose numbers are still numbers.
 typedef struct whirl_phrase {
-    size_t count;
+    size_t count;                            ///< of pieces
     whirl_piece pieces[WHIRL_PHRASE_PIECES]; ///< [count]
 } whirl_phrase;
 
 /// One finding about a machine.
 typedef struct whirl_statement {
-    const char *what;    ///< "separation margin"
-    const char *table;   ///< name of the table of the result that it is of
-    const char *station; ///< or ""
-    const char *clause;  ///< of the standard that asks for it; "" where none does
-    whirl_judgement judgement;
-    whirl_phrase at;    ///< the value of the table's parameter that it is of; empty: of the whole table
-    whirl_phrase asked; ///< what is asked for; empty where nothing is
-    whirl_phrase found; ///< what was found
-    whirl_phrase told;  ///< the judgement in words, with its reason; empty where nothing is asked for
+    const char *what;          ///< "separation margin"
+    const char *table;         ///< name of the table of the result that it is of
+    const char *station;       ///< or ""
+    const char *clause;        ///< of the standard that asks for it; "" where none does
+    whirl_judgement judgement; ///< whether it holds
+    whirl_phrase at;           ///< the value of the table's parameter that it is of; empty: of the whole table
+    whirl_phrase asked;        ///< what is asked for; empty where nothing is
+    whirl_phrase found;        ///< what was found
+    whirl_phrase told;         ///< the judgement in words, with its reason; empty where nothing is asked for
 } whirl_statement;
 
 /// A column of a sheet.
@@ -76,11 +76,11 @@ typedef struct whirl_cell {
 
 /// A table as documents show it.
 typedef struct whirl_sheet {
-    const char *name;  ///< "peaks": no other of its table has it
-    const char *title; ///< one line
-    const char *table; ///< name of the table of the result that it is of
-    const char *about; ///< sentences that explain it, or ""
-    size_t columns, rows;
+    const char *name;     ///< "peaks": no other of its table has it
+    const char *title;    ///< one line
+    const char *table;    ///< name of the table of the result that it is of
+    const char *about;    ///< sentences that explain it, or ""
+    size_t columns, rows; ///< of cells
     bool of_points;       ///< a row is a point: summaries show the first and the last alone
     whirl_column *column; ///< [columns]
     whirl_cell *cells;    ///< [rows][columns]
@@ -89,11 +89,11 @@ typedef struct whirl_sheet {
 
 /// All that was found.
 typedef struct whirl_findings {
-    size_t statement_count, sheet_count;
-    whirl_statement *statements; ///< [statement_count]
-    whirl_sheet *sheets;         ///< [sheet_count]
-    void *memory;                ///< of all texts and numbers
-    bool failed;                 ///< memory was lacking while it was made
+    size_t statement_count, sheet_count; ///< of the next two
+    whirl_statement *statements;         ///< [statement_count]
+    whirl_sheet *sheets;                 ///< [sheet_count]
+    void *memory;                        ///< of all texts and numbers
+    bool failed;                         ///< memory was lacking while it was made
 } whirl_findings;
 
 /// What was found in a result, table by table in their order; `units` as whirl_result_shown_units has them. Borrows
