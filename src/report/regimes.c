@@ -18,6 +18,7 @@ static const struct {
     [CLASS_CHAOTIC] = {"chaotic", "#000000"},
     [CLASS_UNDETERMINED] = {"undetermined", "#9A9F95"},
     [CLASS_DIVERGED] = {"diverged", "#FB8D41"},
+    [CLASS_NOT_JUDGED] = {"not judged", "#9A9F95"},
 };
 
 regime_class regime_class_of(const whirl_verdict *verdict) {
@@ -33,6 +34,8 @@ regime_class regime_class_of(const whirl_verdict *verdict) {
         return CLASS_CHAOTIC;
     case WHIRL_DIVERGING:
         return CLASS_DIVERGED;
+    case WHIRL_NOT_JUDGED:
+        return CLASS_NOT_JUDGED;
     default:
         return CLASS_UNDETERMINED;
     }

@@ -159,6 +159,7 @@ typedef enum regime_class {
     CLASS_CHAOTIC,
     CLASS_UNDETERMINED,
     CLASS_DIVERGED,
+    CLASS_NOT_JUDGED, ///< of tables without verdicts; legends of verdicts leave it out
     CLASS_COUNT
 } regime_class;
 

@@ -9,6 +9,7 @@
 
 #include "support_check.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/report.h"
 #include "whirl/engine/study.h"
 
 #include <stdio.h>
@@ -146,6 +147,49 @@ static whirl_result *written(const whirl_result *result) {
     return read;
 }
 
+/// The text of all files of a folder, which goes away; to be freed.
+static char *text_of(const char *folder) {
+    char command[SIZE], *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    snprintf(command, sizeof command, "find %s -type f -exec cat {} +; rm -r %s", folder, folder);
+    FILE *in = popen(command, "r");
+    assert_non_null(in);
+    for (int c; (c = fgetc(in)) != EOF;) fputc(c == '\0' ? ' ' : c, out);
+    assert_int_equal(pclose(in), 0);
+    fclose(out);
+    return text;
+}
+
+/// No renderer calls points undetermined that nobody has judged: summary, JSON, CSV, report with its figures.
+static void no_verdict_is_said(const whirl_result *result, const char *study) {
+    static const char *const name[] = {"kind"};
+    char folder[] = "/tmp/whirl-kind-XXXXXX", path[64];
+    for (size_t t = 0; t < result->table_count; t++) {
+        if (whirl_layout_has_verdict(&result->tables[t].layout)) return;
+        for (size_t i = 0; i < result->tables[t].count; i++)
+            assert_int_equal(whirl_table_verdict(&result->tables[t], i).regime, WHIRL_NOT_JUDGED);
+    }
+    assert_non_null(mkdtemp(folder));
+    for (int json = 0; json < 2; json++) {
+        snprintf(path, sizeof path, "%s/%d", folder, json);
+        FILE *out = fopen(path, "w");
+        assert_non_null(out);
+        require_ok(json ? whirl_result_write_json(result, out) : whirl_result_write_summary(result, out));
+        fclose(out);
+    }
+    snprintf(path, sizeof path, "%s/csv", folder);
+    require_ok(whirl_result_export_csv(result, path));
+    snprintf(path, sizeof path, "%s/report", folder);
+    // The program that would draw prints the scripts of the figures.
+    require_ok(whirl_report_write(&result, name, 1, path, &(whirl_report_options){.gnuplot = "true"}));
+    char *text = text_of(folder);
+    assert_true(strlen(text) > 5000);
+    if (strstr(text, "ndetermined")) fail_msg("undetermined, but nobody judged: %s", study);
+    free(text);
+}
+
 /// A run that goes on knows the outline of its study and the file that is there.
 static void finished_files_are_recognised(void **state) {
     (void)state;
@@ -163,6 +207,7 @@ static void finished_files_are_recognised(void **state) {
                 fail_msg("there is no point in the %s of: %s", result->tables[t].name, studies[i].study);
         if (!whirl_result_same_study(read, outline, difference, sizeof difference))
             fail_msg("%s: %s", difference, studies[i].study);
+        no_verdict_is_said(result, studies[i].study);
         // Of another machine it is not.
         read->parameters[0].value += 0.1;
         assert_false(whirl_result_same_study(read, outline, difference, sizeof difference));
@@ -171,6 +216,29 @@ static void finished_files_are_recognised(void **state) {
         whirl_result_free(outline);
         whirl_case_free(object);
     }
+}
+
+/// Motions whose analyses have no regime; what needs one (confirmed, refined, with several starts) refuses that.
+static void motions_without_a_verdict(void **state) {
+    size_t looked = 0;
+    (void)state;
+    for (size_t i = 0; i < STUDIES; i++) {
+        char text[SIZE], problems[SIZE];
+        whirl_case *object = NULL;
+        whirl_result *result;
+        if (!strstr(studies[i].study, "record: 10}")) continue;
+        snprintf(text, sizeof text, "%s%s  analyze: [poincare, orbit, spectrum, rub]\n", studies[i].machine,
+                 studies[i].study);
+        if (whirl_case_check(text, strlen(text), "kind.yaml", problems, sizeof problems, &object).code != WHIRL_OK)
+            continue;
+        require_ok(whirl_case_run(object, &(whirl_run_options){.threads = 1}, &result));
+        assert_false(whirl_layout_has_verdict(&result->tables[0].layout));
+        no_verdict_is_said(result, studies[i].study);
+        looked++;
+        whirl_result_free(result);
+        whirl_case_free(object);
+    }
+    assert_true(looked >= 3);
 }
 
 /// A run that was stopped before its first point, as one that gathers what nobody has computed, leaves a file that says
@@ -202,6 +270,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_kind_is_looked_at),
         cmocka_unit_test(finished_files_are_recognised),
+        cmocka_unit_test(motions_without_a_verdict),
         cmocka_unit_test(stopped_before_the_first_point),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -71,7 +71,8 @@ typedef enum whirl_regime {
     WHIRL_PERIODIC,         ///< it returns after some revolutions: P-k
     WHIRL_QUASI_PERIODIC,   ///< it has frequencies of its own
     WHIRL_CHAOTIC,          ///< small perturbations grow
-    WHIRL_DIVERGING         ///< it left its bounds
+    WHIRL_DIVERGING,        ///< it left its bounds
+    WHIRL_NOT_JUDGED        ///< nobody looked: the analyses have no regime, or the point is not there
 } whirl_regime;
 
 /// The longest period that is told.
@@ -572,7 +573,7 @@ whirl_status whirl_analyze_torus(const whirl_torus_trace *trace, const whirl_rec
 /// Writes at most `size` bytes.
 void whirl_torus_end_text(double end, double p, double q, char *text, size_t size);
 
-/// The verdict that a block holds; regime WHIRL_UNDETERMINED with NaN evidence when it holds none.
+/// The verdict that a block holds; regime WHIRL_NOT_JUDGED with NaN evidence when it holds none.
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block);
 
 /// Looks for a refuge (whirl_record_refuge) of the motion whose block this is, where that calls it chaotic by clear

@@ -260,7 +260,9 @@ whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *bloc
     const double factor = stored(layout, block, WHIRL_FIELD_REGIME_ADVICE_FACTOR);
     const double diverged_at = stored(layout, block, WHIRL_FIELD_REGIME_DIVERGED_AT);
     return (whirl_verdict){
-        .regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_CODE), WHIRL_DIVERGING),
+        .regime = whirl_layout_has_verdict(layout)
+                      ? (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_CODE), WHIRL_DIVERGING)
+                      : WHIRL_NOT_JUDGED,
         .period = whole(stored(layout, block, WHIRL_FIELD_REGIME_PERIOD), WHIRL_MAX_PERIOD),
         .curves = whole(stored(layout, block, WHIRL_FIELD_REGIME_CURVES), WHIRL_MAX_PERIOD),
         .frequencies = whole(stored(layout, block, WHIRL_FIELD_REGIME_FREQUENCIES), 3),

@@ -131,6 +131,7 @@ static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
         return weigh_chaotic(v, e);
     case WHIRL_DIVERGING:
     case WHIRL_UNDETERMINED:
+    case WHIRL_NOT_JUDGED:
         break;
     }
     return WHIRL_LOW;
@@ -277,6 +278,7 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
 static int end_rank(whirl_regime regime) {
     static const int ranks[] = {[WHIRL_CHAOTIC] = 0,
                                 [WHIRL_UNDETERMINED] = 1,
+                                [WHIRL_NOT_JUDGED] = 1,
                                 [WHIRL_DIVERGING] = 2,
                                 [WHIRL_QUASI_PERIODIC] = 3,
                                 [WHIRL_PERIODIC] = 4};

@@ -15,6 +15,7 @@ const char *whirl_regime_name(whirl_regime regime) {
         [WHIRL_QUASI_PERIODIC] = "quasi-periodic",
         [WHIRL_CHAOTIC] = "chaotic",
         [WHIRL_DIVERGING] = "diverged",
+        [WHIRL_NOT_JUDGED] = "not judged",
     };
     return (unsigned)regime < sizeof names / sizeof *names ? names[regime] : names[WHIRL_UNDETERMINED];
 }
@@ -57,6 +58,7 @@ void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
         return;
     case WHIRL_CHAOTIC:
     case WHIRL_UNDETERMINED:
+    case WHIRL_NOT_JUDGED:
         break;
     }
     snprintf(text, size, "%s", whirl_regime_name(verdict->regime));
@@ -277,6 +279,9 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
                      v->diverged_at, v->limit_coordinate, v->limit);
         else
             snprintf(text, size, "the motion left its bounds in revolution %.0f", v->diverged_at);
+        return;
+    case WHIRL_NOT_JUDGED:
+        snprintf(text, size, "no verdict was asked for: the analyses have no regime");
         return;
     case WHIRL_UNDETERMINED:
         break;

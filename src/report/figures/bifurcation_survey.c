@@ -126,9 +126,7 @@ const char *bifurcation_kind_colour(const bifurcation *of, size_t kind) {
 }
 
 void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_NAME_SIZE]) {
-    if (!whirl_layout_has_verdict(&of->table->layout))
-        snprintf(text, WHIRL_NAME_SIZE, "not judged");
-    else if (of->attractors == 0)
+    if (of->attractors == 0)
         snprintf(text, WHIRL_NAME_SIZE, "%s", regime_class_name((regime_class)kind));
     else
         snprintf(text, WHIRL_NAME_SIZE, "attractor %zu", kind + 1);

@@ -224,7 +224,7 @@ static void kind_name(const map_drawing *map, const map_quantity *what, size_t c
 static void add_legend(const map_drawing *map, whirl_panel *panel, const map_quantity *what) {
     const bool judged = what == &quantities[REGIMES];
     const size_t most = map->attractor_count < ATTRACTOR_COLOURS ? map->attractor_count : ATTRACTOR_COLOURS;
-    for (size_t k = 0; k < (judged ? (size_t)CLASS_COUNT : most); k++) {
+    for (size_t k = 0; k < (judged ? (size_t)CLASS_NOT_JUDGED : most); k++) {
         const size_t code = judged ? k * LEVELS + WHIRL_HIGH : k;
         char name[WHIRL_NAME_SIZE], colour[8];
         kind_name(map, what, code, name, sizeof name);

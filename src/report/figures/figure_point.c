@@ -256,7 +256,8 @@ static void name_verdict(const whirl_table *table, size_t point, char text[LABEL
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     char name[LABEL_SIZE];
     whirl_verdict_name(&verdict, name, sizeof name);
-    snprintf(text, LABEL_SIZE + 2, whirl_layout_has_verdict(&table->layout) ? ": %s" : "", name);
+    text[0] = '\0';
+    if (verdict.regime != WHIRL_NOT_JUDGED) snprintf(text, LABEL_SIZE + 2, ": %s", name);
 }
 
 static void add_to_list(figure_list *to, const drawing *of, const whirl_table *table, size_t i, size_t station) {

@@ -23,10 +23,10 @@ static void print_list(FILE *out, const whirl_shown_units *units, const whirl_ta
         if (!whirl_table_done(table, point)) continue;
         const whirl_verdict verdict = whirl_table_verdict(table, point);
         char name[VERDICT_SIZE] = "";
-        if (whirl_layout_has_verdict(&table->layout)) whirl_verdict_name(&verdict, name, sizeof name);
+        const bool judged = verdict.regime != WHIRL_NOT_JUDGED;
+        if (judged) whirl_verdict_name(&verdict, name, sizeof name);
         fprintf(out, "  %10.6g %s%s%-26s", table->values[point] / unit.size, unit.name, *unit.name ? "  " : " ", name);
-        fprintf(out, " %-5s",
-                whirl_layout_has_verdict(&table->layout) ? whirl_confidence_name(verdict.confidence) : "");
+        fprintf(out, " %-5s", judged ? whirl_confidence_name(verdict.confidence) : "");
         if (isfinite(verdict.exponent.value))
             fprintf(out, " exponent %8.4f +- %-7.1g", verdict.exponent.value,
                     fmax(verdict.exponent.error, 1e-4)); // not below what the digits show

@@ -190,7 +190,7 @@ static void write_points(FILE *stream, const whirl_result *result, const whirl_t
         if (!whirl_table_done(table, point) || !whirl_table_block(table, point)) continue;
         const whirl_verdict found = whirl_table_verdict(table, point);
         whirl_verdict_name(&found, verdict, sizeof verdict);
-        if (!whirl_layout_has_verdict(layout)) verdict[0] = '\0';
+        if (found.regime == WHIRL_NOT_JUDGED) verdict[0] = '\0';
         put_point_cells(&row, result, table, point);
         put_cell(&row, verdict);
         put_cell(&row, method);

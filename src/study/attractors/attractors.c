@@ -14,7 +14,8 @@ static int by_points(const void *left, const void *right) {
 /// Adds a point to the attractor that it came to rest on, or to a new one; its index, MOST_ATTRACTORS for none.
 static whirl_status join(const whirl_table *table, size_t point, told_apart *told, size_t *which) {
     *which = MOST_ATTRACTORS;
-    if (whirl_table_verdict(table, point).regime == WHIRL_UNDETERMINED) return whirl_ok();
+    const whirl_regime regime = whirl_table_verdict(table, point).regime;
+    if (regime == WHIRL_UNDETERMINED || regime == WHIRL_NOT_JUDGED) return whirl_ok();
     motion *own = motion_read(table, point);
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell attractors apart");
     size_t k = 0;

@@ -43,7 +43,7 @@ static step step_between(const double *before, const double *after, size_t stati
 }
 
 static bool same_regime(const whirl_verdict *a, const whirl_verdict *b) {
-    const bool known = a->regime != WHIRL_UNDETERMINED && a->regime != WHIRL_DIVERGING;
+    const bool known = a->regime == WHIRL_PERIODIC || a->regime == WHIRL_QUASI_PERIODIC || a->regime == WHIRL_CHAOTIC;
     return known && a->regime == b->regime && a->period == b->period;
 }
 

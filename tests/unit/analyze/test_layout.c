@@ -244,7 +244,7 @@ static void verdicts_come_back(void **state) {
     assert_near(confirmed.recurrence, judged.recurrence, 0.0);
     const whirl_layout empty = {0};
     const whirl_verdict none = whirl_block_verdict(&empty, block);
-    assert_int_equal(none.regime, WHIRL_UNDETERMINED);
+    assert_int_equal(none.regime, WHIRL_NOT_JUDGED);
     assert_true(isnan(none.exponent.value) && isnan(none.recurrence));
     free(record);
 }

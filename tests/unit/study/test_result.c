@@ -100,7 +100,7 @@ static void verdicts_come_from_the_block(void **state) {
     assert_int_equal(last.regime, WHIRL_DIVERGING);
     assert_true(last.diverged_at == 17.0);
     const whirl_verdict beyond = whirl_table_verdict(sweep, SYNTHETIC_POINTS);
-    assert_int_equal(beyond.regime, WHIRL_UNDETERMINED);
+    assert_int_equal(beyond.regime, WHIRL_NOT_JUDGED);
     assert_true(isnan(beyond.recurrence));
 }
 
