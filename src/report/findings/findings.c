@@ -229,6 +229,7 @@ void cell_value(const finder *of, whirl_sheet *sheet, size_t point) {
 
 void find_table(const finder *of) {
     const shown_kind *kind = shown_kind_of(of->table);
+    if (!kind) find_lines(of);
     if (kind && (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)) kind->find(of);
 }
 

@@ -12,14 +12,25 @@ enum { CELL_SIZE = 1024 };
 /// Appends what a format gives; what does not fit is cut.
 #define APPEND(text, size, ...) snprintf((text) + strlen(text), (size)-strlen(text), __VA_ARGS__)
 
+/// A number with so many significant digits; up to ten million without a power of ten.
+static void number_told(double number, int digits, char *text, size_t size) {
+    const double plain = 1e7;
+    snprintf(text, size, "%.*g", digits, number);
+    // "1.4028e+05" is 140280.
+    if (strchr(text, 'e') && fabs(number) >= 1.0 && fabs(number) < plain)
+        snprintf(text, size, "%.0f", strtod(text, NULL));
+}
+
 void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size) {
+    char number[NUMBER_SIZE];
     *text = '\0';
     for (const whirl_piece *piece = phrase->pieces; piece < phrase->pieces + phrase->count; piece++) {
-        if (piece->text)
+        if (piece->text) {
             APPEND(text, size, "%s", piece->text);
-        else
-            APPEND(text, size, "%.*g%s%s", piece->digits, piece->value / piece->size, *piece->unit ? " " : "",
-                   piece->unit);
+            continue;
+        }
+        number_told(piece->value / piece->size, piece->digits, number, sizeof number);
+        APPEND(text, size, "%s%s%s", number, *piece->unit ? " " : "", piece->unit);
     }
 }
 
@@ -29,11 +40,13 @@ void whirl_column_heading(const whirl_column *column, char *text, size_t size) {
 
 /// A cell with as many digits as are given.
 static void cell_told(const whirl_column *column, const whirl_cell *cell, int digits, char *text, size_t size) {
+    char shown[NUMBER_SIZE];
     *text = '\0';
     if (cell->text) snprintf(text, size, "%s", cell->text);
     for (size_t i = 0; i < cell->count; i++) {
         const double number = cell->numbers ? cell->numbers[i] : cell->number;
-        APPEND(text, size, "%s%.*g", i ? column->between : "", digits, number / column->size);
+        number_told(number / column->size, digits, shown, sizeof shown);
+        APPEND(text, size, "%s%s", i ? column->between : "", shown);
     }
 }
 

@@ -19,6 +19,9 @@ typedef struct shown_kind {
 /// That of a table, NULL of motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
+/// Of motions along a parameter: lines of their spectra below and above the synchronous one.
+void find_lines(const finder *of);
+
 /// Of modes at a point: 1 where one grows, -1 where all die out, 0 where they do neither but for rounding.
 int shown_modes_growing(const whirl_table *table, size_t point);
 

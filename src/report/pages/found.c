@@ -180,6 +180,7 @@ void found_table(const page *to, size_t index, const whirl_table *table) {
         char *text = page_text(to, tell_motions, index, table);
         if (text) write_lines(to->stream, text);
         free(text);
+        page_statements(to, index, table);
     }
     fputs("</li>\n", to->stream);
 }

@@ -50,18 +50,18 @@ static void write_found(const page *to) {
 
 // ---------------------------------------------------------------- chapters
 
+/// What is found in a table.
+static void write_findings(const page *to, size_t result, const whirl_table *table) {
+    page_statements(to, result, table);
+    page_sheets(to, result, table);
+}
+
 /// What a chapter has told: of which kind its last table was, and the section of the first one.
 typedef struct chapter_told {
     const shown_kind *kind;
     const whirl_table *first;
     char *section; ///< NULL: none
 } chapter_told;
-
-/// What is found in a table.
-static void write_findings(const page *to, size_t result, const whirl_table *table) {
-    page_statements(to, result, table);
-    page_sheets(to, result, table);
-}
 
 /// The length of the text up to the end of its first table, or of all of it.
 static size_t part_length(const char *text) {
@@ -97,6 +97,7 @@ static void write_motions(const page *to, size_t result, const whirl_table *tabl
     html_text(to->stream, text);
     fputs("</p>\n", to->stream);
     page_motions(to, result, table);
+    write_findings(to, result, table);
 }
 
 /// All figures of a table but for responses of stations that nobody watches.

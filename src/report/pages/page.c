@@ -100,6 +100,12 @@ static void write_kinds(const page *to, size_t r) {
     }
 }
 
+/// What is found in motions along a parameter.
+static void write_motions(const page *to, size_t r) {
+    for (size_t t = 0; t < to->results[r]->table_count; t++)
+        if (!shown_kind_of(&to->results[r]->tables[t])) page_sheets(to, r, &to->results[r]->tables[t]);
+}
+
 static void write_result_contents(const page *to, size_t r) {
     const whirl_result *result = to->results[r];
     const whirl_table *sweep = whirl_result_role(result, WHIRL_ROLE_SURVEY);
@@ -149,6 +155,7 @@ static void write_result(const page *to, size_t result) {
     page_attractors(to, result);
     page_starts(to, result);
     page_jumps(to, result);
+    write_motions(to, result);
     page_points(to, result);
     page_computed(to, result);
     page_provenance(to, result);

@@ -262,7 +262,7 @@ void page_provenance(const page *to, size_t index) {
             write_row(to->stream, result->facts[i].name, result->facts[i].value);
         fputs("</dl>\n", to->stream);
     }
-    if (result->case_text && *result->case_text) {
+    if (!to->printed && result->case_text && *result->case_text) { // what is printed has it in an appendix
         fputs("<details><summary>The case file</summary>\n<pre>", to->stream);
         html_text(to->stream, result->case_text);
         fputs("</pre></details>\n", to->stream);

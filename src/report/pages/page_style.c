@@ -67,7 +67,8 @@ void page_style(FILE *stream) {
         "2rem}}",
         "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
         "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
-        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3{break-after:avoid}nav,summary{display:none}"
+        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3,h4,thead{break-after:avoid}nav,summary{"
+        "display:none}"
         "a{text-decoration:none}figure "
         "img{width:auto;max-width:14cm;max-height:10.5cm;border:0}figure{margin:.6rem 0 1rem}figcaption "
         ".soft{display:none}.pair{display:block}.scroll{overflow:visible}"

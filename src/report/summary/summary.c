@@ -96,7 +96,11 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     if (!kind && motions_beside(table)) summarize_motions(out, units, table);
-    if (!kind) return single ? summarize_response(out, units, table) : summarize_points(out, units, table);
+    if (!kind) {
+        const whirl_status status =
+            single ? summarize_response(out, units, table) : summarize_points(out, units, table);
+        return status.code == WHIRL_OK ? print_findings(out, findings, table) : status;
+    }
     if (table->count > 0 || whirl_analysis_kind(table->analyses)->found) return print_findings(out, findings, table);
     fputs("  no point was computed\n", out);
     return whirl_ok();
