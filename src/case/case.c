@@ -262,6 +262,13 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     settings_read(reader, root, &schema_case, &file);
     if (reader->no_memory || !is_known_version(reader, &file)) return;
     settings_text(reader, &file, "title", content->title, sizeof content->title);
+    const setting *document = settings_find(&file, "document");
+    if (document) settings_read(reader, document->place, &schema_document, &content->document);
+    if (reader->no_memory) return;
+    for (size_t i = 0; i < content->document.count; i++) {
+        char text[DOCUMENT_TEXT];
+        settings_text(reader, &content->document, content->document.items[i].key->name, text, sizeof text);
+    }
     const setting *given = settings_find(&file, "parameters");
     parameters_read(reader, given ? given->place : NULL, content->overrides, content->override_count,
                     &content->parameters);

@@ -7,12 +7,15 @@
 #include "plan.h"
 #include "whirl/engine/case.h"
 
+enum { DOCUMENT_TEXT = 160 };
+
 /// Everything that follows from the text and the overrides; replaced as a whole by whirl_case_set.
 typedef struct case_content {
     memory_arena arena;
     const file_node *root; ///< the file as it was read
     char title[256];
-    char units[64]; ///< of figures (base/words/words.h), "" where the case chooses none
+    setting_list document; ///< schema_document's keys; without items where the case has none
+    char units[64];        ///< of figures (base/words/words.h), "" where the case chooses none
     parameter_table parameters;
     machine_parts machine;
     study_plan plan;

@@ -307,6 +307,20 @@ whirl_status whirl_case_speed(const whirl_case *object, const char *name, double
     return status;
 }
 
+/// "document tag", "document author": facts, which reports begin with.
+static whirl_status describe_document(const case_content *content, whirl_result *result) {
+    whirl_status status = whirl_ok();
+    for (size_t i = 0; i < content->document.count && status.code == WHIRL_OK; i++) {
+        const setting *own = &content->document.items[i];
+        char name[WHIRL_NAME_SIZE], text[DOCUMENT_TEXT];
+        snprintf(name, sizeof name, "document %.40s", own->key->name);
+        snprintf(text, sizeof text, "%s", own->place->text);
+        whirl_make_plain(text);
+        status = whirl_result_add_fact(result, name, text);
+    }
+    return status;
+}
+
 whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *result) {
     forget(result);
     snprintf(result->title, sizeof result->title, "%s", object->content.title);
@@ -319,6 +333,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     memcpy(result->case_text, object->text, object->length + 1);
     whirl_status status = describe_parameters(&object->content, result);
     if (status.code == WHIRL_OK) status = describe_rotor(object, result);
+    if (status.code == WHIRL_OK) status = describe_document(&object->content, result);
     if (status.code == WHIRL_OK) status = describe_weight(&object->content, result);
     for (size_t i = 0; i < result->table_count && status.code == WHIRL_OK; i++)
         status = describe_scales(&object->content, result, &result->tables[i]);

@@ -17,8 +17,8 @@ enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 100
 
 /// That of a rotor which may stand still is not listed: it is the other one but for the range of its speed.
 extern const whirl_group schema_still_rotor;
-extern const whirl_group schema_case, schema_rotor, schema_study, schema_response, schema_sweep, schema_map,
-    schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
+extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
+    schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
     schema_integrate, schema_keep, schema_detail;
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,

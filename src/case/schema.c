@@ -16,10 +16,20 @@
 static const whirl_key case_keys[] = {
     WHOLE_KEY("whirl", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what the case is about, in one line"),
+    CHOICE_KEY("document", OPTIONAL, "", "what stands at the head of reports beside the title: see document"),
     CHOICE_KEY("parameters", OPTIONAL, "",
                "names with values: a number, a number and a unit, or = and an expression over other parameters in SI"),
     CHOICE_KEY("rotor", REQUIRED, "", "the machine: see rotor"),
     CHOICE_KEY("study", REQUIRED, "", "what is computed: see study"),
+};
+
+static const whirl_key document_keys[] = {
+    CHOICE_KEY("tag", OPTIONAL, "", "the machine's tag or serial number"),
+    CHOICE_KEY("customer", OPTIONAL, "", "whose machine it is"),
+    CHOICE_KEY("project", OPTIONAL, "", "of which project or order"),
+    CHOICE_KEY("revision", OPTIONAL, "", "of the document"),
+    CHOICE_KEY("author", OPTIONAL, "", "who answers for it"),
+    CHOICE_KEY("date", OPTIONAL, "", "of the revision, as a text"),
 };
 
 // clang-format off
@@ -181,6 +191,8 @@ static const table of_probe[] = {whirl_probe_members, NULL};
     { name, meaning, "", NULL, 0, NULL, tables }
 
 const whirl_group schema_case = GROUP("case", "a case file", case_keys, NULL);
+const whirl_group schema_document =
+    GROUP("document", "what stands at the head of reports beside the title", document_keys, NULL);
 const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys, NULL);
 const whirl_group schema_still_rotor = GROUP("rotor", "the machine", still_rotor_keys, NULL);
 const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
@@ -212,23 +224,15 @@ const char *schema_scaled_unit(const whirl_key *key) {
 
 const whirl_group *const *whirl_case_groups(void) {
     static const whirl_group *const groups[] = {
-        &schema_case,
-        &schema_rotor,
-        &schema_study,
-        &schema_response,
-        &schema_sweep,
-        &schema_map,
-        &schema_basin,
-        &schema_axis,
-        WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
-        &schema_branch,
-        &schema_curves,
-        &schema_initial,
-        &schema_starts,
-        &schema_integrate,
-        &schema_keep,
-        &schema_detail,
-        NULL,
+        &schema_case,      &schema_document,
+        &schema_rotor,     &schema_study,
+        &schema_response,  &schema_sweep,
+        &schema_map,       &schema_basin,
+        &schema_axis,      WHIRL_STUDIES_AT_REST(ADDRESS_AT_REST) & schema_motions,
+        &schema_branch,    &schema_curves,
+        &schema_initial,   &schema_starts,
+        &schema_integrate, &schema_keep,
+        &schema_detail,    NULL,
     };
     return groups;
 }

@@ -315,6 +315,7 @@ void lateral_write(const page *to) {
     const char *of = to->count == 1 && *to->results[0]->title ? to->results[0]->title : to->names[0];
     snprintf(title, sizeof title, "Lateral analysis: %.400s", to->count > 0 ? of : "");
     page_head(to, title);
+    page_document(to);
     fputs("<p class=\"soft\">Written by whirl.</p>\n</header>\n<main>\n", to->stream);
     write_found(to);
     write_machine(to);

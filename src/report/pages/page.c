@@ -30,10 +30,27 @@ void page_head(const page *to, const char *title) {
     fputs("</h1>\n", to->stream);
 }
 
+void page_document(const page *to) {
+    static const char *const lines[][2] = {{"Machine", "document tag"},     {"Customer", "document customer"},
+                                           {"Project", "document project"}, {"Revision", "document revision"},
+                                           {"Author", "document author"},   {"Date", "document date"}};
+    size_t count = 0;
+    for (size_t i = 0; i < sizeof lines / sizeof *lines && to->count > 0; i++) {
+        const char *told = whirl_result_fact(to->results[0], lines[i][1]);
+        if (!*told) continue;
+        if (count++ == 0) fputs("<dl class=\"document\">\n", to->stream);
+        fprintf(to->stream, "<dt>%s</dt><dd>", lines[i][0]);
+        html_text(to->stream, told);
+        fputs("</dd>\n", to->stream);
+    }
+    if (count > 0) fputs("</dl>\n", to->stream);
+}
+
 static void write_head(const page *to) {
     char title[512];
     page_title(to, title, sizeof title);
     page_head(to, title);
+    page_document(to);
     fputs("<p class=\"soft\">", to->stream);
     html_printf(to->stream, "%zu result%s, %swritten by whirl %s.", to->count, to->count == 1 ? "" : "s",
                 to->claims ? "set beside what the source says, " : "", WHIRL_VERSION);

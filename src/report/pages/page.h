@@ -53,6 +53,7 @@ void lateral_write(const page *to);
 
 /// Sections.
 void page_head(const page *to, const char *title);
+void page_document(const page *to); ///< tag, customer, revision, ... of the first result
 void page_style(FILE *stream);
 void page_claims(const page *to);               ///< the table of claims and what was not reproduced
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
