@@ -202,6 +202,32 @@ static void leave_centres(const mean_system *m, const double *load, double *x) {
     }
 }
 
+/// Moves all stations the way their loads point, those with the largest load by a distance in length scales.
+static void move_with_load(const mean_system *m, const double *load, double distance, double *x) {
+    double largest = 0.0;
+    for (size_t k = 0; k < m->count; k++) largest = fmax(largest, fabs(load[k]));
+    for (size_t p = 0; p < m->system->probe_count && largest > 0.0; p++) {
+        const whirl_probe *probe = &m->system->probes[p];
+        for (size_t k = 0; k < m->count; k++) {
+            if (m->kept[k] == probe->vx) x[probe->x] += distance * load[k] / largest;
+            if (m->kept[k] == probe->vy && probe->y != probe->x) x[probe->y] += distance * load[k] / largest;
+        }
+    }
+}
+
+/// A machine that nothing holds where it starts (within clearances) falls the way its load points; the load is brought
+/// on at once where something holds it.
+static bool fall(search *s, const double *start, double *at) {
+    const double first = 1e-6, furthest = 1e3;
+    s->share = 1.0;
+    for (double distance = first; distance < furthest; distance *= 2.0) {
+        memcpy(at, start, s->mean->system->dimension * sizeof *at);
+        move_with_load(s->mean, s->load, distance, at);
+        if (mean_settle(s->mean, at) && solve(s, at)) return true;
+    }
+    return false;
+}
+
 /// rest_find, and the share of the load that the place of rest was followed up to.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
@@ -230,6 +256,10 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         found = bring_load_on(&s, start, at);
         *share = fmax(*share, s.share);
         if (found) memcpy(x, start, d * sizeof *x);
+    }
+    if (starts && !found && *share == 0.0) {
+        found = fall(&s, start, at);
+        if (found) memcpy(x, at, d * sizeof *x);
     }
     free(block);
     if (found) return whirl_ok();

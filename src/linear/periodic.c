@@ -101,9 +101,9 @@ whirl_status periodic_find(const mean_system *m, double *x, bool closed, double 
     whirl_status status = start(m, &integrator);
     *period = system->period * (double)revolutions;
     if (status.code == WHIRL_OK && !close_orbit(m, integrator, revolutions, x, closed, monodromy, work))
-        status =
-            whirl_fail(WHIRL_BAD_INPUT, "no periodic motion was found whose small perturbations could be looked at "
-                                        "(coefficients turn with the shaft, so it stands for the equilibrium)");
+        status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
+                            "no periodic motion was found whose small perturbations could be looked at "
+                            "(coefficients turn with the shaft, so it stands for the equilibrium)");
     whirl_integrator_free(integrator);
     free(work);
     return status;

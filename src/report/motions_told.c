@@ -225,17 +225,20 @@ bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char
     whirl_left left;
     if (whirl_table_unfound(table, &left) == 0) return false;
     if (isnan(left.reached))
-        snprintf(text, RANGES_TOLD_SIZE,
-                 "none was found of another machine that this needs (its stages or seals alone, "
-                 "another speed)");
+        snprintf(
+            text, RANGES_TOLD_SIZE,
+            "it was found, but none of another machine that this needs (its stages or seals alone, another speed), "
+            "or, where coefficients turn with the shaft, no periodic motion that stands for it (at low speeds a "
+            "revolution is too long to be followed)");
     else
         snprintf(text, RANGES_TOLD_SIZE, "none was found: it could be followed up to %.3g %% of the static load",
                  100.0 * left.reached);
     add_points(units, table, &left, text);
     const size_t used = strlen(text);
-    snprintf(text + used, RANGES_TOLD_SIZE - used,
-             "; numbers are missing there, expected a machine that its supports "
-             "carry, or an initial state near where it rests");
+    snprintf(text + used, RANGES_TOLD_SIZE - used, "; numbers are missing there%s",
+             isnan(left.reached) ? ""
+                                 : ", expected a machine that its supports carry, or an initial state near where it "
+                                   "rests");
     return true;
 }
 

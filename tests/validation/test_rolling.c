@@ -76,6 +76,41 @@ static void rollers_under_a_load(void **unused) {
     }
 }
 
+/// Weight that 9 rollers of 1e9 N/m^(10/9) carry at a displacement, on the average over the angles at which they stand.
+static double carried(double displacement, double clearance) {
+    enum { ANGLES = 20000 };
+    double sum = 0.0;
+    for (int i = 0; i < ANGLES; i++) {
+        const double cosine = cos(2.0 * pi * (i + 0.5) / ANGLES), approach = displacement * cosine - clearance;
+        if (approach > 0.0) sum += 1e9 * pow(approach, 10.0 / 9.0) * cosine;
+    }
+    return 9.0 * sum / ANGLES;
+}
+
+/// A journal in a bearing with play, in its middle, touches nothing and has no stiffness: it falls until rollers carry
+/// 98 N, however slowly the shaft turns.
+static void loose_bearings_come_to_rest(void **unused) {
+    static const double speeds[] = {0.0, 1e-9, 100.0}, clearances[] = {0.0, 1e-9, 1e-6};
+    (void)unused;
+    for (size_t c = 0; c < 3; c++) {
+        double low = clearances[c], high = clearances[c] + 1e-5;
+        for (int i = 0; i < 60; i++)
+            *(carried(0.5 * (low + high), clearances[c]) < 98.0 ? &low : &high) = 0.5 * (low + high);
+        for (size_t s = 0; s < 3; s++) {
+            const whirl_setting keys[] = {{"at", 0, "rotor"},       {"rollers", 9, NULL},
+                                          {"stiffness", 1e9, NULL}, {"clearance", clearances[c], NULL},
+                                          {"cage", 0.4, NULL},      {NULL, 0, NULL}};
+            whirl_rotor *rotor = make("roller_bearing", speeds[s], 1e-5, 10.0, 98.0, keys);
+            double x[8] = {0};
+            require_ok(whirl_equilibrium(whirl_rotor_system(rotor), x));
+            check_within("rolling",
+                         words("play of %g um at %g rad/s: place of rest, m", 1e6 * clearances[c], speeds[s]), low,
+                         x[0] * 1e-5, 1e-3 * low);
+            whirl_rotor_free(rotor);
+        }
+    }
+}
+
 // ---------------------------------------------------------------- forces
 
 /// A bearing by its equations, in SI.
@@ -385,11 +420,10 @@ static void wrong_ones_are_refused(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rollers_under_a_load),
-                                       cmocka_unit_test(forces_as_written),
-                                       cmocka_unit_test(motion_over_dents),
-                                       cmocka_unit_test(dents_in_lanes),
-                                       cmocka_unit_test(what_fits),
-                                       cmocka_unit_test(wrong_ones_are_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rollers_under_a_load),  cmocka_unit_test(loose_bearings_come_to_rest),
+        cmocka_unit_test(forces_as_written),     cmocka_unit_test(motion_over_dents),
+        cmocka_unit_test(dents_in_lanes),        cmocka_unit_test(what_fits),
+        cmocka_unit_test(wrong_ones_are_refused)};
     return cmocka_run_group_tests_name("rolling", tests, NULL, NULL);
 }
