@@ -1,247 +1,19 @@
-// Findings under way, and what all of them go through.
+// All that is found in a result, and a sheet of it by its name.
 #include "whirl/engine/findings.h"
 
-#include <math.h>
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "findings_build.h"
-#include "memory.h"
 #include "report_parts.h"
 #include "shown_kinds.h"
 
-const char *whirl_judgement_name(whirl_judgement judgement) {
-    static const char *const names[] = {"none asked for", "holds", "not known", "fails"};
-    return names[judgement];
-}
-
-// ---------------------------------------------------------------- memory
-
-/// What texts and numbers lie in, and what is written to where memory is lacking: such findings are given up.
-typedef struct find_memory {
-    memory_arena arena;
-    whirl_statement statement;
-    whirl_piece piece;
-    whirl_sheet sheet;
-    whirl_cell cell;
-} find_memory;
-
-static find_memory *find_lost(const finder *of) {
-    of->findings->failed = true;
-    return of->findings->memory;
-}
-
-static void *find_take(whirl_findings *findings, size_t size) {
-    find_memory *memory = findings->memory;
-    void *taken = findings->failed ? NULL : arena_take(&memory->arena, size);
-    if (!taken) findings->failed = true;
-    return taken;
-}
-
-static const char *find_copy(whirl_findings *findings, const char *format, va_list arguments) {
-    char text[2048];
-    const int length = vsnprintf(text, sizeof text, format, arguments);
-    char *copy = find_take(findings, (size_t)(length < 0 ? 0 : length) + 1);
-    if (!copy) return "";
-    return memcpy(copy, text, strlen(text) + 1);
-}
-
-const char *find_text(whirl_findings *findings, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    const char *text = find_copy(findings, format, arguments);
-    va_end(arguments);
-    return text;
-}
-
-/// Room for one more item [count] of an array that doubles; false without memory.
-static bool find_room(whirl_findings *findings, void **items, size_t count, size_t size) {
-    if (findings->failed) return false;
-    if ((count & (count - 1)) != 0) return true;
-    void *larger = realloc(*items, (count ? 2 * count : 1) * size);
-    if (larger) *items = larger;
-    findings->failed = !larger;
-    return larger != NULL;
-}
-
-size_t find_ends(const whirl_table *table, size_t ends[2]) {
-    size_t count = 0;
-    for (size_t point = 0; point < table->count; point++) {
-        if (!whirl_table_done(table, point)) continue;
-        if (count == 0) ends[count++] = point;
-        ends[1] = point;
-    }
-    return count > 0 && ends[1] > ends[0] ? 2 : count;
-}
-
-// ---------------------------------------------------------------- statements
-
-whirl_statement *find_statement(const finder *of, const char *what) {
-    whirl_findings *all = of->findings;
-    void *items = all->statements;
-    if (!find_room(all, &items, all->statement_count, sizeof *all->statements)) return &find_lost(of)->statement;
-    all->statements = items;
-    whirl_statement *own = &all->statements[all->statement_count++];
-    *own = (whirl_statement){.what = what, .table = find_text(all, "%s", of->table->name), .station = "", .clause = ""};
-    return own;
-}
-
-whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement) {
-    whirl_statement *own = find_statement(of, what);
-    own->clause = clause;
-    own->judgement = judgement;
-    phrase_text(of, &own->told, "%s", whirl_judgement_name(judgement));
-    return own;
-}
-
-static whirl_piece *phrase_piece(const finder *of, whirl_phrase *phrase) {
-    if (phrase->count < WHIRL_PHRASE_PIECES) return &phrase->pieces[phrase->count++];
-    return &find_lost(of)->piece;
-}
-
-void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    *phrase_piece(of, phrase) = (whirl_piece){.text = find_copy(of->findings, format, arguments)};
-    va_end(arguments);
-}
-
-static void phrase_quantity(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value) {
-    *phrase_piece(of, phrase) = (whirl_piece){
-        .value = value, .unit = find_text(of->findings, "%s", unit->name), .size = unit->size, .digits = digits};
-}
-
-void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value) {
-    phrase_quantity(of, phrase, &of->units->of[quantity], digits, value);
-}
-
-void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value) {
-    const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
-    phrase_quantity(of, phrase, &unit, digits, value);
-}
-
-// ---------------------------------------------------------------- sheets
-
-whirl_sheet *find_sheet(const finder *of, const char *name, const char *title) {
-    whirl_findings *all = of->findings;
-    void *items = all->sheets;
-    if (!find_room(all, &items, all->sheet_count, sizeof *all->sheets)) return &find_lost(of)->sheet;
-    all->sheets = items;
-    whirl_sheet *own = &all->sheets[all->sheet_count++];
-    *own = (whirl_sheet){.name = name, .title = title, .table = find_text(all, "%s", of->table->name), .about = ""};
-    return own;
-}
-
-static void sheet_drop(whirl_sheet *sheet) {
-    free(sheet->column);
-    free(sheet->cells);
-}
-
-void find_sheet_end(const finder *of) {
-    whirl_findings *all = of->findings;
-    if (!all->failed && all->sheet_count > 0 && all->sheets[all->sheet_count - 1].rows == 0)
-        sheet_drop(&all->sheets[--all->sheet_count]);
-}
-
-static void sheet_add_column(const finder *of, whirl_sheet *sheet, whirl_column column) {
-    void *items = sheet->column;
-    if (!find_room(of->findings, &items, sheet->columns, sizeof *sheet->column)) return;
-    sheet->column = items;
-    sheet->column[sheet->columns++] = column;
-}
-
-static void sheet_add_numbers(const finder *of, whirl_sheet *sheet, const char *key, const char *heading,
-                              const whirl_unit *unit, int digits, const char *between) {
-    sheet_add_column(of, sheet,
-                     (whirl_column){.key = key,
-                                    .heading = heading,
-                                    .unit = find_text(of->findings, "%s", unit->name),
-                                    .size = unit->size,
-                                    .digits = digits,
-                                    .between = between});
-}
-
-void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
-                  int digits) {
-    sheet_add_numbers(of, sheet, key, heading, &of->units->of[quantity], digits, NULL);
-}
-
-void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
-                int digits, const char *between) {
-    sheet_add_numbers(of, sheet, key, heading, &of->units->of[quantity], digits, between);
-}
-
-void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading) {
-    (void)of;
-    sheet_add_column(of, sheet, (whirl_column){.key = key, .heading = heading, .unit = "", .size = 1.0});
-}
-
-void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits) {
-    if (!*of->table->parameter) return;
-    const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
-    sheet_add_numbers(of, sheet, *heading ? heading : of->table->parameter,
-                      *heading ? find_text(of->findings, "%s %s", heading, of->table->parameter) : of->table->parameter,
-                      &unit, digits, NULL);
-}
-
-static whirl_cell *sheet_cell(const finder *of, whirl_sheet *sheet) {
-    if (of->findings->failed || sheet->given == sheet->columns) return &find_lost(of)->cell;
-    return &sheet->cells[(sheet->rows - 1) * sheet->columns + sheet->given++];
-}
-
-void sheet_row(const finder *of, whirl_sheet *sheet) {
-    whirl_findings *all = of->findings;
-    const size_t cells = sheet->rows * sheet->columns, more = cells + sheet->columns;
-    if (all->failed) return;
-    whirl_cell *larger = realloc(sheet->cells, more * sizeof *larger);
-    all->failed = !larger;
-    if (!larger) return;
-    memset(larger + cells, 0, sheet->columns * sizeof *larger);
-    sheet->cells = larger;
-    sheet->rows++;
-    sheet->given = 0;
-}
-
-void cell_number(const finder *of, whirl_sheet *sheet, double number) {
-    // No zero is told with a sign.
-    *sheet_cell(of, sheet) =
-        isfinite(number) ? (whirl_cell){.count = 1, .number = number == 0.0 ? 0.0 : number} : (whirl_cell){.count = 0};
-}
-
-void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers) {
-    double *copy = count > 0 ? find_take(of->findings, count * sizeof *copy) : NULL;
-    whirl_cell *cell = sheet_cell(of, sheet);
-    if (!copy) return;
-    memcpy(copy, numbers, count * sizeof *copy);
-    *cell = (whirl_cell){.count = count, .number = *copy, .numbers = copy};
-}
-
-void cell_text(const finder *of, whirl_sheet *sheet, const char *text) {
-    *sheet_cell(of, sheet) = (whirl_cell){.text = text};
-}
-
-void cell_value(const finder *of, whirl_sheet *sheet, size_t point) {
-    if (*of->table->parameter) cell_number(of, sheet, of->table->values[point]);
-}
-
 // ---------------------------------------------------------------- all of a result
 
-void find_table(const finder *of) {
+static void find_table(const finder *of) {
     const shown_kind *kind = shown_kind_of(of->table);
     if (!kind) find_lines(of);
     if (kind && (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)) kind->find(of);
-}
-
-/// Findings without any in them, or NULL.
-static whirl_findings *find_begin(void) {
-    whirl_findings *all = calloc(1, sizeof *all);
-    find_memory *memory = calloc(1, sizeof *memory);
-    if (all) all->memory = memory;
-    if (all && memory) return all;
-    free(all);
-    free(memory);
-    return NULL;
 }
 
 whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings) {
@@ -271,17 +43,6 @@ whirl_status whirl_findings_new(const whirl_result *result, const char *units, w
     if (status.code == WHIRL_OK) status = findings_of(view, &shown, findings);
     whirl_result_view_free(view);
     return status;
-}
-
-void whirl_findings_free(whirl_findings *findings) {
-    if (!findings) return;
-    for (size_t i = 0; i < findings->sheet_count; i++) sheet_drop(&findings->sheets[i]);
-    find_memory *memory = findings->memory;
-    arena_free(&memory->arena);
-    free(memory);
-    free(findings->statements);
-    free(findings->sheets);
-    free(findings);
 }
 
 // ---------------------------------------------------------------- a sheet by its name

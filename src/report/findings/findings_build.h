@@ -15,6 +15,9 @@ typedef struct finder {
     const whirl_case *machine; ///< of the result; NULL where it cannot be read
 } finder;
 
+/// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.
+whirl_findings *find_begin(void);
+
 /// The first and the last point that is done; how many: 0, 1 or 2.
 size_t find_ends(const whirl_table *table, size_t ends[2]);
 
@@ -53,8 +56,5 @@ void cell_number(const finder *of, whirl_sheet *sheet, double number);
 void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers);
 void cell_text(const finder *of, whirl_sheet *sheet, const char *text);
 void cell_value(const finder *of, whirl_sheet *sheet, size_t point); ///< the parameter's; nothing of a table without
-
-/// All that is found in a table.
-void find_table(const finder *of);
 
 #endif
