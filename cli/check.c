@@ -198,7 +198,8 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
         print_range(told, parameter, values[0], values[count - 1]);
     }
     if (varies && !isnan(seconds)) fputs("; ", stdout);
-    if (!isnan(seconds)) print_time(seconds, batch->record.settle, cores);
+    if (!isnan(seconds))
+        print_time(seconds, batch->record.settle && whirl_analysis_kind(batch->analyses)->moves, cores);
     putchar('\n');
     return whirl_ok();
 }

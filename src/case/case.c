@@ -28,6 +28,7 @@ enum { INNER_POINTS = 7 };
 typedef struct point_check {
     case_reader *reader;
     case_content *content;
+    const plan_parts *parts;
     whirl_rotor *first; ///< the first machine that moves, whose states all that move must have; or NULL
 } point_check;
 
@@ -41,6 +42,8 @@ static whirl_status check_machine(point_check *check, size_t index, valuation *v
     if (status.code == WHIRL_OK && plan_moves(batch) && check->first)
         status = whirl_ensemble_check(whirl_rotor_system(check->first), whirl_rotor_system(rotor));
     if (status.code == WHIRL_OK) plan_check_start(check->reader, &content->plan, index, v, &content->machine, rotor);
+    if (status.code == WHIRL_OK)
+        plan_raise_order(check->parts, whirl_rotor_system(rotor), &content->plan.batches[index]);
     if (status.code == WHIRL_OK && plan_moves(batch) && !check->first)
         check->first = rotor;
     else
@@ -98,11 +101,11 @@ static void check_corners(point_check *check, size_t b) {
 
 /// The ends of a sweep, or the corners of a map, and some points between them stand for all of it; what fails at others
 /// fails while running.
-static void check_points(case_reader *reader, case_content *content) {
+static void check_points(case_reader *reader, case_content *content, const plan_parts *parts) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
     const size_t inner = affordable - 2 < INNER_POINTS ? affordable - 2 : INNER_POINTS;
-    point_check check = {.reader = reader, .content = content};
+    point_check check = {.reader = reader, .content = content, .parts = parts};
     for (size_t b = 0; b < content->plan.batch_count; b++) {
         const whirl_batch *batch = &content->plan.batches[b];
         const plan_origin *origin = &content->plan.origins[b];
@@ -166,7 +169,7 @@ static bool is_weighed(const study_plan *plan, size_t index) {
 
 /// What the analyses refuse (too many fields, a record that lacks what they need), and what the machine does that is to
 /// move.
-static void check_layouts(case_reader *reader, case_content *content, valuation *v) {
+static void check_layouts(case_reader *reader, case_content *content, const plan_parts *parts, valuation *v) {
     whirl_rotor *rotor = NULL;
     bool built_to_move = false;
     for (size_t b = 0; b < content->plan.batch_count; b++) {
@@ -182,6 +185,7 @@ static void check_layouts(case_reader *reader, case_content *content, valuation 
             problem_at(reader->problems, content->plan.origins[b].place, "%s", status.message);
             continue;
         }
+        plan_raise_order(parts, whirl_rotor_system(rotor), &content->plan.batches[b]);
         status =
             whirl_layout_new(whirl_rotor_system(rotor), &batch->integrate, &batch->record, batch->analyses, &layout);
         if (status.code == WHIRL_OK)
@@ -204,7 +208,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         check_basin(reader, content, parts);
         parameters_settle(&v, &content->parameters);
         machine_settle(&v, &content->machine);
-        if (reader->problems->count == 0) check_layouts(reader, content, &v);
+        if (reader->problems->count == 0) check_layouts(reader, content, parts, &v);
     } else if (v.evaluator && v.culprit < content->parameters.count) {
         char why[WHY_SIZE];
         const parameter *culprit = &content->parameters.items[v.culprit];
@@ -213,7 +217,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
         problem_at(reader->problems, culprit->place, "%s", why);
     }
     valuation_close(&v);
-    if (reader->problems->count == 0 && !reader->no_memory) check_points(reader, content);
+    if (reader->problems->count == 0 && !reader->no_memory) check_points(reader, content, parts);
 }
 
 // ---------------------------------------------------------------- reading

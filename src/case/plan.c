@@ -25,6 +25,32 @@ void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options
     *record = record_options(v, parts, integrate->steps_per_revolution);
 }
 
+/// The highest order that a machine names, or that probes see of the shaft's surface; 0: none.
+static double highest_order(const whirl_system *system) {
+    double highest = 0.0;
+    whirl_named_order named;
+    for (size_t i = 0; system->named_order && system->named_order(system->model, i, &named); i++)
+        highest = fmax(highest, named.order);
+    for (size_t s = 0; s < system->probe_count; s++)
+        for (size_t i = 0; i < system->probes[s].runout_count; i++)
+            highest = fmax(highest, system->probes[s].runout[i].order);
+    return highest;
+}
+
+void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch) {
+    enum { SAMPLES = 4 }; // a turn of the highest order
+    const double wanted = ceil(highest_order(system) * (1.0 - 1e-9)) + 1.0;
+    const int steps = batch->integrate.steps_per_revolution;
+    whirl_record_options *record = &batch->record;
+    if (wanted <= record->highest_order || !plan_moves(batch) || !whirl_analysis_has(batch->analyses, "spectrum") ||
+        settings_find(&parts->keep, "highest_order"))
+        return;
+    if (!settings_find(&parts->keep, "samples"))
+        record->samples_per_revolution = (int)fmin(fmax(record->samples_per_revolution, SAMPLES * wanted), steps);
+    const double most = 0.5 * whirl_record_samples(record, steps);
+    record->highest_order = fmax(record->highest_order, fmin(wanted, most));
+}
+
 static whirl_record_options detail_options(valuation *v, const plan_parts *parts, const whirl_record_options *rest) {
     whirl_record_options options = *rest;
     settings_take(v, &parts->detail, whirl_record_members(), &options);

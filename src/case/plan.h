@@ -189,6 +189,10 @@ whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts 
 void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
                   whirl_record_options *record);
 
+/// Lets spectra of a batch reach the orders at which parts of a machine of its act, with a line beside them, unless
+/// `keep` says how far; and takes as many samples as that needs, unless it says how many.
+void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
+
 /// The starts of a batch of motions, and what is said of them.
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch);

@@ -202,6 +202,63 @@ static void a_torus_begins(void **state) {
     }
 }
 
+/// u' = p u - a u^3 - b u |u| and v' = -v/2 in axes that turn by half a turn in a period, so that an odd law is one of
+/// the period; beside it what is driven. On u = v = 0 orbits of twice the period begin at p = 0. Where b is 0 the map
+/// is u ->
+/// -(u - 2 pi a u^3), whose coefficient is -2 pi a; else u |u| outgrows the cube, and there is none.
+enum { CUBE = 1, KINK };
+
+static void half_turns(const void *model, double t, const double *f, const double *x, double *dxdt) {
+    const double *p = model, c = cos(0.5 * t), s = sin(0.5 * t), u = c * x[0] + s * x[1], v = c * x[1] - s * x[0];
+    const double du = p[GROWTH] * u - p[CUBE] * u * u * u - p[KINK] * u * fabs(u), dv = -0.5 * v;
+    dxdt[0] = c * du - s * dv - 0.5 * x[1];
+    dxdt[1] = s * du + c * dv + 0.5 * x[0];
+    dxdt[2] = *f - x[2];
+}
+
+static void half_turns_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
+                               size_t count, const double *u, double *out) {
+    const double *p = model, c = cos(0.5 * t), s = sin(0.5 * t), at = c * x[0] + s * x[1];
+    const double slope = p[GROWTH] - 3.0 * p[CUBE] * at * at - 2.0 * p[KINK] * fabs(at);
+    (void)f, (void)sides;
+    for (size_t k = 0; k < count; k++, u += 3, out += 3) {
+        const double along = slope * (c * u[0] + s * u[1]), across = -0.5 * (c * u[1] - s * u[0]);
+        out[0] = c * along - s * across - 0.5 * u[1];
+        out[1] = s * along + c * across + 0.5 * u[0];
+        out[2] = -u[2];
+    }
+}
+
+static void kinked_doublings(void **state) {
+    static const double laws[][2] = {{1.0, 0.0}, {-0.3, 0.0}, {0.0, 1.0}, {0.0, -1.0}, {1.0, 0.1}, {1.0, 1e-4}};
+    (void)state;
+    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++) {
+        test_family family = {.system = {.dimension = 3,
+                                         .period = 2.0 * pi,
+                                         .forcing_count = 1,
+                                         .forcing = cosine,
+                                         .rhs = half_turns,
+                                         .tangent = half_turns_tangent},
+                              .p = {-0.1, laws[i][0], laws[i][1]},
+                              .start = {0.0, 0.0, 0.5}};
+        const whirl_branch_options options = whirl_branch_default(-0.2, 0.1);
+        char text[128];
+        whirl_orbit *start = find_orbit(&family, 1, &options.orbit);
+        whirl_branch *branch = follow_branch(&family, start, 1, &options);
+        const whirl_branch_point *point = special_point(branch, WHIRL_DOUBLING, 0);
+        const char *const law = words("doubling, cube %g and kink %g", laws[i][0], laws[i][1]);
+        assert_non_null(point);
+        check_within("branches", words("%s: at", law), 0.0, point->value, 1e-8);
+        whirl_special_text(point, text, sizeof text);
+        if (laws[i][1] == 0.0)
+            check_within("branches", words("%s: criticality", law), -2.0 * pi * laws[i][0], point->criticality, 1e-4);
+        else
+            check_text("branches", words("%s", law), "orbits of twice the period begin, criticality not known", text);
+        whirl_branch_free(branch);
+        whirl_orbit_free(start);
+    }
+}
+
 /// x' = (p - .1) x, y' = .1 y: two real multipliers whose product is 1 at p = 0, where nothing happens; at p = .1 a
 /// multiplier is 1 for all x at once. Beside them what is driven.
 static void saddles_tangent(const void *model, double t, const double *f, const double *x, const double *sides,
@@ -519,6 +576,7 @@ int main(void) {
                                        cmocka_unit_test(both_wells_are_found),
                                        cmocka_unit_test(a_torus_begins),
                                        cmocka_unit_test(neutral_saddles_are_no_tori),
+                                       cmocka_unit_test(kinked_doublings),
                                        cmocka_unit_test(doublings_of_duffing),
                                        cmocka_unit_test(grazes_are_located),
                                        cmocka_unit_test(no_orbit_goes_through_the_stop),

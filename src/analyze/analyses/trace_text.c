@@ -35,9 +35,17 @@ const char *whirl_branch_end_text(whirl_branch_end end) {
     return end >= WHIRL_END_OF_RANGE && end <= WHIRL_END_MIRRORED ? texts[end] : "";
 }
 
+/// The sense in which what begins at a point does so. Along curves over two parameters it is asked of Hopf points
+/// alone.
+static const char *sense_of(const whirl_branch_point *point) {
+    if (point->criticality < 0.0) return ", supercritical";
+    if (point->criticality > 0.0) return ", subcritical";
+    return isnan(point->second) ? ", criticality not known" : "";
+}
+
 void whirl_special_text(const whirl_branch_point *point, char *text, size_t size) {
     const whirl_orbit *orbit = point->orbit;
-    const char *sense = point->criticality < 0.0 ? ", supercritical" : point->criticality > 0.0 ? ", subcritical" : "";
+    const char *sense = sense_of(point);
     switch (point->special) {
     case WHIRL_REGULAR:
         snprintf(text, size, "%s", "");

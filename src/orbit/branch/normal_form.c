@@ -17,7 +17,7 @@ typedef double complex number;
 /// Length of the first differences, over the largest coordinate; those of order 2 err by its square, and are
 /// extrapolated. It is halved until two coefficients agree so nearly: an orbit may bend faster than that, and a contact
 /// lie nearer.
-static const double reach = 0x1p-7, agreement = 0.01;
+static const double reach = 0x1p-7, agreement = 0.01, noise = 1e-3;
 enum { MOST_HALVINGS = 5 };
 
 typedef struct forms {
@@ -149,9 +149,11 @@ static void multiply_out(forms *f, double *spare) {
     }
 }
 
-/// The eigenvector of the matrix, or of its transpose, whose eigenvalue is nearest to `root`.
+/// The eigenvector of the matrix, or of its transpose, whose eigenvalue is nearest to `root`. Fails where none is near:
+/// where multipliers leap over it, as where a kink is touched, there is no normal form.
 static void eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
     const size_t n = f->n;
+    static const double near = 0.01;
     double *copy = work, *real = copy + n * n, *imaginary = real + n, *vectors = imaginary + n;
     size_t nearest = 0;
     for (size_t i = 0; i < n; i++)
@@ -160,6 +162,7 @@ static void eigenvector(forms *f, bool transposed, number root, double *work, nu
     if (f->failed) return;
     for (size_t i = 1; i < n; i++)
         if (cabs(real[i] + I * imaginary[i] - root) < cabs(real[nearest] + I * imaginary[nearest] - root)) nearest = i;
+    f->failed = !(cabs(real[nearest] + I * imaginary[nearest] - root) < near * fmax(1.0, cabs(root)));
     for (size_t i = 0; i < n; i++) out[i] = vectors[2 * (nearest * n + i)] + I * vectors[2 * (nearest * n + i) + 1];
 }
 
@@ -237,16 +240,22 @@ static double compute(forms *f, whirl_special kind, number root, double *work, n
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
-/// The coefficient by the longest differences whose halves give the same. What lies at zero tells no size of its own.
+/// The coefficient by the longest differences whose halves give the same and, of orbits, whose quarters differ by no
+/// more. Of smooth maps these come nearer to each other, or differ by noise; at a kink they differ by twice as much
+/// with every halving, and there is no coefficient. What lies at zero tells no size of its own.
 static double settle(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
-    double before = NAN;
-    for (int k = 0; k <= MOST_HALVINGS; k++) {
+    const bool rests = shooting_rests(f->s);
+    double first = NAN, second = NAN;
+    for (int k = 0; k <= MOST_HALVINGS + !rests; k++) {
         f->step = ldexp(reach, -k) * (own > nothing ? own : 1.0);
         f->failed = false;
-        const double found = compute(f, kind, root, work, vectors);
-        if (fabs(found - before) <= agreement * fabs(found)) return before;
-        before = found;
+        const double third = compute(f, kind, root, work, vectors), apart = fabs(second - first);
+        if (rests && fabs(third - second) <= agreement * fabs(third)) return second;
+        if (!rests && apart <= agreement * fabs(second) && fabs(third - second) <= fmax(apart, noise * fabs(third)))
+            return first;
+        first = second;
+        second = third;
     }
     return NAN;
 }

@@ -101,6 +101,14 @@ static double rounds(const element *own, size_t state) {
     return own->number[BLADE_RATE] * (alike ? blades_of(own) : 1);
 }
 
+/// Blades that pass a place of the casing.
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
+    if (index > 0 || blades_of(own) < 2) return false;
+    *order = fabs(own->number[BLADE_RATE]) * blades_of(own);
+    *name = "BPF";
+    return true;
+}
+
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double length = to->length, p = values[POWER].number, apart = 6.283185307179586476925 / values[BLADES].number;
     whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
@@ -209,6 +217,7 @@ const element_type blade_rub_element = {
     .touches = touches,
     .jumps = jumps,
     .contact_gap = contact_gap,
+    .named_order = named_order,
     .rubs = takes_power,
     .contact_damped = contact_damped,
     .doubt = doubt,

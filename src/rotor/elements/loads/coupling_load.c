@@ -103,6 +103,14 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return status;
 }
 
+/// The last of its parts, if that comes more than once a turn.
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
+    if (index > 0 || own->law < 2) return false;
+    *order = own->law;
+    *name = "coupl.";
+    return true;
+}
+
 static void note(const element *own, double length, double clock, char *text, size_t size) {
     const double *of = own->number + REACTION_FORCES;
     (void)length, (void)clock;
@@ -131,6 +139,7 @@ const element_type coupling_load_element = {
     .modulated = true,
     .kernels = kernels,
     .build = build,
+    .named_order = named_order,
     .note = note,
     .doubt = doubt,
 };

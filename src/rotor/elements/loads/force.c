@@ -59,6 +59,13 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
     generic_scale(out, to, 1.0);
 }
 
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
+    if (index > 0 || fabs(own->number[HARMONIC_RATE]) <= 1.0) return false;
+    *order = fabs(own->number[HARMONIC_RATE]);
+    *name = "force";
+    return true;
+}
+
 static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
     const bool tilts = values[MOMENT].given;
     element_on(&values[AT], to, tilts ? AXIS_TILT_X : AXIS_X, out);
@@ -106,6 +113,7 @@ const element_type force_element = {
     .state_count = KERNEL_STATES,
     .turning = 1,
     .rounds = harmonic_rounds,
+    .named_order = named_order,
     .kernels = harmonic_kernels,
     .build = build,
     .keyphasor = keyphasor,

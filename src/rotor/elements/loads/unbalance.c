@@ -39,6 +39,13 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
+    if (index > 0 || fabs(own->number[HARMONIC_RATE]) <= 1.0) return false;
+    *order = fabs(own->number[HARMONIC_RATE]);
+    *name = "unbal.";
+    return true;
+}
+
 static double keyphasor(const key_value *values, double speed) {
     if (!values[KEYPHASOR].choice) return 0.0;
     return fabs(values[SPEED].given ? values[SPEED].number : values[RATIO].number * speed);
@@ -51,6 +58,7 @@ const element_type unbalance_element = {
     .state_count = 1,
     .turning = 1,
     .rounds = harmonic_rounds,
+    .named_order = named_order,
     .kernels = harmonic_kernels,
     .build = build,
     .keyphasor = keyphasor,
