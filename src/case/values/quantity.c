@@ -37,15 +37,23 @@ typedef struct trade_unit {
     const char *of;
 } trade_unit;
 
-/// UDUNITS takes "oz" for a fluid ounce, and rounds the avoirdupois ounce.
+/// UDUNITS takes "oz" for a fluid ounce, and knows 6 or 7 digits of ounces, slugs, horsepowers, poundals and gallons.
 static const trade_unit trade_units[] = {
-    {"deg", 1.0, "degree"},       {"cP", 1.0, "mPa.s"},       {"lbm", 1.0, "pound"},    {"oz", 0.0625, "pound"},
-    {"ozm", 0.0625, "pound"},     {"blob", 1.0, "lbf.s2/in"}, {"thou", 1e-3, "inch"},   {"reyn", 1.0, "lbf.s/in2"},
-    {"gpm", 231.0, "in3/minute"}, {"ips", 1.0, "in/s"},       {"cpm", 1.0, "1/minute"},
+    {"deg", 1.0, "degree"},          {"cP", 1.0, "mPa.s"},
+    {"lbm", 1.0, "pound"},           {"oz", 0.0625, "pound"},
+    {"ozm", 0.0625, "pound"},        {"blob", 1.0, "lbf.s2/in"},
+    {"thou", 1e-3, "inch"},          {"reyn", 1.0, "lbf.s/in2"},
+    {"gpm", 231.0, "in3/minute"},    {"ips", 1.0, "in/s"},
+    {"cpm", 1.0, "1/minute"},        {"slug", 1.0, "lbf.s2/ft"},
+    {"slugs", 1.0, "lbf.s2/ft"},     {"ozf", 0.0625, "lbf"},
+    {"hp", 550.0, "ft.lbf/s"},       {"horsepower", 550.0, "ft.lbf/s"},
+    {"poundal", 1.0, "pound.ft/s2"}, {"gallon", 231.0, "in3"},
+    {"gallons", 231.0, "in3"},
 };
 
 static void add_trade_unit(const trade_unit *own) {
     ut_unit *of = ut_parse(units, own->of, UT_ASCII), *unit = of ? ut_scale(own->factor, of) : NULL;
+    ut_unmap_name_to_unit(units, own->name, UT_ASCII);
     if (unit) ut_map_name_to_unit(own->name, UT_ASCII, unit);
     ut_free(unit);
     ut_free(of);

@@ -71,6 +71,14 @@ static void units_of_us_practice(void **state) {
     expect_parameter("0.2 ips", 0.2 * inch);
     expect_parameter("3600 cpm", 60.0);
     expect_parameter("1 lbf.s/in", force / inch);
+    expect_parameter("1 slug", force / (12.0 * inch));
+    expect_parameter("3 slugs", 3.0 * force / (12.0 * inch));
+    expect_parameter("4 ozf", force / 4.0);
+    expect_parameter("2 hp", 2.0 * 550.0 * 12.0 * inch * force);
+    expect_parameter("1 horsepower", 550.0 * 12.0 * inch * force);
+    expect_parameter("1 kilohorsepower", 550.0e3 * 12.0 * inch * force);
+    expect_parameter("1 poundal", pound * 12.0 * inch);
+    expect_parameter("1 gallon", 231.0 * inch * inch * inch);
 }
 
 static void expressions_are_in_si(void **state) {
