@@ -327,6 +327,7 @@ static bool add_speed(const whirl_system *system, const matrices *of, roots *r, 
     for (size_t i = 0; i < m; i++) spread(of, r->vectors + 2 * r->n * (first + i), shapes + 2 * d * i);
     const bool made = sort_directions(system, m, shapes, work);
     for (size_t i = 0; i < m && made; i++) {
+        direction_drop_rounding(system, shapes + 2 * d * i);
         out->directions[out->count] = whirl_direction(system, shapes + 2 * d * i);
         out->speeds[out->count++] = sqrt(r->values[first + 2 * i]);
     }

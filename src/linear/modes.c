@@ -92,6 +92,7 @@ static whirl_modes *sort_out(const mean_system *m, root *roots, size_t count, do
     for (size_t i = 0; i < waves; i++) {
         double *shape = modes->vectors + 2 * i * d;
         spread(m, vectors + 2 * roots[i].place * n, shape);
+        direction_drop_rounding(m->system, shape);
         modes->modes[i] = (whirl_mode){roots[i].real, roots[i].imaginary, whirl_direction(m->system, shape)};
     }
     return modes;
@@ -321,6 +322,23 @@ void direction_area(const whirl_system *system, const double *a, const double *b
         out[0] += way * (-(ax[0] * by[1] - ax[1] * by[0]) + (ay[0] * bx[1] - ay[1] * bx[0]));
         out[1] += way * ((ax[0] * by[0] + ax[1] * by[1]) - (ay[0] * bx[0] + ay[1] * bx[1]));
     }
+}
+
+static double coordinate_size(const double *v, size_t k) {
+    return hypot(v[2 * k], v[2 * k + 1]);
+}
+
+void direction_drop_rounding(const whirl_system *system, double *v) {
+    static const double least = 1e-11; // of the largest displacement or tilt
+    double all = 0.0, seen = 0.0;
+    if (system->probe_count == 0 || system->probes->vx <= system->probes->x) return;
+    // Displacements and tilts come first, then their rates.
+    for (size_t k = 0; k < system->probes->vx - system->probes->x; k++) all = fmax(all, coordinate_size(v, k));
+    for (size_t p = 0; p < system->probe_count; p++)
+        seen = fmax(seen, fmax(coordinate_size(v, system->probes[p].x), coordinate_size(v, system->probes[p].y)));
+    if (seen > least * all) return;
+    for (size_t p = 0; p < system->probe_count; p++)
+        for (size_t i = 0; i < 2; i++) v[2 * system->probes[p].x + i] = v[2 * system->probes[p].y + i] = 0.0;
 }
 
 double whirl_direction(const whirl_system *system, const double *v) {

@@ -28,8 +28,10 @@ static const field_plan fields[FIELD_COUNT] = {
         {WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, "N/m",
          "kxx, kyy (of the bearings there, at the lowest of these speeds; missing without springs in their place)",
          WHIRL_PER_STATION, 2, looked_up},
-    [SHAPE] = {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",
-               "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1)", WHIRL_PER_STATION, 4, kept},
+    [SHAPE] =
+        {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",
+         "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1; missing where the mode moves no station)",
+         WHIRL_PER_STATION, 4, kept},
 };
 
 void bearings_place(const whirl_system *alone, double *x, const whirl_system *machine, const double *rest) {

@@ -71,8 +71,10 @@ static const field_plan fields[FIELD_COUNT] = {
     [CRITICAL] = {WHIRL_FIELD_MODES_CRITICAL, "1", "kind, value, speed, frequency, damping, direction", WHIRL_PER_POINT,
                   6, located},
     [REST] = {WHIRL_FIELD_MODES_REST, "length", "x, y (from the centre)", WHIRL_PER_STATION, 2, NULL},
-    [SHAPE] = {WHIRL_FIELD_MODES_SHAPE, "1", "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1)",
-               WHIRL_PER_STATION, 4, kept},
+    [SHAPE] =
+        {WHIRL_FIELD_MODES_SHAPE, "1",
+         "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1; missing where the mode moves no station)",
+         WHIRL_PER_STATION, 4, kept},
 };
 
 static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
