@@ -51,6 +51,9 @@ void fill_seen(const whirl_record *record, size_t probe, size_t count, double *s
 /// [dimension][2]: the largest displacement of any station is 1, at the instant of its peak.
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view);
 
+/// A station whose motion is smaller than this share of its distance from the centre rests: it whirls in no sense.
+#define LEAST_MOTION 1e-6
+
 /// Fields of what is watched (whirl/engine/watched.h): their numbers, their plans, and how they are filled from a
 /// record.
 #define WATCHED_INDEX(array, ...) WATCHED_##array,

@@ -18,6 +18,11 @@ static const field_plan fields[FIELD_COUNT] = {
     // clang-format on
 };
 
+/// Whether a station moves by no more than rounding.
+static bool orbit_rests(const double *low, const double *high, double max_radius) {
+    return hypot(high[0] - low[0], high[1] - low[1]) <= 2.0 * LEAST_MOTION * max_radius;
+}
+
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
     for (size_t which = 0; which < record->probe_count; which++) {
@@ -29,6 +34,8 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
             view_numbers(view, LOW, which)[c] = whirl_probe_value(probe, record->low, c);
             view_numbers(view, HIGH, which)[c] = whirl_probe_value(probe, record->high, c);
         }
+        if (orbit_rests(view_numbers(view, LOW, which), view_numbers(view, HIGH, which), radius))
+            *view_numbers(view, WATCHED_backward, which) = NAN;
     }
     return whirl_ok();
 }

@@ -24,9 +24,6 @@ static const double pi = 3.141592653589793238463;
 /// Whirl has a direction when it keeps it for this share of the time; contact lasts from this share on.
 static const double constant_share = 0.95, lasting_share = 0.95;
 
-/// A station whose motion is smaller than this share of its distance from the centre rests.
-static const double least_motion = 1e-6;
-
 /// The path of one station.
 typedef struct path {
     size_t count;
@@ -100,7 +97,7 @@ static void describe(const whirl_record *record, size_t station, const block_vie
     const double contact = gap > 0.0 ? contact_share(&p, gap) : NAN;
     double winding = 0.0, direction = 0.0;
     *view_numbers(view, CONTACT, station) = contact;
-    if (p.count > 1 && p.reach > least_motion * least_motion * p.excursion) {
+    if (p.count > 1 && p.reach > LEAST_MOTION * LEAST_MOTION * p.excursion) {
         const turns t = count_turns(&p);
         winding = t.sum * (double)p.count / ((double)(p.count - 1) * revolutions);
         direction = t.backward >= constant_share ? -1.0 : t.backward <= 1.0 - constant_share ? 1.0 : 0.0;
