@@ -114,9 +114,9 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
     }
     if (left > 0)
         fprintf(to->stream,
-                "<p>%zu other stations, which have neither probe nor clearance nor unbalance: see the "
-                "figures beside this document.</p>\n",
-                left);
+                "<p>%zu other station%s without probe, clearance or unbalance: see the figures beside this "
+                "document.</p>\n",
+                left, left == 1 ? "" : "s");
 }
 
 static void write_table(const page *to, size_t result, const whirl_table *table, void *context) {

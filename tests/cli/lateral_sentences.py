@@ -1,0 +1,483 @@
+#!/usr/bin/env python3
+"""Checks every sentence of a lateral document against the numbers of its result:
+
+    lateral_sentences.py RESULT.h5 lateral.html
+
+A sentence is whatever stands outside of tables, figures and the case. Those with a number or a verdict must be of a kind
+that is known here, and are derived once more from the fields of the result, by rules of this file's own: what is stable
+by growth, where modes cross the speed, margins by API 617's formula, shares of clearances, decrements, motions. What is
+no finding stands in FIXED, each with its reason. A sentence of another kind is a failure: tell here how it is checked.
+"""
+import html
+import json
+import math
+import re
+import subprocess
+import sys
+
+import h5py
+import numpy as np
+
+RPM = math.pi / 30.0
+UNITS = {"rpm": RPM, "Hz": 2.0 * math.pi, "rad/s": 1.0, "1/s": 1.0, "%": 1.0, "N/m": 1.0, "µm p-p": 1e-6, "µm": 1e-6,
+         "mm": 1e-3, "": 1.0}
+
+# What has numbers and is no finding.
+FIXED = {
+    r"[1-9]\. [A-Z][a-z, -]+|8\. Nonlinear motions": "a title",
+    r"Clauses are those of API RP 684, .*": "editions of standards",
+    r"Of the machine without damping, the lowest 6 of each direction\.": "how many are listed",
+    r"Natural frequencies over the speed \(Campbell diagram\), .*": "what the chapter has",
+    r"Critical speeds as peaks of all stations, .*": "the method",
+    r"The least logarithmic decrement of forward modes .*": "the method",
+    r"Logarithmic decrements with bearings, .*": "what the chapter has",
+    r"Critical speeds and thresholds of stability": "a title",
+    r"Amplitudes say whether they are zero to peak \(0-p\) or peak to peak \(p-p\)\.": "the convention",
+    r"Time against the rotation: .*": "a definition",
+    r"Not known of places .*": "a definition",
+    r"(Stability|Levels?) .*by the speed": "a title",
+}
+
+
+def plain(markup):
+    return re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", " ", markup))).strip().replace(" .", ".")
+
+
+def sentences(markup):
+    """Titles of third order and texts below them: of paragraphs, items and titles, without tables, lists of facts,
+    figures and the case."""
+    markup = re.sub(r"<(style|script|svg|pre|table|figure|dl)\b.*?</\1>", "</p>", markup, flags=re.S)
+    markup = markup[markup.index("<main>") :]
+    title = ""
+    for tag, text in re.findall(r"<(/?(?:p|li|ul|ol|h[1-6]|section|div|summary|details))\b[^>]*>([^<]*(?:<(?!/?(?:p|li|ul|ol|h[1-6]|section|div|summary|details)\b)[^<]*)*)", markup):
+        text = plain(text)
+        title = text if tag == "h3" else title
+        if re.search(r"\d|stable|holds|fails|not known|never", text):
+            yield title, text
+
+
+def rounds_to(value, shown):
+    """Whether a number is shown to the digits that it has."""
+    digits = len(re.sub(r"[eE].*|[-.]", "", shown).lstrip("0")) or 1
+    number = float(shown)
+    if value == number:
+        return True
+    if number == 0.0 or not math.isfinite(value):
+        return False
+    return abs(value - number) <= 0.5001 * 10.0 ** (math.floor(math.log10(abs(number))) - digits + 1)
+
+
+class Result:
+    """A result, and what JSON says of it."""
+
+    def __init__(self, path):
+        self.file = h5py.File(path)
+        text = subprocess.run(["whirl", "show", path, "--json"], check=True, capture_output=True, text=True).stdout
+        self.json = json.loads(text)
+        self.stations = [name.decode() for name in self.file["stations/name"][:]]
+        self.contacts = [name.decode() for name in self.file["contacts/name"][:]] if "contacts" in self.file else []
+
+    def field(self, table, name):
+        return self.file[table][name][:] if name in self.file[table] else None
+
+    def values(self, table):
+        return self.file[table]["values"][:]
+
+    def lengths(self, table):
+        return self.file[table]["length_scale"][:]
+
+    def option(self, table, name):
+        return self.file[table].attrs[name]
+
+    def tables(self):
+        return [name for name in self.file if isinstance(self.file[name], h5py.Group) and "analyses" in self.file[name].attrs]
+
+    def sheet(self, table, name):
+        for sheet in self.json.get("sheets", []):
+            if sheet["table"] == table and sheet["name"] == name:
+                keys = [column["key"] for column in sheet["columns"]]
+                return [dict(zip(keys, row)) for row in sheet["rows"]]
+        return []
+
+
+# ---------------------------------------------------------------- statements
+
+
+def stability_of_modes(result, own):
+    table = own["table"]
+    at = np.argmin(abs(result.values(table) - own["at"]["values"][0])) if "at" in own else 0
+    largest = result.field(table, "modes/stability")[at]
+    seen = [result.field(table, name)[at] for name in ("modes/growth", "modes/overdamped")]
+    seen = max([np.nanmax(numbers) for numbers in seen if np.isfinite(numbers).any()])
+    word = "stable" if largest < 0 else "unstable" if largest > 0 else "undamped"
+    assert seen <= largest + 1e-9 * abs(seen), f"a mode grows with {seen}"
+    match = re.fullmatch(r"(\w+): the largest real part of all eigenvalues(?: but .*)? is (\S+) 1/s", own["found"]["text"])
+    assert match and match[1] == word and rounds_to(largest, match[2]), f"{largest} 1/s"
+
+
+def critical(result, own):
+    """Modes cross the speed, or the growth its zero, between the points on both sides of what is told."""
+    table, text = own["table"], own["found"]["text"]
+    values, speed = result.values(table), result.field(table, "modes/speed")
+    frequency, growth = result.field(table, "modes/frequency"), result.field(table, "modes/stability")
+    thresholds = re.findall(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|N/m))?", text)
+    for word, shown, unit in thresholds:
+        value = float(shown) * UNITS[unit]
+        after = np.searchsorted(values, value)
+        assert 0 < after < len(values), f"{value} is at no point"
+        signs = (growth[after - 1] > 0, growth[after] > 0)
+        assert signs == ((False, True) if word == "unstable" else (True, False)), f"growth {growth[after - 1 : after + 1]}"
+    rest = re.sub(r"(unstable|stable) from (?:\w+ = )?(\S+)(?: (rpm|N/m))?", "", text)
+    for shown in re.findall(r"([\d.]+(?:e[+-]\d+)?) rpm", rest):
+        after = np.searchsorted(speed, float(shown) * RPM)
+        assert 0 < after < len(speed), f"{shown} rpm is at no point"
+        below = [np.sum(frequency[i] < speed[i]) for i in (after - 1, after)]
+        assert below[0] != below[1], f"no frequency crosses the speed near {shown} rpm"
+    everywhere = re.search(r"unstable at all (\d+) values|unstable at (\d+) of (\d+) values", rest)
+    if everywhere:
+        told = int(everywhere[1] or everywhere[2])
+        assert told == np.sum(growth > 0), f"{np.sum(growth > 0)} are"
+    more = re.search(r"and (\d+) more", rest)
+    rows = np.isfinite(result.field(table, "modes/critical")[..., 0]).sum()
+    told = len(thresholds) + len(re.findall(r"[\d.]+ rpm", rest)) + (int(more[1]) if more else 0)
+    assert not rows or everywhere or told == rows, f"{rows} are located"
+
+
+def frequencies(result, own):
+    known = result.field(own["table"], "modes/known")
+    shown = re.findall(r"([\d.e+]+) rad/s", own["found"]["text"])
+    if "known but for multiples" in own["found"]["text"]:
+        known = result.field(own["table"], "modes/modulo").reshape(-1, 1)
+    assert shown and all(rounds_to(known[0][i], text) for i, text in enumerate(shown)), f"{known[0]}"
+
+
+def sensitivity(result, own):
+    table, text = own["table"], own["found"]["text"]
+    at = np.argmin(abs(result.values(table) - own["at"]["values"][0])) if "at" in own else 0
+    peak, frequency = (result.field(table, f"modes/{name}")[at] for name in ("sensitivity", "sensitivity_frequency"))
+    match = re.match(r"([\d.]+) at ([\d.]+) Hz: (?:zone ([A-D])|no zone)", text)
+    zone = "A" if peak < 3 else "B" if peak < 4 else "C" if peak < 5 else "D"
+    assert match and rounds_to(peak, match[1]) and rounds_to(frequency / (2 * math.pi), match[2]), f"{peak} at {frequency}"
+    assert match[3] == (None if result.field(table, "modes/stability")[at] > 0 else zone), zone
+
+
+def rigid(result, own):
+    at = np.argmin(abs(result.values(own["table"]) - own["at"]["values"][0])) if "at" in own else 0
+    assert own["found"]["text"].startswith(f"{result.field(own['table'], 'modes/rigid_body')[at]:g},")
+
+
+def running(result, table):
+    low, high = result.option(table, "running_low"), result.option(table, "running_high")
+    return (low or high), (high or low)
+
+
+def probed(result, table):
+    """Stations with a probe."""
+    names = result.option(table, "probes_at")
+    names = [name for name in re.split(r"[,\s]+", names.decode() if isinstance(names, bytes) else names) if name]
+    return names or result.stations
+
+
+def margin(result, own):
+    """The peak told is one of the response there; what is asked for follows from its amplification by API 617."""
+    table, (low, high) = own["table"], running(result, own["table"])
+    speed, probe = result.field(table, "unbalance/speed"), result.field(table, "unbalance/probe")
+    peaks = [peak for peak in result.sheet(table, "peaks") if peak["asked"] and peak["asked"] > 0]
+    held = [peak for peak in peaks if peak["margin"] is not None and peak["margin"] >= peak["asked"]]
+    for peak in peaks:
+        factor, side = peak["amplification"], peak["side"]
+        asked = 17 * (1 - 1 / (factor - 1.5)) + (10 if side == "above" else 0)
+        had = (peak["speed"] / high - 1 if side == "above" else 1 - peak["speed"] / low) * 100
+        near = np.argmin(abs(speed - peak["speed"]))
+        curve = probe[:, result.stations.index(peak["station"]), :].max(axis=1)
+        window = curve[max(near - 1, 0) : near + 2]
+        if side != "within":
+            assert abs(asked - peak["asked"]) < 0.02 and abs(had - peak["margin"]) < 1e-6, f"{peak}: {asked}, {had}"
+        assert peak["station"] in probed(result, table) and len(window) and peak["amplitude"] > 0, f"{peak}"
+    assert all(peak["verdict"].startswith("holds") == (peak in held) for peak in peaks), "verdicts of peaks"
+    reaches = (np.diff(speed) > 0).all() and speed[0] <= low * (1 + 1e-9) and speed[-1] >= high * (1 - 1e-9)
+    verdict = "fails" if len(held) < len(peaks) else "not known" if not reaches else "holds" if peaks else "none asked for"
+    assert own["verdict"] == verdict, f"{len(held)} of {len(peaks)} peaks"
+    match = re.match(r"holds: (\d+) of (\d+) peaks|fails: (\d+) of (\d+) peaks", own["told"]["text"])
+    if match:
+        told = (int(match[1]), int(match[2])) if match[1] else (int(match[4]) - int(match[3]), int(match[4]))
+        assert told == (len(held), len(peaks)), f"{len(held)} of {len(peaks)} hold"
+    if peaks:
+        worst = min(peaks, key=lambda peak: -math.inf if peak["margin"] is None else peak["margin"] - peak["asked"])
+        shown = [worst["asked"]] + ([] if worst["margin"] is None else [worst["margin"]]) + [worst["speed"]]
+        assert np.allclose(own["asked"]["values"] + own["found"]["values"], shown), f"the worst is {worst}"
+        assert worst["station"] in own["found"]["text"]
+
+
+def scaling(result, table):
+    """Vibration limit of API 617, m p-p, the largest where the machine runs at points, and the factor."""
+    low, high = running(result, table)
+    speed = result.field(table, "unbalance/speed")
+    limit = 25.4e-6 * min(1.0, math.sqrt(12000 * RPM / high))
+    inside = (speed >= low * (1 - 1e-9)) & (speed <= high * (1 + 1e-9))
+    seen = 2 * result.field(table, "unbalance/probe") * result.lengths(table)[:, None, None]
+    columns = [result.stations.index(name) for name in probed(result, table)]
+    return limit, seen[inside][:, columns].max() if inside.any() else 0.0
+
+
+def vibration(result, own):
+    limit, largest = scaling(result, own["table"])
+    told = own["found"]["values"][0]
+    # Between points it may be larger, by a curve through them.
+    assert np.isclose(own["asked"]["values"][0], limit) and largest <= told * (1 + 1e-9) and told < 1.2 * largest + 1e-12, largest
+    assert own["verdict"] == ("fails" if told > limit else "holds")
+
+
+def scaled(result, own):
+    if own["found"]["text"].startswith("none: "):
+        return
+    limit, largest = scaling(result, own["table"])
+    told = own["found"]["values"]
+    match = re.search(r"responses are scaled by ([\d.]+) \(6 at most\)", own["found"]["text"])
+    assert np.isclose(told[0], limit) and largest <= told[1] * (1 + 1e-9) and told[1] < 1.2 * largest + 1e-12, largest
+    assert match and rounds_to(min(6.0, limit / told[1]), match[1])
+
+
+def clearances(result, own):
+    table, match = own["table"], re.match(r"(\S+) % at (\S+), (\S+) rpm, scaled by (\S+)", own["found"]["text"])
+    factor = float(match[4])
+    speed, trip = result.field(table, "unbalance/speed"), result.option(table, "trip")
+    last = np.searchsorted(speed, trip * (1 - 1e-9)) if trip > 0 else len(speed) - 1
+    share = 100 * factor * result.field(table, "unbalance/axes")[..., 0] / result.field(table, "unbalance/clearance")
+    share = np.nan_to_num(share[: last + 1], posinf=0)
+    point, station = np.unravel_index(share.argmax(), share.shape)
+    told = own["found"]["values"]
+    assert abs(told[0] / share.max() - 1) < 1e-3 and match[2] == result.stations[station], f"{share.max()} %"
+    assert np.isclose(told[1], speed[point]), f"{speed[point]} rad/s"
+    assert own["verdict"] == ("holds" if share.max() <= 75 else "fails")
+
+
+def levels(result, table):
+    names = ("anticipated", "limit", "decrement", "complete", "region")
+    numbers = {name: result.field(table, f"stability/{name}") for name in names}
+    staged = np.nan_to_num(numbers["anticipated"]) > 0
+    asked = np.where(np.nan_to_num(numbers["region"]) > 0.5, 10.0, 2.0)
+    ratio = np.where(staged, numbers["limit"] / np.where(staged, numbers["anticipated"], 1), np.nan)
+    one = np.where(~staged, "none", np.where(np.isnan(numbers["decrement"]), "not known",
+                   np.where((numbers["decrement"] >= 0.1) & ~(ratio < asked), "holds", "fails")))
+    two = np.where(np.isnan(numbers["complete"]), "not known", np.where(numbers["complete"] > 0.1, "holds", "fails"))
+    return numbers, staged, ratio, one, two
+
+
+def worst_of(verdicts):
+    return next(word for word in ("fails", "not known", "holds", "none") if word in verdicts)
+
+
+def level_one(result, own):
+    numbers, staged, ratio, one, _ = levels(result, own["table"])
+    assert own["verdict"] == worst_of(one), f"{one}"
+    match = re.search(r"decrement (\S+), (?:limit (\S+) times|no limit below 1000 times)", own["found"]["text"])
+    assert match and rounds_to(np.nanmin(numbers["decrement"][staged]), match[1]), f"{numbers['decrement']}"
+    assert not match[2] or any(rounds_to(number, match[2]) for number in ratio), f"{ratio}"
+    region = re.search(r"(\d+) of (\d+) points in region B", own["found"]["text"])
+    assert not region or int(region[1]) == np.sum(numbers["region"] > 0.5)
+
+
+def level_two(result, own):
+    numbers, _, _, _, two = levels(result, own["table"])
+    assert own["verdict"] == worst_of(two), f"{two}"
+    match = re.search(r"decrement (\S+)", own["found"]["text"])
+    assert not match or rounds_to(np.nanmin(numbers["complete"]), match[1]), f"{numbers['complete']}"
+
+
+def runout(result, own):
+    assert result.field(own["table"], "unbalance/seen") is not None
+
+
+def clearances_unknown(result, own):
+    assert own["verdict"] == "not known" and not own["found"]["text"]
+
+
+STATEMENTS = {
+    "critical speeds with damping, and thresholds of stability": critical,
+    "stability": stability_of_modes,
+    "frequencies": frequencies,
+    "rigid-body modes": rigid,
+    "peak sensitivity of the loops of control": sensitivity,
+    "separation margin": margin,
+    "vibration at probes where it runs": vibration,
+    "vibration at probes, clearances": clearances_unknown,
+    "close clearances": clearances,
+    "scaled responses": scaled,
+    "runout": runout,
+    "stability, Level I": level_one,
+    "stability, Level II": level_two,
+}
+
+
+def shown_agrees(own):
+    """Numbers of a statement's texts are its numbers in the units that stand behind them."""
+    for part in ("asked", "found", "told"):
+        values = list(own[part]["values"])
+        for shown, unit in re.findall(r"(?<![\w.])(-?\d[\d.]*(?:e[+-]?\d+)?)(?: (µm p-p|µm|mm|rpm|Hz|rad/s|1/s|%|N/m))?", own[part]["text"]):
+            if values and rounds_to(values[0] / UNITS[unit], shown):
+                values.pop(0)
+        assert not values, f"{values} stand in no text of {own[part]['text']!r}"
+
+
+# ---------------------------------------------------------------- the other sentences
+
+
+def tally(result, match):
+    asked = [own for own in result.json["statements"] if "clause" in own and own["verdict"] != "none asked for"]
+    assert int(match[2]) == len(asked) and int(match[1]) == sum(own["verdict"] == "holds" for own in asked)
+
+
+def shaft(result, match, page):
+    rows = [[plain(cell) for cell in re.findall(r"<t[hd][^>]*>(.*?)</t[hd]>", row, re.S)]
+            for row in re.findall(r"<tr>(.*?)</tr>", re.search(r"Sections of the shafts.*?</table>", page, re.S)[0], re.S)]
+    rows = [row for row in rows[1:] if row[0] == match["name"]]
+    span = max(float(row[2]) for row in rows) - min(float(row[1]) for row in rows)
+    mass = sum(float(row[-1]) for row in rows)
+    assert abs(span / float(match["length"]) - 1) < 1e-5 and abs(mass / float(match["mass"]) - 1) < 1e-4, f"{span} m, {mass} kg"
+    assert int(match["nodes"]) == int(match["elements"]) + 1 and int(match["kept"]) <= int(match["modes"])
+    if match["all"]:
+        assert float(match["all"]) >= float(match["mass"]) * (1 - 1e-5)
+
+
+def motions(result, match):
+    table = match["table"]
+    codes, periods = result.field(table, "regime/code"), result.field(table, "regime/period")
+    assert int(match["all"]) == len(codes) and int(match["one"]) == np.sum((codes == 1) & (periods == 1)), f"{codes}, {periods}"
+    doubt = np.sum(result.field(table, "regime/confidence") == 0)
+    assert int(match["doubt"] or 0) == doubt, f"{doubt} in doubt"
+    rest = match["rest"]
+    for name in result.contacts:
+        own = re.search(re.escape(name) + r" (never touches|touches in (\d+) of (\d+) motions.*?at most (\S+) % of the time and with (\S+) N)", rest)
+        share = result.field(table, "rub/share")[:, result.contacts.index(name)]
+        force = result.field(table, "rub/max_force")[:, result.contacts.index(name)] * result.file["case"].attrs["force_scale"]
+        assert own and (own[1] == "never touches") == (np.nanmax(share) == 0), f"{name}: {share}"
+        if own[2]:
+            assert int(own[2]) == np.sum(share > 0) and rounds_to(100 * np.nanmax(share), own[4]) and rounds_to(np.nanmax(force), own[5])
+    wall = re.search(r"nearest to the wall at (\S+), to (\S+) % of its radial (clearance|gap)", rest)
+    if wall:
+        at = result.stations.index(wall[1])
+        reach = result.file["stations"]["gap" if wall[3] == "gap" else "clearance"][at]
+        seen = 100 * np.nanmax(result.field(table, "orbit/max_radius")[:, at]) / reach
+        assert rounds_to(seen, wall[2]), f"{seen} %"
+
+
+def unjudged(result, match):
+    table = match["table"]
+    assert int(match["all"]) == len(result.values(table)) and int(match["record"]) == result.option(table, "record")
+
+
+def left_out(result, match):
+    count = 0
+    for table in result.tables():
+        placed, clearance = (result.field(table, f"unbalance/{name}") for name in ("placed", "clearance"))
+        if clearance is not None:
+            probes = probed(result, table)
+            count = max(count, sum(name not in probes and not np.nan_to_num(clearance[0, s]) > 0 and
+                                   (placed is None or not np.any(np.nan_to_num(placed[0, s]))) for s, name in enumerate(result.stations)))
+    assert int(match[1]) == count, f"{count} have none"
+
+
+def beyond(result, match):
+    """Of what goes beyond the range of a law: the limit, the most that was reached, at how many points and where first."""
+    table = match["table"]
+    reached, most = np.moveaxis(result.field(table, "ranges/reached"), -1, 0)
+    found = [row for row in range(reached.shape[1]) if rounds_to(np.nanmax(reached[:, row]), match["reached"])
+             and rounds_to(most[0, row], match["most"])]
+    assert found, f"{np.nanmax(reached, axis=0)}"
+    left = reached[:, found[0]] > most[:, found[0]]
+    assert not match["points"] or int(match["points"]) == left.sum(), f"{left.sum()} points"
+    assert not match["first"] or rounds_to(result.values(table)[left.argmax()] / UNITS[match["unit"]], match["first"])
+
+
+def conditions(result, match):
+    told = result.file["provenance"].attrs[f"{match['table']} with"]
+    assert (told.decode() if isinstance(told, bytes) else told) == match["what"], told
+
+
+def check_motions(result, table, text):
+    for pattern, check in (
+        (r"(?P<one>\d+) of (?P<all>\d+) motions come back every revolution(?:, \d+ diverge \(.*?\))?"
+         r"(?:, (?P<doubt>\d+) are in doubt)?(?P<rest>.*)", motions),
+        (r"(?P<all>\d+) motions?, not judged \(analyze: regime\): (?P<record>\d+) revolutions.*", unjudged)):
+        match = re.fullmatch(pattern, text)
+        if match:
+            check(result, {**match.groupdict(), "table": table})
+            return True
+    return False
+
+
+def check_other(result, title, text, page):
+    """Checks a sentence that is no statement; returns whether its kind is known."""
+    match = re.match(r"What is asked for\. (\d+) of (\d+) hold", text)
+    if match:
+        tally(result, match)
+        return True
+    match = re.match(r"What is asked for\. Nothing: ", text)
+    if match:
+        return not any(own["verdict"] != "none asked for" for own in result.json["statements"] if "clause" in own)
+    match = re.match(r"Shaft (?P<name>\S+): (?P<length>\S+) m, (?P<mass>\S+) kg, (?P<elements>\d+) finite elements \(Timoshenko\) "
+                     r"between (?P<nodes>\d+) nodes(?:, reduced to its stations and (?P<kept>\d+) of (?P<modes>\d+) modes a plane: "
+                     r"frequencies of the free shaft err by \S+, displacements by forces by [^\s.]+(?:\.\d\S*?)?)?\. ?"
+                     r"(?:With what is on it (?P<all>\S+) kg, centre of mass at \S+ m\.)?$", text)
+    if match:
+        shaft(result, match, page)
+        return True
+    match = re.match(r"(\d+) other stations? without probe, clearance or unbalance", text)
+    if match:
+        left_out(result, match)
+        return True
+    match = re.fullmatch(r"Beyond its law: (?P<table>\w+), .* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+)"
+                         r"(?: \((?P<points>\d+) of \d+ points, first at (?P<first>\S+)(?: (?P<unit>\S+))?\))?", text)
+    if match:
+        beyond(result, match)
+        return True
+    match = re.fullmatch(r"(?P<table>\w+), with (?P<what>.*)", text)
+    if match and match["table"] in result.tables():
+        conditions(result, match)
+        return True
+    if text.startswith("Nonlinear motions. "):
+        parts = re.split(r"(?:^|\s)(\w+): (?=\d+ (?:of|motion))", text)[1:]
+        parts[-1] = re.sub(r" Motions or rests go beyond the range of a law \d+ times?: see chapter 2\.$", "", parts[-1])
+        return len(parts) > 0 and all(check_motions(result, *part) for part in zip(parts[::2], parts[1::2]))
+    table = title.split(",")[0]
+    return table in result.tables() and check_motions(result, table, text)
+
+
+def main(path, page):
+    result, faults, counts = Result(path), [], {"statements": 0, "others": 0, "fixed": 0}
+    markup = open(page, encoding="utf-8").read()
+    texts = []
+    for own in result.json.get("statements", []):
+        try:
+            shown_agrees(own)
+            STATEMENTS[own["what"]](result, own)
+        except KeyError as error:
+            faults.append(f"{own['what']}: no check of {error}")
+        except AssertionError as error:
+            faults.append(f"{own['table']}: {own['what']}: {own['found']['text']!r}, {own['verdict']}: {error}")
+        counts["statements"] += 1
+        texts.append([own[part]["text"] for part in ("asked", "found", "told") if own[part]["text"]])
+    for title, text in sentences(markup):
+        if any(all(part in text for part in parts) for parts in texts if parts) or any(
+            parts and parts[0] in text and text.split(". ")[0] in result.tables() for parts in texts):
+            continue
+        if any(re.fullmatch(pattern, text) for pattern in FIXED):
+            counts["fixed"] += 1
+            continue
+        try:
+            known = check_other(result, title, text, markup)
+        except AssertionError as error:
+            faults.append(f"{text!r}: {error}")
+            continue
+        counts["others"] += 1
+        if not known:
+            faults.append(f"a sentence of no kind that is known: {text!r}")
+    print(", ".join(f"{count} {name}" for name, count in counts.items()))
+    for fault in faults:
+        print("lateral_sentences: FAILED:", fault)
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
