@@ -1,0 +1,124 @@
+// What must not change a reported number: the side from which a machine is looked at, the length that displacements
+// are told in, the units of a case, the order of its stations and elements. One small machine of every element of the
+// registry, all fields of its tables at rest and in motion.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_machines.h"
+#include "support_same.h"
+#include "support_study.h"
+
+/// Studies about rest, and motions of a few revolutions. Machines whose coefficients turn have no response about rest.
+static const char at_rest[] = "  modes: {parameter: n, values: [700 rad/s, 900 rad/s]}\n"
+                              "  unbalance: {parameter: n, values: [700 rad/s, 900 rad/s]}\n  stability: {}\n";
+static const char in_motion[] =
+    "  sweep: {parameter: n, values: [700 rad/s, 900 rad/s], start: rest}\n"
+    "  integrate: {method: rk4, steps_per_revolution: 256, transient: 60, record: 10, watch: 60, settle: no}\n"
+    "  keep: {waveform: 1, samples: 16, highest_order: 3}\n"
+    "  analyze: [poincare, orbit, rub, spectrum, lyapunov, regime, winding, evidence, floquet]\n";
+
+/// Fields of distances between states (support_machines.h, MACHINE_OWN_STATES).
+static const char *const of_distances[] = {"regime/", "lyapunov/", "evidence/", "floquet/", NULL};
+
+static whirl_result *run(const element_machine *of, machine_view as, const char *study) {
+    char text[MACHINE_TEXT];
+    machine_text(of, as, study, text);
+    return result_of_text(text);
+}
+
+static bool rests(const element_machine *of) {
+    return !(of->flags & (MACHINE_TURNS | MACHINE_NO_REST));
+}
+
+/// One study of a machine, as it stands and as it is seen.
+static size_t compare(const char *how, const element_machine *of, machine_view as, const char *study, same_rule rule) {
+    whirl_result *one = run(of, (machine_view){0}, study), *other = run(of, as, study);
+    if (of->flags & MACHINE_OWN_STATES && (as.length || as.mirrored)) rule.left_out = of_distances;
+    const size_t wrong = same_results(words("%s, %s", how, of->name), one, other, &rule);
+    whirl_result_free(one);
+    whirl_result_free(other);
+    return wrong;
+}
+
+/// Both studies of all machines, to within `rest` and `motion` of the largest number of every field.
+static void check(const char *how, machine_view as, double rest, double motion) {
+    size_t wrong = 0;
+    for (const element_machine *of = element_machines; of->name; of++) {
+        if (rests(of)) wrong += compare(how, of, as, at_rest, (same_rule){rest, 1e-5, as.mirrored, NULL});
+        wrong += compare(how, of, as, in_motion, (same_rule){motion, 1e-5, as.mirrored, NULL});
+    }
+    assert_int_equal(wrong, 0);
+}
+
+static void the_mirror(void **state) {
+    (void)state;
+    check("mirrored", (machine_view){.mirrored = true}, 1e-9, 1e-8);
+}
+
+static void the_length_scale(void **state) {
+    (void)state;
+    check("by another length", (machine_view){.length = "0.37 mm"}, 1e-9, 1e-8);
+}
+
+static void the_order(void **state) {
+    (void)state;
+    check("in the other order", (machine_view){.reversed = true}, 1e-9, 1e-8);
+}
+
+/// Motions of every machine in inches; in the other systems, without WHIRL_SOAK, of those that have no rest alone.
+static void the_units(void **state) {
+    static const struct {
+        const char *name;
+        const unit_pair *units;
+    } systems[] = {{"inches", units_inch}, {"feet", units_feet}, {"millimetres", units_millimetre}, {"SI", units_si}};
+    size_t wrong = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof systems / sizeof *systems; i++)
+        for (const element_machine *of = element_machines; of->name; of++) {
+            const machine_view as = {.units = systems[i].units};
+            if (rests(of)) wrong += compare(systems[i].name, of, as, at_rest, (same_rule){1e-10, 1e-5, false, NULL});
+            if (i == 0 || !rests(of) || getenv("WHIRL_SOAK"))
+                wrong += compare(systems[i].name, of, as, in_motion, (same_rule){1e-8, 1e-5, false, NULL});
+        }
+    assert_int_equal(wrong, 0);
+}
+
+/// A segment as two halves.
+static void the_pieces_of_a_shaft(void **state) {
+    static const char whole[] = "segment: {from: rotor, to: stator, length: 400 mm, outer: 30 mm, elements: 4}",
+                      halves[] = "segment: {from: rotor, length: 200 mm, outer: 30 mm, elements: 2}\n"
+                                 "    - segment: {to: stator, length: 200 mm, outer: 30 mm, elements: 2}";
+    static const char discs[] = "disc: {at: rotor, outer: 200 mm, width: 10 mm}\n"
+                                "    - disc: {at: stator, outer: 100 mm, width: 10 mm}\n    - ";
+    char one[1024], two[1024];
+    size_t wrong = 0;
+    (void)state;
+    snprintf(one, sizeof one, "%s%s", discs, whole);
+    snprintf(two, sizeof two, "%s%s", discs, halves);
+    const element_machine machines[] = {{"segment", one, 0}, {"segment", two, 0}};
+    for (int moves = 0; moves < 2; moves++) {
+        const same_rule rule = {1e-9, 1e-5, false, NULL};
+        whirl_result *a = run(&machines[0], (machine_view){0}, moves ? in_motion : at_rest);
+        whirl_result *b = run(&machines[1], (machine_view){0}, moves ? in_motion : at_rest);
+        wrong += same_results("in halves", a, b, &rule);
+        whirl_result_free(a);
+        whirl_result_free(b);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(the_mirror), cmocka_unit_test(the_length_scale),
+                                       cmocka_unit_test(the_order), cmocka_unit_test(the_units),
+                                       cmocka_unit_test(the_pieces_of_a_shaft)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
