@@ -1,0 +1,190 @@
+// The main line beside whole orders of motions whose lines are known: two frequencies, a third one beside them, lines
+// that die out, grow and wander; and that verdicts go by it where sections are too short to show their curve.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "section.h"
+#include "whirl/engine/analyze.h"
+
+enum { SAMPLES = 64, DIMENSION = 4, MOST = 128 };
+
+static const double two_pi = 6.283185307179586476925;
+
+/// x + iy = e^(i tau) + line e^(growth n) e^(i phase) + a combination of both + third e^(i third phase); phases turn at
+/// their orders, plus their wander times the revolutions n.
+typedef struct known_lines {
+    double order, line, growth, wander, third, third_order, third_wander;
+} known_lines;
+
+/// x, y, vx and vy (displacements and their rates) after n revolutions.
+static void lines_at(const known_lines *of, double n, double out[DIMENSION]) {
+    const double phases[] = {two_pi * n, two_pi * n * (of->order + 0.5 * of->wander * n),
+                             two_pi * n * (2.0 * of->order - 1.0 + of->wander * n),
+                             two_pi * n * (of->third_order + 0.5 * of->third_wander * n)};
+    const double rates[] = {1.0, of->order + of->wander * n, 2.0 * of->order - 1.0 + 2.0 * of->wander * n,
+                            of->third_order + of->third_wander * n};
+    const double grown = of->line * exp(of->growth * n), amplitudes[] = {1.0, grown, 0.1 * grown, of->third};
+    for (size_t i = 0; i < DIMENSION; i++) out[i] = 0.0;
+    for (size_t k = 0; k < 4; k++) {
+        out[0] += amplitudes[k] * cos(phases[k]);
+        out[1] += amplitudes[k] * sin(phases[k]);
+        out[2] -= amplitudes[k] * rates[k] * sin(phases[k]);
+        out[3] += amplitudes[k] * rates[k] * cos(phases[k]);
+    }
+}
+
+/// What a record of so many revolutions is made of.
+typedef struct known_record {
+    whirl_probe probe;
+    whirl_record record;
+    double waveform[2 * MOST * SAMPLES], section[DIMENSION * MOST], growth[MOST], low[DIMENSION], high[DIMENSION];
+} known_record;
+
+static known_record *record_lines(const known_lines *of, size_t revolutions) {
+    known_record *r = calloc(1, sizeof *r);
+    assert_non_null(r);
+    assert_true(revolutions <= MOST);
+    const size_t count = revolutions * SAMPLES;
+    r->probe = (whirl_probe){.name = "disc", .x = 0, .y = 1, .vx = 2, .vy = 3};
+    for (size_t i = 0; i < DIMENSION; i++) r->low[i] = INFINITY, r->high[i] = -INFINITY;
+    for (size_t j = 0; j < count; j++) {
+        double x[DIMENSION];
+        lines_at(of, (double)(j + 1) / SAMPLES, x);
+        r->waveform[j] = x[0];
+        r->waveform[count + j] = x[1];
+        for (size_t i = 0; i < DIMENSION; i++) r->low[i] = fmin(r->low[i], x[i]), r->high[i] = fmax(r->high[i], x[i]);
+        if ((j + 1) % SAMPLES == 0) memcpy(r->section + DIMENSION * ((j + 1) / SAMPLES - 1), x, sizeof x);
+    }
+    for (size_t n = 0; n < revolutions; n++) r->growth[n] = of->growth + 1e-4 * cos(2.0 * (double)n);
+    r->record = (whirl_record){.dimension = DIMENSION,
+                               .record_count = revolutions,
+                               .section_count = revolutions,
+                               .growth_count = revolutions,
+                               .section = r->section,
+                               .growth = r->growth,
+                               .low = r->low,
+                               .high = r->high,
+                               .probe_count = 1,
+                               .probes = &r->probe,
+                               .samples_per_revolution = SAMPLES,
+                               .sample_count = count,
+                               .waveform = r->waveform};
+    return r;
+}
+
+enum { REVOLUTIONS = 64 };
+static const double golden = 0.381966011250105;
+
+static void two_frequencies(void **state) {
+    static const double orders[] = {0.381966011250105, 0.4494897427831781, 0.5857864376269049, 2.618033988749895};
+    (void)state;
+    for (size_t i = 0; i < sizeof orders / sizeof *orders; i++) {
+        known_record *r = record_lines(&(known_lines){.order = orders[i], .line = 0.7}, REVOLUTIONS);
+        const main_line found = main_line_find(&r->record);
+        printf("lines | order of a whirl at %.6f | %.9f | %.9f | %.1e | 1e-6\n", orders[i], orders[i], found.order,
+               fabs(found.order - orders[i]));
+        assert_true(fabs(found.order - orders[i]) < 1e-6);
+        assert_true(fabs(found.trend) < 1e-8 && fabs(found.drift) < 1e-6);
+        assert_true(found.two && main_line_stays(&found, &r->record));
+        free(r);
+    }
+}
+
+/// A third frequency counts from a hundredth of the largest line on, also where it wanders by a bin.
+static void a_third_frequency(void **state) {
+    static const struct {
+        double size, wander;
+        bool two;
+    } thirds[] = {{0.005, 0.0, true}, {0.005, 2e-4, true}, {0.02, 0.0, false}, {0.02, 2e-4, false}, {0.1, 2e-4, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof thirds / sizeof *thirds; i++) {
+        const known_lines of = {.order = golden,
+                                .line = 0.7,
+                                .third = thirds[i].size,
+                                .third_order = 0.63,
+                                .third_wander = thirds[i].wander};
+        known_record *r = record_lines(&of, REVOLUTIONS);
+        const main_line found = main_line_find(&r->record);
+        assert_true(fabs(found.order - golden) < 1e-4);
+        assert_int_equal(found.two, thirds[i].two);
+        if (!thirds[i].two) assert_false(main_line_stays(&found, &r->record));
+        free(r);
+    }
+}
+
+/// Its rate is that of the line; 0.2 % over the record is what counts as none.
+static void a_line_that_changes(void **state) {
+    static const struct {
+        double growth;
+        bool stays;
+    } rates[] = {{1e-5, true}, {-1e-5, true}, {1e-4, false}, {-1e-4, false}, {-1e-3, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rates / sizeof *rates; i++) {
+        known_record *r =
+            record_lines(&(known_lines){.order = golden, .line = 0.7, .growth = rates[i].growth}, REVOLUTIONS);
+        const main_line found = main_line_find(&r->record);
+        printf("lines | growth of a line, 1/revolution | %g | %g | %.1e | 1e-6\n", rates[i].growth, found.trend,
+               fabs(found.trend - rates[i].growth));
+        assert_true(fabs(found.trend - rates[i].growth) < 1e-6);
+        assert_int_equal(main_line_stays(&found, &r->record), rates[i].stays);
+        free(r);
+    }
+}
+
+/// Its order is another one in the second half by half of the record times `wander`: a twentieth of a bin counts as
+/// none.
+static void a_line_that_wanders(void **state) {
+    static const struct {
+        double wander;
+        bool stays;
+    } rates[] = {{1e-6, true}, {-1e-6, true}, {1e-4, false}, {-1e-4, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof rates / sizeof *rates; i++) {
+        known_record *r =
+            record_lines(&(known_lines){.order = golden, .line = 0.7, .wander = rates[i].wander}, REVOLUTIONS);
+        const main_line found = main_line_find(&r->record);
+        assert_true(fabs(found.drift - 0.5 * REVOLUTIONS * rates[i].wander) < 1e-2 * fabs(found.drift) + 1e-6);
+        assert_int_equal(main_line_stays(&found, &r->record), rates[i].stays);
+        free(r);
+    }
+}
+
+/// Of 40 revolutions, too few for a curve: two frequencies are told by their lines, and by no curve; a third one of a
+/// twentieth, one that wanders, and a line that dies out stay open.
+static void verdicts(void **state) {
+    static const struct {
+        known_lines lines;
+        bool two;
+    } motions[] = {
+        {{.order = 0.381966011250105, .line = 0.7}, true},
+        {{.order = 0.4494897427831781, .line = 0.7}, true},
+        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63}, false},
+        {{.order = 0.381966011250105, .line = 0.7, .third = 0.05, .third_order = 0.63, .third_wander = 2e-4}, false},
+        {{.order = 0.381966011250105, .line = 0.7, .growth = -1e-3}, false}};
+    (void)state;
+    for (size_t i = 0; i < sizeof motions / sizeof *motions; i++) {
+        known_record *r = record_lines(&motions[i].lines, 40);
+        const whirl_verdict verdict = whirl_judge(&r->record);
+        assert_int_equal(verdict.regime, motions[i].two ? WHIRL_QUASI_PERIODIC : WHIRL_UNDETERMINED);
+        assert_int_equal(verdict.frequencies, motions[i].two ? 2 : 0);
+        assert_int_equal(verdict.curves, 0);
+        assert_true(verdict.agreement <= WHIRL_FAIR);
+        assert_true(fabs(verdict.line - motions[i].lines.order) < 1e-3);
+        free(r);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(two_frequencies), cmocka_unit_test(a_third_frequency),
+                                       cmocka_unit_test(a_line_that_changes), cmocka_unit_test(a_line_that_wanders),
+                                       cmocka_unit_test(verdicts)};
+    return cmocka_run_group_tests_name("main line", tests, NULL, NULL);
+}
