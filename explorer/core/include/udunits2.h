@@ -12,7 +12,7 @@ typedef struct ut_unit ut_unit;
 typedef struct cv_converter cv_converter;
 typedef enum ut_encoding { UT_ASCII = 0, UT_UTF8 = 2 } ut_encoding;
 enum { UT_DEFINITION = 8 };
-typedef enum ut_status { UT_SUCCESS = 0, UT_EXISTS, UT_NO_MEMORY } ut_status;
+typedef enum ut_status { UT_SUCCESS = 0, UT_NO_MEMORY } ut_status;
 typedef int (*ut_error_message_handler)(const char *format, va_list arguments);
 
 int ut_ignore(const char *format, va_list arguments);
@@ -24,6 +24,7 @@ ut_system *ut_read_xml(const char *path);
 /// A product of names with prefixes and whole powers, or NULL. Freed by ut_free.
 ut_unit *ut_parse(const ut_system *system, const char *text, ut_encoding encoding);
 ut_unit *ut_get_dimensionless_unit_one(const ut_system *system);
+ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding encoding);
 ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit);
 ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
 ut_unit *ut_scale(double factor, const ut_unit *unit);
