@@ -285,6 +285,20 @@ def level_two(result, own):
     assert not match or rounds_to(np.nanmin(numbers["complete"]), match[1]), f"{numbers['complete']}"
 
 
+def weight(result, own):
+    check_weight(result, own["found"]["text"])
+
+
+def check_weight(result, text):
+    """What acts along the shafts and across makes up the gravity of the case."""
+    case = result.file["case/text"].asstr("utf-8")[0]
+    asked = re.search(r"^\s*- gravity(?:: *(?:(\S+) m/s2|\{.*?acceleration: (\S+) m/s2.*?\}|.*))?", case, re.M)
+    parts = [float(number) for number in re.findall(r"(\S+) m/s2", text)]
+    gravity = float(asked[1] or asked[2] or 9.80665) if asked else 0.0
+    assert abs(math.hypot(0.0, *parts) - gravity) < 1e-5 * gravity + 1e-12, f"{gravity} m/s2"
+    assert text.startswith("none: ") == (gravity == 0.0)
+
+
 def runout(result, own):
     assert result.field(own["table"], "unbalance/seen") is not None
 
@@ -305,6 +319,7 @@ STATEMENTS = {
     "close clearances": clearances,
     "scaled responses": scaled,
     "runout": runout,
+    "weight": weight,
     "stability, Level I": level_one,
     "stability, Level II": level_two,
 }
@@ -426,6 +441,9 @@ def check_other(result, title, text, page):
     match = re.match(r"(\d+) other stations? without probe, clearance or unbalance", text)
     if match:
         left_out(result, match)
+        return True
+    if text.startswith("Weight: "):
+        check_weight(result, text.removeprefix("Weight: ").removesuffix("."))
         return True
     match = re.fullmatch(r"Beyond its law: (?P<table>\w+), .* up to (?P<most>\S+?)(?: [^\s,]+)?, .*; reached (?P<reached>\S+)"
                          r"(?: \((?P<points>\d+) of \d+ points, first at (?P<first>\S+)(?: (?P<unit>\S+))?\))?", text)
