@@ -27,7 +27,7 @@ typedef enum whirl_fold {
       "smallest distance from the centre (0-p)")                                                                       \
     X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_MEAN, "length", "x, y (from the centre)")       \
     X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_BACKWARD, "1",                              \
-      "share of the time of whirl against the rotation (about x = y = 0, not the orbit's middle; missing at rest)")
+      "share of the time of whirl against the rotation (about x = y = 0, not about the middle; missing at rest)")
 /// The same of contacts.
 #define WHIRL_WATCHED_OF_CONTACTS(X)                                                                                   \
     X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_SHARE, "1",                              \
