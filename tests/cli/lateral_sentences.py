@@ -58,7 +58,9 @@ def sentences(markup):
 
 def rounds_to(value, shown):
     """Whether a number is shown to the digits that it has."""
-    digits = len(re.sub(r"[eE].*|[-.]", "", shown).lstrip("0")) or 1
+    written = re.sub(r"[eE].*|-", "", shown)
+    # Zeros at the end of a whole number may stand for digits that are not shown.
+    digits = len((written.replace(".", "") if "." in written else written.rstrip("0")).lstrip("0")) or 1
     number = float(shown)
     if value == number:
         return True
@@ -285,6 +287,27 @@ def level_two(result, own):
     assert not match or rounds_to(np.nanmin(numbers["complete"]), match[1]), f"{numbers['complete']}"
 
 
+def lines_beside(result, own):
+    """The line told is one of its station's at that value, and none there is larger on this side of the synchronous one;
+    where none is told, no point of a few has one."""
+    table, below = own["table"], own["what"].startswith("sub")
+    lines = result.field(table, "spectrum/lines")
+    order, size = lines[..., 0], np.fmax(lines[..., 1], lines[..., 2])
+    side = (order > 0.02) & (order < 0.98) if below else (order > 1.02) & (abs(order - np.round(order)) > 0.02)
+    side &= size >= 0.05 * size[..., :1]
+    seen = np.where(side, size, 0.0) * result.lengths(table)[:, None, None]
+    if own["found"]["text"].startswith("none of 5 % or more of the largest line"):
+        assert len(seen) > 8 or not seen.any(), f"order {order[seen == seen.max()]}, {seen.max()} m"
+        return
+    match = re.match(r"largest .* at order (\S+) of (\w+), \w+ = ", own["found"]["text"])
+    point, station, row = np.unravel_index(seen.argmax(), seen.shape)
+    told = own["found"]["values"]
+    assert match and seen[point, station, row] >= told[0] * (1 - 1e-9), f"{seen.max()} m"
+    if len(seen) <= 8:
+        assert np.isclose(told[0], seen.max()) and np.isclose(told[1], result.values(table)[point]), f"{seen.max()} m"
+        assert rounds_to(order[point, station, row], match[1]) and match[2] == result.stations[station], f"order {order[point, station, row]}"
+
+
 def weight(result, own):
     check_weight(result, own["found"]["text"])
 
@@ -320,6 +343,8 @@ STATEMENTS = {
     "scaled responses": scaled,
     "runout": runout,
     "weight": weight,
+    "sub-synchronous lines": lines_beside,
+    "super-synchronous lines": lines_beside,
     "stability, Level I": level_one,
     "stability, Level II": level_two,
 }
