@@ -51,6 +51,7 @@ export class App {
       map: this.mapListener(),
       settings: this.settingsListener(),
       pane: this.paneListener(),
+      document: { part: (id) => this.toPart(id) },
     });
     this.watches = new Watches(this.session, {
       playing: (name, on) => this.page.panes[name].setPlaying(on),
@@ -185,7 +186,7 @@ export class App {
     if (session.address.b) session.sides.b.choice = session.address.b;
     const { machine } = session;
     // What is stored is there at once; the engine takes a moment to wake.
-    const stored = machine.run?.tables[0]?.parameter;
+    const stored = session.run?.tables[0]?.parameter;
     const early =
       stored !== undefined &&
       stored !== '' &&
@@ -194,8 +195,8 @@ export class App {
         session.map?.axis(session.address.parameter) !== undefined);
     if (early) session.openParameter();
     session.openStored();
-    if (session.atRest) session.address.b = undefined;
-    if (session.engine && !session.original && !session.atRest) {
+    if (!session.moves) session.address.b = undefined;
+    if (session.engine && !session.original && session.moves) {
       const outcome = await session.engine.describe(
         { text: machine.text, name: machine.caseName },
         { lane: 'original', priority: 0 },
@@ -227,6 +228,17 @@ export class App {
     void this.open();
   }
 
+  /// Another part of the same result: what is looked at of it begins anew, but for station, units and probes.
+  private toPart(id: string): void {
+    const { session } = this;
+    if (session.part?.id === id) return;
+    session.sights.stop();
+    const { units, run, station, rest } = session.address;
+    session.address = { ...readAddress('', units), run, station, rest: { ...rest, mode: 0 }, part: id };
+    session.active = 'a';
+    void this.open();
+  }
+
   /// Goes to an address: all anew where it is of another machine or parameter, else what differs.
   private restore(hash: string): void {
     const { session } = this;
@@ -234,7 +246,9 @@ export class App {
     const machine = session.machines.find(({ name }) => name === address.run) ?? session.machine;
     releaseFields();
     const anew =
-      machine !== session.machine || (address.parameter !== '' && address.parameter !== session.address.parameter);
+      machine !== session.machine ||
+      address.part !== session.address.part ||
+      (address.parameter !== '' && address.parameter !== session.address.parameter);
     session.address = { ...address, parameter: address.parameter || session.address.parameter };
     session.active = address.b ? session.active : 'a';
     this.watches.endAll();
@@ -265,7 +279,7 @@ export class App {
   }
 
   private async refreshSide(side: SideModel, settled: boolean): Promise<void> {
-    if (this.session.atRest) return;
+    if (!this.session.moves) return;
     const setting = this.session.settingOf(side);
     const good = await side.describe(setting);
     this.later('all');
@@ -274,7 +288,7 @@ export class App {
 
   private want(side: SideModel, settled: boolean): void {
     const { session } = this;
-    if (session.atRest) return;
+    if (!session.moves) return;
     const { parameter, units } = session.address;
     const { factor, unit } = parameterMeasure(session.unit, units);
     const value = written(side.choice.value * factor, 12);
@@ -432,14 +446,14 @@ export class App {
   // ---------------------------------------------------------------- the diagram
 
   private brushed(range: Range): void {
-    if (this.session.engine && !this.session.atRest) void this.recompute(range);
+    if (this.session.engine && this.session.moves) void this.recompute(range);
     else this.session.sights.enlarge(range);
   }
 
   /// Computes the diagram over a range with the active setting.
   private async recompute(range: Range, first = false): Promise<void> {
     const { session } = this;
-    if (!session.address.parameter || !session.engine || session.atRest) return;
+    if (!session.address.parameter || !session.engine || !session.moves) return;
     const of = assignmentTexts(session.side.choice.assignments).join('; ');
     this.report(await session.sights.compute(this.planOf(range), this.page.card.quality, of, first));
     this.refineSoon(); // the view may have moved meanwhile

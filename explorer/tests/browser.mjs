@@ -10,6 +10,8 @@ import { chromium } from 'playwright-core';
 
 export const whirl = process.env.WHIRL;
 export const template = process.env.TEMPLATE;
+/// The page without results.
+export const presets = template && pathToFileURL(template).href;
 const program = process.env.CHROMIUM ?? '/usr/bin/chromium-headless-shell';
 
 export const CASE = readFileSync(new URL('./rub.yaml', import.meta.url), 'utf8');

@@ -1,4 +1,4 @@
-// Results without a view of their own: their figures as the library describes them, drawn by the page.
+// Results without a live view: their figures as the library describes them, drawn by the page.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { closeBrowser, command, fan, folder, makePage, open, saved } from './browser.mjs';
@@ -6,7 +6,7 @@ import { join } from 'node:path';
 
 const STUDY = 'critical_speeds: {parameter: k, from: 0.1 MN/m, to: 100 MN/m, points: 13, scale: log}';
 const FAN = fan('kxx: = k', 'kxx: = k', STUDY, ', k: 1 MN/m');
-const CARD = '.figures .card';
+const CARD = '[data-figure="critical-speeds"]';
 
 let page, figure;
 before(() => {

@@ -4,7 +4,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
+import { CASE, closeBrowser, command, folder, makePage, open, presets, saved, settled } from './browser.mjs';
 
 let address;
 before(() => {
@@ -174,8 +174,8 @@ test('the command that is copied computes the setting', async () => {
   await close();
 });
 
-test('a preset of the gallery is computed here', async () => {
-  const { page, complaints, close } = await open(`${address}#run=rigid-rotor`);
+test('a page without results has the presets, which are computed here', async () => {
+  const { page, complaints, close } = await open(`${presets}#run=rigid-rotor`);
   await settled(page);
   assert.equal(await page.textContent('h1'), 'Rigid rotor in an oil film');
   await page.waitForFunction(() => Number(document.querySelector('.legend-entry .count')?.textContent) > 2, undefined, {

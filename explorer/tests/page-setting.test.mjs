@@ -5,7 +5,7 @@ import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { after, before, test } from 'node:test';
-import { CASE, closeBrowser, command, folder, makePage, open, saved, settled } from './browser.mjs';
+import { CASE, closeBrowser, command, folder, makePage, open, presets, saved, settled } from './browser.mjs';
 
 /// A journal of 0.2 mm clearance, small enough to run at once: speeds in rpm, lengths in clearances.
 const BEARING = `whirl: 1
@@ -147,7 +147,7 @@ test('a stored run along the clearance has the micrometres of each of its machin
 });
 
 test('every machine has the units that suit it', async () => {
-  const { page, complaints, close } = await open(`${bearing}#run=rigid-rotor`);
+  const { page, complaints, close } = await open(`${presets}#run=rigid-rotor`);
   await settled(page);
   const unit = () => page.textContent('.panel-orbit .panel-note');
   assert.match(await unit(), / c p-p/, 'the scale of a dimensionless case says nothing in micrometres');

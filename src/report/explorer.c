@@ -96,17 +96,22 @@ static size_t nearest_point(const whirl_table *table, double wanted, bool sure) 
     return best;
 }
 
+/// The first table of motions that the page may compute; NULL of a result without.
+static const whirl_table *diagram_of(const whirl_result *result) {
+    for (const whirl_table *table = result->tables; table < result->tables + result->table_count; table++)
+        if (whirl_analysis_kind(table->analyses)->moves && !motions_beside(table)) return table;
+    return NULL;
+}
+
 /// The point that is shown first: what the case looks at closely, else the middle of its sweep, or the nearest of which
 /// the run is sure where there is one. NULL where nothing is done.
 static const whirl_table *find_opening(const whirl_result *result, size_t *point) {
-    const whirl_table *diagram = &result->tables[0], *table = diagram;
+    const whirl_table *diagram = diagram_of(result), *table = diagram;
     *point = 0;
-    if (result->table_count == 0 || diagram->count == 0 || diagram->row > 0 ||
-        !whirl_layout_has_verdict(&diagram->layout))
-        return NULL;
+    if (!diagram || diagram->count == 0 || diagram->row > 0 || !whirl_layout_has_verdict(&diagram->layout)) return NULL;
     if (!*diagram->parameter) return whirl_table_done(diagram, 0) ? diagram : NULL;
     double wanted = 0.5 * (diagram->values[0] + diagram->values[diagram->count - 1]);
-    for (size_t t = 1; t < result->table_count && table == diagram; t++)
+    for (size_t t = 0; t < result->table_count && table == diagram; t++)
         if (result->tables[t].role == WHIRL_ROLE_DETAIL && strcmp(result->tables[t].parameter, diagram->parameter) == 0)
             table = &result->tables[t];
     if (table != diagram) wanted = table->values[0];
@@ -169,13 +174,14 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
     script_text_member(stream, ',', "units", units ? units : "");
     script_key(stream, ',', "tables");
     fputc('[', stream);
+    const whirl_table *diagram = diagram_of(result);
     for (size_t t = 0; t < result->table_count; t++) {
         if (t > 0) fputc(',', stream);
-        well = explorer_write_table(stream, &result->tables[t], t == 0) && well;
+        well = explorer_write_table(stream, &result->tables[t], &result->tables[t] == diagram) && well;
     }
     fputc(']', stream);
     write_opening(stream, result);
-    well = explorer_write_figures(stream, result, units) && well;
+    well = explorer_write_contents(stream, result, units) && well;
     fputc('}', stream);
     return well;
 }

@@ -54,12 +54,12 @@ bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections)
 /// `,"fields": ...` of one point: all that is known of it.
 void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 
-// ---------------------------------------------------------------- explorer_figures
-// Figures in the explorer of results that it has no view of.
+// ---------------------------------------------------------------- explorer_contents
+// What was found of a result, in the explorer: statements, sheets and figures of every table.
 
-/// Writes `,"figures": [...]`, the documents of docs/figures.md, of a machine at rest whose study the explorer has no
-/// view of; of all others nothing. False without memory.
-bool explorer_write_figures(FILE *stream, const whirl_result *result, const char *units);
+/// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of machines
+/// at rest, or of motions that the page does not compute; of all others nothing. False without memory.
+bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units);
 
 // ---------------------------------------------------------------- findings
 // What renderers of findings have in common.

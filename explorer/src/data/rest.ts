@@ -109,7 +109,7 @@ export class AtRest {
   private found: readonly (readonly Place[])[] | undefined;
 
   private constructor(
-    readonly kind: 'modes' | 'unbalance' | 'figures',
+    readonly kind: 'modes' | 'unbalance',
     readonly diagram: Diagram,
     readonly stations: readonly StationInfo[],
     readonly critical: readonly Critical[],
@@ -127,8 +127,7 @@ export class AtRest {
   static kindOf(run: Run | undefined): AtRest['kind'] | undefined {
     const has = (field: string) => run?.tables[0]?.fields.some(({ name }) => name === field);
     if (has(FIELD.MODES_FREQUENCY)) return 'modes';
-    if (has(FIELD.UNBALANCE_AMPLITUDE)) return 'unbalance';
-    return run?.figures?.length ? 'figures' : undefined;
+    return has(FIELD.UNBALANCE_AMPLITUDE) ? 'unbalance' : undefined;
   }
 
   static of(run: Run | undefined): AtRest | undefined {

@@ -1,5 +1,5 @@
 // The runs that `whirl report` put into the page (src/report/explorer.c writes them).
-import type { Described } from '../figure/described';
+import type { StoredContents } from './contents';
 import type { Field, StationInfo, Verdict } from '../engine/protocol';
 
 export interface StoredField extends Omit<Field, 'offset'> {
@@ -69,8 +69,9 @@ export interface StoredTable {
   /// its line, float32, little-endian, base64, NaN where it has none.
   readonly mode_names?: readonly string[];
   readonly mode_lines?: string;
-  /// rad, of the first probe of a response to unbalance.
+  /// rad, of the first probe of a response to unbalance, and the stations that have probes, "" of none or all.
   readonly probe_angle?: number;
+  readonly probes_at?: string;
   readonly fields: readonly StoredField[];
   /// Of branches: segments of a revolution, or of an orbit with a time of its own; and of every `orbit_stride`-th point
   /// the period and the states at the beginnings of the segments, float64, little-endian, base64.
@@ -106,7 +107,7 @@ export interface StoredParameter {
   readonly value: number | null;
 }
 
-export interface Run {
+export interface Run extends StoredContents {
   readonly name: string;
   readonly title: string;
   readonly case_name: string;
@@ -123,8 +124,6 @@ export interface Run {
   /// Absent where no point may be shown first.
   readonly opening?: StoredOpening;
   readonly tables: readonly StoredTable[];
-  /// Of results that have no view of their own.
-  readonly figures?: readonly Described[];
 }
 
 export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {

@@ -38,12 +38,31 @@ export interface ChartSpec {
   /// Drawn below and above grid and lines.
   readonly under?: Layer;
   readonly over?: Layer;
+  /// Drawn last and not cut at the frame: marks, whose middles are to lie inside (isInside).
+  readonly marks?: Layer;
   /// No labels under the horizontal axis: another chart below has the same.
   readonly bareX?: boolean;
   /// Ticks of the horizontal axis as they are shown (a full spectrum counts both ways).
   readonly xText?: (value: number, step: number) => string;
   /// Where ticks of the vertical axis stand, in place of round numbers, as far as two of them are seen.
   readonly yTicks?: readonly number[];
+}
+
+/// Whether a place is in the frame, but for rounding.
+export function isInside({ left, top, width, height }: Frame, x: number, y: number): boolean {
+  const ROUNDING = 0.01;
+  const [right, bottom] = [left + width, top + height].map((end) => end + ROUNDING) as [number, number];
+  return x >= left - ROUNDING && x <= right && y >= top - ROUNDING && y <= bottom;
+}
+
+/// Draws what is cut at the frame.
+export function drawClipped(pen: Pen, { left, top, width, height }: Frame, draw: () => void): void {
+  pen.save();
+  pen.beginPath();
+  pen.rect(left, top, width, height);
+  pen.clip();
+  draw();
+  pen.restore();
 }
 
 interface Ticks {
@@ -172,25 +191,12 @@ export class Chart implements Figure {
     pen.fill();
     if (!this.plot) return;
     const frame = this.frame(window.devicePixelRatio || 1);
-    this.clipped(pen, frame, this.spec.under, colours);
+    const { lines, under, over, marks } = this.spec;
+    drawClipped(pen, frame, () => under?.(pen, frame, colours));
     this.sketchAxes(pen, frame, height, colours);
-    pen.save();
-    pen.beginPath();
-    pen.rect(frame.left, frame.top, frame.width, frame.height);
-    pen.clip();
-    this.spec.lines?.forEach((line, i) => this.sketchLine(pen, frame, line, i + 1, colours));
-    pen.restore();
-    this.clipped(pen, frame, this.spec.over, colours);
-  }
-
-  private clipped(pen: Pen, frame: Frame, layer: Layer | undefined, colours: Theme): void {
-    if (!layer) return;
-    pen.save();
-    pen.beginPath();
-    pen.rect(frame.left, frame.top, frame.width, frame.height);
-    pen.clip();
-    layer(pen, frame, colours);
-    pen.restore();
+    drawClipped(pen, frame, () => lines?.forEach((line, i) => this.sketchLine(pen, frame, line, i + 1, colours)));
+    drawClipped(pen, frame, () => over?.(pen, frame, colours));
+    marks?.(pen, frame, colours);
   }
 
   /// `divide`: pixels of the canvas to one of the pen.
@@ -283,7 +289,12 @@ export class Chart implements Figure {
   private options(width: number, height: number): uPlot.Options {
     const size = textSize();
     const hook = (layer: Layer | undefined) => (plot: uPlot) => {
-      if (layer && plot === this.plot) this.clipped(plot.ctx, this.frame(1), layer, theme());
+      const frame = this.frame(1);
+      if (layer && plot === this.plot) drawClipped(plot.ctx, frame, () => layer(plot.ctx, frame, theme()));
+    };
+    const { marks } = this.spec;
+    const whole = (plot: uPlot) => {
+      if (plot === this.plot) marks?.(plot.ctx, this.frame(1), theme());
     };
     return {
       width,
@@ -302,7 +313,7 @@ export class Chart implements Figure {
       },
       axes: [this.axis(0, size), this.axis(1, size)],
       series: [{}, ...(this.spec.lines ?? []).map((line) => this.series(line))],
-      hooks: { drawClear: [hook(this.spec.under)], draw: [hook(this.spec.over)] },
+      hooks: { drawClear: [hook(this.spec.under)], draw: [hook(this.spec.over), whole] },
     };
   }
 

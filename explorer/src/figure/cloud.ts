@@ -10,6 +10,7 @@ import { pixelOf, type Theme } from './theme';
 const MOST_SHAPES = 20_000;
 
 const LAST_PERIODIC = 3;
+const EDGE = 8;
 
 export interface Cloud {
   readonly diagram: Diagram;
@@ -22,13 +23,8 @@ export interface Cloud {
   readonly hidden: ReadonlySet<number>;
 }
 
-/// Calls `visit` with the place of every dot that is in the frame, points in the order of the diagram.
-function visit(
-  cloud: Cloud,
-  frame: Frame,
-  margin: number,
-  visitor: (x: number, y: number, kind: number) => void,
-): void {
+/// Calls `visit` with the place of every dot whose middle is in the frame, points in the order of the diagram.
+function visit(cloud: Cloud, frame: Frame, visitor: (x: number, y: number, kind: number) => void): void {
   const { diagram, column, factor, valueFactor, hidden } = cloud;
   const { rows, data } = column;
   // Both axes are linear.
@@ -37,8 +33,9 @@ function visit(
   const [y0, y1] = [frame.y(frame.yRange[0]), frame.y(frame.yRange[1])];
   const yScale = ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * factor;
   const yBase = y0 - ((y1 - y0) / (frame.yRange[1] - frame.yRange[0])) * frame.yRange[0];
-  const [left, right] = [frame.left - margin, frame.left + frame.width + margin];
-  const [top, bottom] = [frame.top - margin, frame.top + frame.height + margin];
+  // Rounding does not lose the points at the ends.
+  const [left, right] = [frame.left - 0.01, frame.left + frame.width + 0.01];
+  const [top, bottom] = [frame.top, frame.top + frame.height];
   for (let point = 0; point < diagram.count; point++) {
     const kind = diagram.classes[point]!;
     if (!diagram.done[point] || hidden.has(kind)) continue;
@@ -75,22 +72,23 @@ function sideOf(cloud: Cloud, kind: number, side: number): number {
   return kind <= LAST_PERIODIC && cloud.column.rows > 1 ? side + 1 : side;
 }
 
+/// A picture of the frame with EDGE pixels around it, so that dots at its edges are whole.
 function raster(cloud: Cloud, frame: Frame, colours: Theme): HTMLCanvasElement {
-  const [width, height] = [Math.max(1, Math.round(frame.width)), Math.max(1, Math.round(frame.height))];
+  const [width, height] = [frame.width, frame.height].map((size) => Math.max(1, Math.round(size)) + 2 * EDGE);
   const side = dotSize(cloud, frame);
-  const counts = new Uint16Array(width * height);
-  const kinds = new Uint8Array(width * height);
-  visit(cloud, frame, side, (x, y, kind) => {
+  const counts = new Uint16Array(width! * height!);
+  const kinds = new Uint8Array(width! * height!);
+  visit(cloud, frame, (x, y, kind) => {
     const wide = sideOf(cloud, kind, side);
-    const [left, top] = [Math.round(x - frame.left - (wide - 1) / 2), Math.round(y - frame.top - (wide - 1) / 2)];
-    for (let row = Math.max(0, top); row < Math.min(height, top + wide); row++)
-      for (let column = Math.max(0, left); column < Math.min(width, left + wide); column++) {
-        const at = row * width + column;
+    const [left, top] = [x - frame.left, y - frame.top].map((at) => EDGE + Math.round(at - (wide - 1) / 2));
+    for (let row = Math.max(0, top!); row < Math.min(height!, top! + wide); row++)
+      for (let column = Math.max(0, left!); column < Math.min(width!, left! + wide); column++) {
+        const at = row * width! + column;
         if (counts[at]! < 65535) counts[at]!++;
         kinds[at] = kind;
       }
   });
-  return painted(counts, kinds, width, height, colours);
+  return painted(counts, kinds, width!, height!, colours);
 }
 
 /// One hit is seen and many are seen better: opacity 1 - 0.45 e^(-(n-1)/3).
@@ -119,7 +117,7 @@ function painted(
 function drawShapes(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme): void {
   const side = dotSize(cloud, frame);
   const dots = colours.classes.map(() => [] as number[]);
-  visit(cloud, frame, side, (x, y, kind) => dots[kind]!.push(x, y));
+  visit(cloud, frame, (x, y, kind) => dots[kind]!.push(x, y));
   dots.forEach((places, kind) => {
     if (!places.length) return;
     const wide = sideOf(cloud, kind, side);
@@ -138,7 +136,9 @@ export function drawCloud(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme, 
   }
   const fine = shapes ? 2 : 1; // a picture inside an SVG is twice as fine
   const finer: Frame = fine === 1 ? frame : magnified(frame, fine);
-  pen.drawImage(raster(cloud, finer, colours), frame.left, frame.top, frame.width, frame.height);
+  const edge = EDGE / fine;
+  const [width, height] = [frame.width + 2 * edge, frame.height + 2 * edge];
+  pen.drawImage(raster(cloud, finer, colours), frame.left - edge, frame.top - edge, width, height);
 }
 
 function magnified(frame: Frame, by: number): Frame {

@@ -128,6 +128,12 @@ class Place {
     return this.left + shareOf(this.panel.x, value) * this.width;
   }
 
+  /// Whether a place is within the box, but for rounding.
+  holds(x: number, y: number): boolean {
+    const [right, bottom] = [this.left + this.width, this.top + this.height];
+    return x >= this.left - 0.01 && x <= right + 0.01 && y >= this.top - 0.01 && y <= bottom + 0.01;
+  }
+
   y(value: number | null | undefined): number {
     return this.top + (1 - shareOf(this.panel.y, value)) * this.height;
   }
@@ -218,7 +224,11 @@ function drawSeries(place: Place, series: DescribedSeries, scale: DescribedScale
   const stroke = drawnAs(series);
   const to = (i: number) => place.y(series.y_to?.[i]);
   const there = at.map((point, i) => [...point, i] as const).filter((point) => point.every(Number.isFinite));
-  if (shape === 'dots') return there.map(([x, y]) => markAt(x, y, series)).join('');
+  if (shape === 'dots')
+    return there
+      .filter(([x, y]) => place.holds(x, y))
+      .map(([x, y]) => markAt(x, y, series))
+      .join('');
   if (shape === 'line') return `<path d="${lineThrough(at)}" ${stroke}/>`;
   if (shape === 'bars')
     return `<path d="${there.map(([x, y, i]) => `M${short(x)},${short(y)}V${short(to(i))}`).join('')}" ${stroke}/>`;
@@ -361,15 +371,21 @@ export function pictureOfDescribed(figure: Described): Picture {
     const place = new Place(figure, panel);
     const texts = panel.series.filter(({ shape }) => shape === 'texts');
     const rest = panel.series.filter(({ shape }) => shape !== 'texts');
+    const clip = `clip-path="url(#${escaped(figure.name)}-${i})"`;
+    // Marks are whole, also those at the frame; all else is cut there.
     const drawn = (list: readonly DescribedSeries[]) =>
-      list.map((series) => drawSeries(place, series, figure.scale, 0.9 * font)).join('');
+      list
+        .map((series) => {
+          const svg = drawSeries(place, series, figure.scale, 0.9 * font);
+          return series.shape === 'dots' || series.shape === 'texts' ? svg : `<g ${clip}>${svg}</g>`;
+        })
+        .join('');
     const inside = panel.legend_inside ? named([panel]) : [];
     const legend = inside.length
       ? `<g transform="translate(${short(place.left + 0.3 * font)} 0)">` +
         `${drawLegend(inside, place.width, place.top + 2, 0.9 * font)}</g>`
       : '';
-    const clipped = `<g clip-path="url(#${escaped(figure.name)}-${i})">${drawn(rest)}</g>`;
-    return clipped + drawn(texts) + drawAxes(place, panel, font) + legend;
+    return drawn(rest) + drawn(texts) + drawAxes(place, panel, font) + legend;
   });
   const outside = named(figure.panels.filter((panel) => !panel.legend_inside));
   const svg =

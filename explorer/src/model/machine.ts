@@ -6,6 +6,7 @@ import paperLiteral from '../../../cases/paper-literal.yaml';
 import paper from '../../../cases/paper.yaml';
 import rigid from '../../../cases/rigid-rotor.yaml';
 import { AtRest } from '../data/rest';
+import { MACHINE, type Part } from '../data/contents';
 import type { Run } from '../data/run';
 import type { Scales } from './units';
 
@@ -59,8 +60,6 @@ const AT_REST: Readonly<Record<AtRest['kind'], string>> = {
   unbalance:
     'The synchronous response about where the machine rests, as the run has stored it. Drag across the diagram for ' +
     'the numbers at the value under the cursor; any station and any angle of the probes may be chosen.',
-  figures:
-    'The figures of the report, from the numbers that the run has stored. Each can be saved, as can its numbers.',
 };
 
 const MAP =
@@ -73,6 +72,16 @@ function introOf(run: Run): string {
   if (run.tables.some(({ map }) => map)) return MAP;
   const preset = PRESETS.find(({ text }) => text === run.case_text);
   return kind ? AT_REST[kind] : ((preset && INTROS[preset.name]) ?? OWN);
+}
+
+/// Of a part of a result.
+export function introOfPart({ id, view }: Part): string {
+  if (id === MACHINE)
+    return 'The machine, and what was found of it. The contents lead to every part of the result, and to its live views.';
+  if (view === 'motions') return OWN;
+  return view
+    ? AT_REST[view]
+    : 'What the run has stored; nothing of it is computed here. Figures and tables can be saved, as can their numbers.';
 }
 
 interface Preset {
@@ -97,6 +106,7 @@ function baseName(caseName: string): string {
   return caseName.replace(/^.*\//, '').replace(/\.ya?ml$/, '');
 }
 
+/// A report shows its own results, a page without any the presets.
 export function machinesOf(runs: readonly Run[], computes: boolean): Machine[] {
   const made: Machine[] = runs.map((run) => ({
     name: run.name,
@@ -106,17 +116,16 @@ export function machinesOf(runs: readonly Run[], computes: boolean): Machine[] {
     intro: introOf(run),
     run,
   }));
-  if (computes)
+  if (computes && runs.length === 0)
     for (const { name, text } of PRESETS)
-      if (!made.some((machine) => machine.text === text))
-        made.push({
-          name: made.some((machine) => machine.name === name) ? `${name}-preset` : name,
-          title: titleOf(text),
-          caseName: `${name}.yaml`,
-          text,
-          intro: INTROS[name] ?? OWN,
-          run: undefined,
-        });
+      made.push({
+        name,
+        title: titleOf(text),
+        caseName: `${name}.yaml`,
+        text,
+        intro: INTROS[name] ?? OWN,
+        run: undefined,
+      });
   return made;
 }
 

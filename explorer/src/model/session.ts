@@ -2,6 +2,7 @@
 // these.
 import { Branches } from '../data/branches';
 import { Tori } from '../data/tori';
+import { partOf, partsOf, type Part } from '../data/contents';
 import { Diagram } from '../data/diagram';
 import { storedMotion } from '../data/opening';
 import type { OrbitOfBranch } from '../data/orbit';
@@ -9,7 +10,7 @@ import { MapPlanes, type ParameterMap } from '../data/parameter_map';
 import { AtRest } from '../data/rest';
 import type { Run, StoredTable } from '../data/run';
 import type { CaseInfo, Engine, OrbitRequest, Setting, StationInfo, SweepProgress } from '../engine/protocol';
-import { machinesOf, scalesOf, type Machine } from './machine';
+import { introOfPart, machinesOf, scalesOf, type Machine } from './machine';
 import { cutOf, plainText, plainValue, type Cut } from './map_cut';
 import { canRefine, MapRefinement, type MapPart } from './map_refinement';
 import { firstValue, plannedRange, sweptParameter } from './original';
@@ -42,16 +43,16 @@ export class Session {
   address: Address;
   readonly sides: Readonly<Record<SideName, SideModel>>;
   active: SideName = 'a';
-  private readonly resting = new Map<Machine, AtRest | undefined>();
+  private readonly resting = new Map<Run | undefined, AtRest | undefined>();
   private traced:
     | {
-        readonly machine: Machine;
+        readonly run: Run | undefined;
         readonly parameter: string;
         readonly branches: Branches | undefined;
         readonly tori: Tori | undefined;
       }
     | undefined;
-  private readonly maps = new Map<Machine, MapPlanes | undefined>();
+  private readonly maps = new Map<Run | undefined, MapPlanes | undefined>();
   private refined: MapRefinement | undefined;
   /// Of the cut of a map that the first sight shows.
   private cutKey = '';
@@ -110,16 +111,42 @@ export class Session {
 
   /// What is stored of a machine whose motions are not followed; undefined of all others.
   get atRest(): AtRest | undefined {
-    const { machine } = this;
-    if (!this.resting.has(machine)) this.resting.set(machine, AtRest.of(machine.run));
-    return this.resting.get(machine);
+    const { run } = this;
+    if (!this.resting.has(run)) this.resting.set(run, AtRest.of(run));
+    return this.resting.get(run);
+  }
+
+  /// The parts of the machine's result; none where live views show all of it.
+  get parts(): readonly Part[] {
+    return partsOf(this.machine.run);
+  }
+
+  /// The part that is looked at.
+  get part(): Part | undefined {
+    return partOf(this.machine.run, this.address.part);
+  }
+
+  /// What is stored of the machine; in a part, with the tables of its live view alone.
+  get run(): Run | undefined {
+    return this.part?.run ?? this.machine.run;
+  }
+
+  /// Whether motions are shown, which the engine computes.
+  get moves(): boolean {
+    return !this.atRest && (this.part?.view ?? 'motions') === 'motions';
+  }
+
+  /// What to try first.
+  get intro(): string {
+    const { part, machine } = this;
+    return part ? introOfPart(part) : machine.intro;
   }
 
   /// The planes of the map that is stored of the machine; undefined where there is none.
   get planes(): MapPlanes | undefined {
-    const { machine } = this;
-    if (!this.maps.has(machine)) this.maps.set(machine, MapPlanes.of(machine.run));
-    return this.maps.get(machine);
+    const { run } = this;
+    if (!this.maps.has(run)) this.maps.set(run, MapPlanes.of(run));
+    return this.maps.get(run);
   }
 
   /// Which of them is nearest to where the active side is.
@@ -169,7 +196,7 @@ export class Session {
   }
 
   private get mapTable(): StoredTable | undefined {
-    return this.machine.run?.tables.find((each) => each.map);
+    return this.run?.tables.find((each) => each.map);
   }
 
   /// The value that a side gives a parameter, in SI.
@@ -184,7 +211,7 @@ export class Session {
   /// The value that the case gives a parameter, in SI.
   private ownValue(name: string): number {
     const has = (parameter: { readonly name: string }) => parameter.name === name;
-    return this.original?.parameters.find(has)?.value ?? this.machine.run?.parameters.find(has)?.value ?? NaN;
+    return this.original?.parameters.find(has)?.value ?? this.run?.parameters.find(has)?.value ?? NaN;
   }
 
   /// Puts a side where parameters have these values: the one along the diagram there, all others by assignments.
@@ -220,15 +247,10 @@ export class Session {
 
   /// The branches and tori that are stored of the machine as it stands, over the parameter of the diagram.
   private get followed(): { readonly branches: Branches | undefined; readonly tori: Tori | undefined } {
-    const { machine } = this;
+    const { run } = this;
     const { parameter } = this.address;
-    if (this.traced?.machine !== machine || this.traced.parameter !== parameter)
-      this.traced = {
-        machine,
-        parameter,
-        branches: Branches.of(machine.run, parameter),
-        tori: Tori.of(machine.run, parameter),
-      };
+    if (!this.traced || this.traced.run !== run || this.traced.parameter !== parameter)
+      this.traced = { run, parameter, branches: Branches.of(run, parameter), tori: Tori.of(run, parameter) };
     return this.traced;
   }
 
@@ -268,21 +290,23 @@ export class Session {
   }
 
   get stations(): readonly StationInfo[] {
-    return this.machine.run?.stations ?? this.original?.stations ?? [];
+    return this.run?.stations ?? this.original?.stations ?? [];
   }
 
   get scales(): Scales {
-    const { run } = this.machine;
+    const { run } = this;
     const info = this.sides.a.info ?? this.original;
     return scalesOf(info?.lengthScale ?? run?.length_scale ?? 1, info?.speed ?? run?.speed ?? 1, this.stations);
   }
 
-  /// Index of the station that is shown.
+  /// Index of the station that is shown: without a choice the first one with a probe.
   get station(): number {
-    return Math.max(
-      0,
-      this.stations.findIndex(({ name }) => name === this.address.station),
+    const { station } = this.address;
+    const probed = [...(this.run?.tables ?? []), ...(this.machine.run?.tables ?? [])].flatMap(({ probes_at: names }) =>
+      names ? names.split(' ') : [],
     );
+    const indexOf = (wanted: string | undefined) => this.stations.findIndex(({ name }) => name === wanted);
+    return Math.max(0, indexOf(this.stations.some(({ name }) => name === station) ? station : probed[0]));
   }
 
   /// SI unit of the parameter along the diagram.
@@ -294,23 +318,23 @@ export class Session {
   unitOf(parameter: string): string {
     return (
       this.original?.parameters.find(({ name }) => name === parameter)?.unit ??
-      this.machine.run?.parameters.find(({ name }) => name === parameter)?.unit ??
+      this.run?.parameters.find(({ name }) => name === parameter)?.unit ??
       '1'
     );
   }
 
   private get storedDiagram(): Diagram | undefined {
-    const table = this.machine.run?.tables[0];
+    const table = this.run?.tables[0];
     if (this.atRest) return this.atRest.diagram;
     if (table?.map) return undefined;
     return table?.parameter && table.parameter === this.address.parameter
-      ? Diagram.stored(table, this.machine.run!.length_scale)
+      ? Diagram.stored(table, this.run!.length_scale)
       : undefined;
   }
 
   /// Where the cursor begins.
   get firstValue(): number {
-    const opening = this.machine.run?.opening;
+    const opening = this.run?.opening;
     if (opening?.parameter && opening.parameter === this.address.parameter && !this.map) return opening.value!;
     return firstValue(this.original, this.address.parameter, this.whole);
   }
@@ -348,7 +372,7 @@ export class Session {
   /// Puts the first cursor where it begins, unless it is somewhere.
   chooseValue(): void {
     const { a } = this.sides;
-    if (Number.isFinite(a.choice.value)) return;
+    if (Number.isFinite(a.choice.value) || this.part?.view === '') return;
     const { map } = this;
     if (!map?.axis(this.address.parameter)) {
       a.choice = { ...a.choice, value: this.firstValue };
@@ -365,8 +389,8 @@ export class Session {
 
   /// Shows the motion that the run has stored of where the page opens, unless another one is asked for.
   openStored(): void {
-    const { run } = this.machine;
-    if (!run?.opening || this.atRest) return;
+    const { run } = this;
+    if (!run?.opening || !this.moves) return;
     const { a } = this.sides;
     if (run.opening.parameter && run.opening.parameter === this.address.parameter) this.chooseValue();
     if (this.isOpening(a)) a.showStored(storedMotion(run, run.opening));
@@ -374,7 +398,7 @@ export class Session {
 
   /// Whether a side is where the page opens, of the machine and by the method of the run.
   private isOpening({ choice }: SideModel): boolean {
-    const { opening } = this.machine.run ?? {};
+    const { opening } = this.run ?? {};
     const own = choice.assignments.size === 0 && choice.orbit === undefined;
     if (!opening || !own || Object.keys(this.address.computation).length > 0) return false;
     if (!opening.parameter) return Number.isNaN(choice.value) || choice.value === this.ownValue(this.address.parameter);
@@ -390,7 +414,7 @@ export class Session {
 
   /// The first sight: the stored diagram, or an empty one over the range of the sweep.
   openParameter(view = this.address.range): void {
-    const { run } = this.machine;
+    const { run } = this;
     const swept = sweptParameter(this.original, run?.tables[0]?.parameter);
     const known =
       this.original?.parameters.some(({ name }) => name === this.address.parameter) ||
@@ -430,7 +454,7 @@ export class Session {
   }
 
   private storedText(diagram: Diagram): string {
-    const table = this.machine.run!.tables[0]!;
+    const table = this.run!.tables[0]!;
     const part =
       table.count < table.points && !table.map
         ? `every ${Math.round(table.points / table.count)}th of ${table.points} points`
@@ -452,7 +476,7 @@ export class Session {
   /// An address that names no units leaves them to the machine.
   readUnits(): void {
     this.unitsAwaited = false;
-    if (!location.hash.includes('units=')) this.suitUnits(this.machine.run?.length_scale);
+    if (!location.hash.includes('units=')) this.suitUnits(this.run?.length_scale);
   }
 
   /// Units that the run asks for, else those that suit a length scale [m]; of a machine whose scale is not known they
@@ -460,7 +484,7 @@ export class Session {
   suitUnits(lengthScale: number | undefined): void {
     this.unitsAwaited = lengthScale === undefined;
     if (lengthScale === undefined) return;
-    const { run } = this.machine;
+    const { run } = this;
     const words = [run?.facts.find(({ name }) => name === 'units')?.value, run?.units].filter(Boolean).join(',');
     this.address.units = { ...unitsFor(lengthScale, this.address.units), ...unitsOfWords(words) };
   }
@@ -473,6 +497,7 @@ export class Session {
     return {
       ...this.address,
       run: this.machine.name,
+      part: this.part === partOf(this.machine.run, '') ? '' : (this.part?.id ?? ''),
       a: this.sides.a.choice,
       b: this.address.b ? this.sides.b.choice : undefined,
       range: zoomed ? view : undefined,

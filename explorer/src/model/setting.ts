@@ -49,6 +49,8 @@ export interface RestChoice {
 export interface Address {
   /// Name of the run or preset, "" for the first one.
   run: string;
+  /// The part of its contents, "" for the one that is shown by itself.
+  part: string;
   parameter: string;
   a: Side;
   b: Side | undefined;
@@ -129,6 +131,7 @@ export function readAddress(hash: string, fallback: Units): Address {
   const units = (all.get('units') ?? '').split(',');
   return {
     run: (all.get('run') ?? '').slice(0, MOST_TEXT),
+    part: (all.get('part') ?? '').slice(0, MOST_TEXT),
     parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
     a: readSide(all, 'at', 'set', 'orbit'),
     b: all.has('b') ? readSide(all, 'b', 'bset', 'borbit') : undefined,
@@ -159,6 +162,7 @@ export function writeAddress(address: Address): string {
     if (value !== undefined && value !== '' && !Number.isNaN(value)) all.append(key, String(value));
   };
   put('run', address.run);
+  put('part', address.part);
   put('par', address.parameter);
   put('at', address.a.value);
   put('orbit', numberOf(address.a));

@@ -1,7 +1,7 @@
 // Bode's diagram: amplitude and lag of the response to unbalance over a parameter, as two probes see one station.
 import { largestOf, reachOf, seenBy } from '../data/rest';
 import { select, setChoices } from '../dom';
-import { Chart, type Frame } from '../figure/chart';
+import { Chart, isInside, type Frame } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
 import { drawLabels } from '../figure/labels';
 import { drawMark } from '../figure/marks';
@@ -74,6 +74,7 @@ export class BodeView implements RestChart {
       title: 'Amplitude',
       bareX: true,
       over: (pen, frame, colours) => this.drawAmplitudes(pen, frame, colours),
+      marks: (pen, frame, colours) => this.drawPeaks(pen, frame, colours),
     });
     this.lower = new Chart({
       title: 'Phase lag',
@@ -159,13 +160,17 @@ export class BodeView implements RestChart {
     const { values, amplitudes } = this.response;
     for (const which of [0, 1, 2])
       strokeLine(pen, frame, values, amplitudes[which]!, colourOf(which)(colours), DASHES[which]!, Infinity);
+  }
+
+  private drawPeaks(pen: Pen, frame: Frame, colours: Theme): void {
+    const { values, amplitudes } = this.response;
     const size = textSize() * frame.ratio;
     const marks = peaksOf(amplitudes[0]!).map((i) => ({
       x: frame.x(values[i]!),
       y: frame.y(amplitudes[0]![i]!),
       text: shownWhole(values[i]!),
     }));
-    const inside = marks.filter(({ x }) => x >= frame.left && x <= frame.left + frame.width);
+    const inside = marks.filter(({ x, y }) => isInside(frame, x, y));
     pen.strokeStyle = colours.ink;
     pen.lineWidth = 1.4 * frame.ratio;
     for (const { x, y } of inside) drawMark(pen, 'ring', x, y, 4 * frame.ratio);

@@ -10,7 +10,7 @@ import {
   type Place,
 } from '../data/rest';
 import { Segments } from '../dom';
-import { Chart, type Frame, type Range } from '../figure/chart';
+import { Chart, isInside, type Frame, type Range } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
 import { drawLabels, type Marked } from '../figure/labels';
 import { drawMark } from '../figure/marks';
@@ -58,11 +58,13 @@ export class CampbellView implements RestChart {
       bareX: true,
       under: (pen, frame, colours) => this.drawUnstable(pen, frame, colours),
       over: (pen, frame, colours) => this.drawFrequencies(pen, frame, colours),
+      marks: (pen, frame, colours) => this.markFrequencies(pen, frame, colours),
     });
     this.lower = new Chart({
       title: 'Damping of the modes',
       under: (pen, frame, colours) => this.drawUnstable(pen, frame, colours),
       over: (pen, frame, colours) => this.drawDamping(pen, frame, colours),
+      marks: (pen, frame, colours) => this.markDamping(pen, frame, colours),
     });
     this.stack = new Stack(this.main, this.lower, listener, (value, steps) => {
       const { rest } = this.subject!;
@@ -223,6 +225,12 @@ export class CampbellView implements RestChart {
     const { factor } = naturalMeasure(this.subject.units);
     this.drawSpeed(pen, frame, colours, factor);
     this.drawCurves(pen, frame, colours, ({ frequency }) => frequency * factor);
+  }
+
+  private markFrequencies(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
+    const { factor } = naturalMeasure(this.subject.units);
+    this.drawPoints(pen, frame, colours, ({ frequency }) => frequency * factor);
     this.drawCritical(pen, frame, colours, ({ frequency }) => frequency * factor, true);
   }
 
@@ -237,6 +245,13 @@ export class CampbellView implements RestChart {
     pen.stroke();
     const top = topOf(this.subject);
     this.drawCurves(pen, frame, colours, (mode) => (mode.frequency <= top ? dampingOf(mode, choice) : NaN));
+  }
+
+  private markDamping(pen: Pen, frame: Frame, colours: Theme): void {
+    if (!this.subject) return;
+    const { choice } = this.subject;
+    const top = topOf(this.subject);
+    this.drawPoints(pen, frame, colours, (mode) => (mode.frequency <= top ? dampingOf(mode, choice) : NaN));
     this.drawCritical(pen, frame, colours, () => 0, false);
   }
 
@@ -265,6 +280,11 @@ export class CampbellView implements RestChart {
     const place = this.placer(frame, heightOf);
     pen.lineWidth = 1.5 * frame.ratio;
     for (const curve of rest.curves) this.drawCurve(pen, curve.map(place), curve, colours);
+  }
+
+  private drawPoints(pen: Pen, frame: Frame, colours: Theme, heightOf: (mode: Mode) => number): void {
+    const { rest } = this.subject!;
+    const place = this.placer(frame, heightOf);
     // Of modes that were not followed, those of one number keep their distance.
     const lasts = new Map<number, number>();
     for (const curve of rest.curves) {
@@ -272,7 +292,7 @@ export class CampbellView implements RestChart {
       for (const each of curve) {
         const [x, y] = place(each);
         if (curve.length === 1) last = lasts.get(each.index) ?? -Infinity;
-        if (!(Math.abs(x - last) >= APART * frame.ratio) || !Number.isFinite(y)) continue;
+        if (!(Math.abs(x - last) >= APART * frame.ratio) || !isInside(frame, x, y)) continue;
         last = x;
         if (curve.length === 1) lasts.set(each.index, x);
         const whirl = whirlOf(each.mode.direction);
@@ -318,7 +338,7 @@ export class CampbellView implements RestChart {
     for (const found of rest.critical) {
       if (found.kind === 'critical' && !all) continue;
       const [x, y] = [frame.x(found.value * this.valueFactor()), frame.y(heightOf(found))];
-      if (!Number.isFinite(y) || x < frame.left || x > frame.left + frame.width) continue;
+      if (!isInside(frame, x, y)) continue;
       pen.lineWidth = 1.6 * frame.ratio;
       pen.strokeStyle = found.kind === 'critical' ? colours.ink : colours.touch;
       drawMark(pen, found.kind === 'critical' ? 'ring' : 'cross', x, y, 5 * frame.ratio);

@@ -9,7 +9,7 @@ import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
 import { drawBranches, heightsOf, type BranchLines } from '../figure/branches';
 import { bandOf, drawTori, type BandAt, type ToriBands } from '../figure/tori';
-import { Chart, type Frame, type Range } from '../figure/chart';
+import { Chart, drawClipped, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
 import { font, type Pen } from '../figure/pen';
@@ -61,12 +61,12 @@ export class MapView {
       title: 'Diagram',
       bareX: true,
       under: (pen, frame, colours) => this.drawContact(pen, frame, colours),
-      over: (pen, frame, colours) => this.drawMain(pen, frame, colours),
+      marks: (pen, frame, colours) => this.drawMain(pen, frame, colours),
     });
     this.exponent = new Chart({
       title: 'Largest Lyapunov exponent',
       under: (pen, frame, colours) => this.drawContact(pen, frame, colours),
-      over: (pen, frame, colours) => this.drawExponent(pen, frame, colours),
+      marks: (pen, frame, colours) => this.drawExponent(pen, frame, colours),
     });
     this.stack = new Stack(this.main, this.exponent, {
       ...listener,
@@ -269,11 +269,13 @@ export class MapView {
     const cloud = this.cloud();
     if (!cloud) return;
     drawCloud(pen, cloud, frame, colours, this.shapes);
-    const bands = this.toriBands();
-    if (bands) drawTori(pen, bands, frame, colours);
-    const lines = this.branchLines();
-    if (lines) drawBranches(pen, lines, frame, colours);
-    this.drawRibbon(pen, frame, colours);
+    drawClipped(pen, frame, () => {
+      const bands = this.toriBands();
+      if (bands) drawTori(pen, bands, frame, colours);
+      const lines = this.branchLines();
+      if (lines) drawBranches(pen, lines, frame, colours);
+      this.drawRibbon(pen, frame, colours);
+    });
   }
 
   /// The coordinate that is shown once a revolution, along the branches.
@@ -342,13 +344,15 @@ export class MapView {
       subject?.diagram &&
       (subject.diagram.column(FIELD.LYAPUNOV_LARGEST) ?? subject.diagram.column(FIELD.REGIME_EXPONENT));
     if (!subject?.diagram || !column) return;
-    pen.strokeStyle = colours.muted;
-    pen.lineWidth = frame.ratio;
-    pen.beginPath();
-    pen.moveTo(frame.left, frame.y(0));
-    pen.lineTo(frame.left + frame.width, frame.y(0));
-    pen.stroke();
-    this.drawErrors(pen, frame, subject, colours);
+    drawClipped(pen, frame, () => {
+      pen.strokeStyle = colours.muted;
+      pen.lineWidth = frame.ratio;
+      pen.beginPath();
+      pen.moveTo(frame.left, frame.y(0));
+      pen.lineTo(frame.left + frame.width, frame.y(0));
+      pen.stroke();
+      this.drawErrors(pen, frame, subject, colours);
+    });
     const valueFactor = parameterMeasure(subject.unit, subject.units).factor;
     drawCloud(
       pen,

@@ -8,6 +8,7 @@ import { methodText, type Change, type Session, type SideName } from '../model/s
 import { assignmentTexts } from '../model/setting';
 import type { SideModel } from '../model/side';
 import { parameterMeasure, readable, shown } from '../model/units';
+import { DocumentView, type DocumentListener } from './document';
 import { Help } from './help';
 import { MapCard, type MapCardListener } from './map_card';
 import { Pane, type PaneListener } from './pane';
@@ -24,6 +25,7 @@ export interface PageListener {
   readonly settings: SettingsListener;
   readonly pane: PaneListener;
   readonly rest: RestListener;
+  readonly document: DocumentListener;
 }
 
 export class Page {
@@ -33,6 +35,7 @@ export class Page {
   readonly settings: SettingsCard;
   readonly panes: Readonly<Record<SideName, Pane>>;
   private readonly rest: RestView;
+  private readonly document: DocumentView;
   private readonly motions: HTMLElement;
   private readonly topbar: Topbar;
   private readonly help = new Help();
@@ -49,9 +52,10 @@ export class Page {
     this.mapCard = new ParameterMapCard(listener.map);
     this.settings = new SettingsCard(listener.settings);
     this.rest = new RestView(listener.rest);
+    this.document = new DocumentView(listener.document);
     this.motions = el(
-      'main',
-      {},
+      'div',
+      { class: 'live' },
       this.settings.root,
       el('div', { class: 'diagrams' }, this.mapCard.root, this.card.root),
       el('div', { class: 'panes' }, this.panes.a.root, this.panes.b.root),
@@ -59,8 +63,8 @@ export class Page {
     this.root.append(
       this.topbar.root,
       this.banner,
-      this.motions,
-      this.rest.root,
+      this.document.contents,
+      el('main', {}, this.motions, this.rest.root, this.document.root),
       el('footer', {}, this.footer),
       this.help.root,
     );
@@ -89,13 +93,13 @@ export class Page {
   }
 
   show(changes: ReadonlySet<Change>): void {
-    const { atRest } = this.session;
-    this.motions.hidden = atRest !== undefined;
+    const { atRest, moves, parts, part } = this.session;
+    this.motions.hidden = this.footer.hidden = !moves; // nothing is computed elsewhere
     this.rest.root.hidden = atRest === undefined;
-    this.footer.hidden = atRest !== undefined; // nothing is computed there
-    if (atRest) {
+    this.document.show(parts, part);
+    if (!moves) {
       this.showTop();
-      this.rest.show(this.session, atRest);
+      if (atRest) this.rest.show(this.session, atRest);
       return;
     }
     if (changes.has('all')) this.showAll();
@@ -181,8 +185,8 @@ export class Page {
   }
 
   private showTop(): void {
-    const { machine, machines, address, scales, atRest } = this.session;
-    this.topbar.show(machine, machines, address.units, scales.symbol, address.b !== undefined, atRest !== undefined);
+    const { machine, machines, address, scales, moves, intro } = this.session;
+    this.topbar.show(machine, intro, machines, address.units, scales.symbol, address.b !== undefined, !moves);
   }
 
   private showAll(): void {

@@ -8,7 +8,6 @@ import { markField, typedQuantity } from '../model/typed';
 import { amplitudeMeasure, naturalMeasure, parameterMeasure, shown, shownWhole, written } from '../model/units';
 import { DisplacementsPanel, ShapePanel, sizeText, type Motion, type SwaySubject } from './along_shaft';
 import { BodeView } from './bode';
-import { FiguresView } from './figures';
 import { CampbellView, dampingText, topOf } from './campbell';
 import { numbersTable } from './numbers';
 import type { Panel } from './panel';
@@ -45,9 +44,7 @@ interface Kind {
 
 export class RestView {
   readonly root: HTMLElement;
-  private readonly kinds: Readonly<Record<Exclude<AtRest['kind'], 'figures'>, Kind>>;
-  private readonly figures = new FiguresView();
-  private readonly panes: HTMLElement;
+  private readonly kinds: Readonly<Record<AtRest['kind'], Kind>>;
   private readonly name = el('label', { for: 'value-rest' });
   private readonly field = el('input', {
     type: 'text',
@@ -86,7 +83,7 @@ export class RestView {
     };
     this.field.addEventListener('change', () => this.typed());
     const kinds = Object.values(this.kinds);
-    this.panes = el(
+    const panes = el(
       'div',
       { class: 'panes' },
       el(
@@ -102,24 +99,12 @@ export class RestView {
         el('div', { class: 'panels' }, ...kinds.flatMap(({ panels }) => panels.map(({ root }) => root))),
       ),
     );
-    this.root = el(
-      'main',
-      { class: 'rest', hidden: true },
-      this.figures.root,
-      ...kinds.map(({ card }) => card.root),
-      this.panes,
-    );
+    this.root = el('div', { class: 'live rest', hidden: true }, ...kinds.map(({ card }) => card.root), panes);
   }
 
   show(session: Session, rest: AtRest): void {
     for (const [name, { card, panels }] of Object.entries(this.kinds))
       for (const root of [card.root, ...panels.map((panel) => panel.root)]) root.hidden = name !== rest.kind;
-    const described = rest.kind === 'figures';
-    this.figures.root.hidden = !described;
-    this.panes.hidden = described;
-    this.root.classList.toggle('described-page', described);
-    if (described) this.figures.show(session.machine.run?.figures ?? []);
-    if (rest.kind === 'figures') return;
     const { chart, card, panels } = this.kinds[rest.kind];
     const subject = subjectOf(session, rest);
     const { sight, sights, side } = session;

@@ -49,7 +49,7 @@ export class RestCard {
       listener.reset();
     });
     this.tools = el('div', { class: 'tools' }, modes.root, this.back, this.reset);
-    this.critical.setAttribute('aria-label', 'Critical speeds and thresholds of stability');
+    this.critical.setAttribute('aria-label', 'Located values of the parameter, to go to');
     const figure = { root: stack.root, redraw: () => stack.redraw(), picture: () => chart.picture() };
     this.root = el(
       'section',

@@ -80,6 +80,7 @@ export class Topbar {
 
   show(
     machine: Machine,
+    intro: string,
     machines: readonly Machine[],
     units: Units,
     lengthSymbol: string,
@@ -88,7 +89,7 @@ export class Topbar {
   ): void {
     this.title.textContent = machine.title || machine.name;
     document.title = `${machine.title || machine.name} \u00b7 whirl`;
-    this.intro.textContent = machine.intro;
+    this.intro.textContent = intro;
     setChoices(
       this.machines,
       machines.map(({ name, title, run }) => ({

@@ -177,9 +177,9 @@ void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const ch
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits) {
     if (!*of->table->parameter) return;
     const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
-    sheet_add_numbers(of, sheet, *heading ? heading : of->table->parameter,
-                      *heading ? find_text(of->findings, "%s %s", heading, of->table->parameter) : of->table->parameter,
-                      &unit, digits, NULL);
+    const char *const own = find_text(of->findings, "%s", of->table->parameter); // the view may go before the findings
+    sheet_add_numbers(of, sheet, *heading ? heading : own,
+                      *heading ? find_text(of->findings, "%s %s", heading, own) : own, &unit, digits, NULL);
 }
 
 static whirl_cell *sheet_cell(const finder *of, whirl_sheet *sheet) {

@@ -1,0 +1,124 @@
+// The contents of a result: the machine as a drawing, then every table with what was found of it, as statements, sheets
+// and figures, and the tables of its live view (src/report/explorer_contents.c writes them).
+import type { Described } from '../figure/described';
+import type { Run, StoredTable } from './run';
+
+interface Phrase {
+  readonly text: string;
+}
+
+export interface Statement {
+  readonly table: string;
+  readonly what: string;
+  readonly station?: string;
+  readonly clause?: string;
+  readonly verdict: string;
+  readonly at?: Phrase;
+  readonly asked: Phrase;
+  readonly found: Phrase;
+  readonly told: Phrase;
+}
+
+export interface Sheet {
+  readonly table: string;
+  readonly name: string;
+  readonly title: string;
+  readonly about?: string;
+  readonly columns: readonly { readonly unit: string; readonly size: number; readonly digits: number }[];
+  /// Numbers in SI, of some cells several; texts; null where a cell is empty.
+  readonly rows: readonly (readonly (number | string | null | readonly (number | null)[])[])[];
+  /// As documents show them.
+  readonly headings: readonly string[];
+  readonly shown: readonly (readonly string[])[];
+}
+
+/// What a page holds of a result whose live views do not show all of it.
+export interface StoredContents {
+  readonly parts?: readonly {
+    readonly table: string;
+    readonly title: string;
+    readonly view: LiveView;
+    readonly notes: readonly string[];
+  }[];
+  readonly statements?: readonly Statement[];
+  readonly sheets?: readonly Sheet[];
+  /// Those of the machine are of the table "".
+  readonly figures?: readonly { readonly table: string; readonly figure: Described }[];
+  /// Titles of figures that are too large for the page.
+  readonly left_out?: readonly string[];
+  readonly warnings?: readonly string[];
+}
+
+export type LiveView = 'modes' | 'unbalance' | 'motions' | '';
+
+export interface Part {
+  /// In addresses: MACHINE, or the name of its first table.
+  readonly id: string;
+  readonly title: string;
+  readonly view: LiveView;
+  /// The run with the tables of the live view alone.
+  readonly run: Run;
+  readonly notes: readonly string[];
+  readonly statements: readonly Statement[];
+  readonly sheets: readonly Sheet[];
+  readonly figures: readonly Described[];
+}
+
+export const MACHINE = 'machine';
+
+const known = new WeakMap<Run, readonly Part[]>();
+
+/// The parts of a result in the order of its tables, the machine first; none where live views show all of it.
+export function partsOf(run: Run | undefined): readonly Part[] {
+  if (!run?.parts) return [];
+  const found = known.get(run) ?? readParts(run, run.parts);
+  known.set(run, found);
+  return found;
+}
+
+function readParts(run: Run, parts: NonNullable<StoredContents['parts']>): readonly Part[] {
+  const { statements = [], sheets = [], figures = [], warnings = [], left_out = [] } = run;
+  const made = (id: string, title: string, view: LiveView, names: readonly string[]): Part => {
+    const of = <T extends { readonly table: string }>(list: readonly T[]) =>
+      list.filter(({ table }) => names.includes(table));
+    const tables: StoredTable[] = view ? run.tables.filter(({ name }) => names.includes(name)) : [];
+    return {
+      ...{ id, title, view },
+      run: { ...run, tables },
+      notes: parts.filter(({ table }) => names.includes(table)).flatMap(({ notes }) => notes),
+      statements: of(statements),
+      sheets: of(sheets),
+      figures: of(figures).map(({ figure }) => figure),
+    };
+  };
+  // One live view shows all motions.
+  const motions = parts.filter(({ view }) => view === 'motions').map(({ table }) => table);
+  const machine = made(MACHINE, 'The machine', '', ['']);
+  const left = left_out.map((title) => `${title}: this figure is too large for the page; the report has it.`);
+  return [
+    { ...machine, notes: [...warnings, ...left] },
+    ...parts
+      .filter(({ table, view }) => view !== 'motions' || table === motions[0])
+      .map(({ table, title, view }) => {
+        const alone = parts.filter((other) => other.title === title && other.view === view).length === 1;
+        const names = view === 'motions' ? motions : [table];
+        return made(table, alone || view === 'motions' ? title : `${title}: ${table}`, view, names);
+      }),
+  ];
+}
+
+/// The part of an address; without one the machine, or what there is beside it where that is one part alone.
+export function partOf(run: Run | undefined, id: string): Part | undefined {
+  const parts = partsOf(run);
+  return parts.find((part) => part.id === id) ?? parts[parts.length === 2 ? 1 : 0];
+}
+
+/// Sentence of a statement in pieces: what it is of, and the rest.
+export function piecesOf({ at, what, station, asked, found, told }: Statement): readonly [string, string, string] {
+  const behind = (before: string, { text }: Phrase) => (text ? before + text : '');
+  return [
+    at?.text ? `at ${at.text}: ` : '',
+    what + (station ? ` at ${station}` : ''),
+    behind(', asked for ', asked) + behind(': ', found) + behind(': ', told),
+  ];
+}

@@ -1,0 +1,147 @@
+// Statements, sheets and figures of a part of a result, none of them known by its name, and the list of contents.
+import { piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
+import { button, download, el } from '../dom';
+import { pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
+import { numbersTable } from './numbers';
+import { csvOf, fileName, saveMenu } from './panel';
+
+export interface DocumentListener {
+  part(id: string): void;
+}
+
+/// A card with the picture, its caption, and what can be taken away.
+function figureCard(figure: Described): HTMLElement {
+  const picture = pictureOfDescribed(figure);
+  const drawn = new DOMParser().parseFromString(picture.svg, 'image/svg+xml').documentElement;
+  const frame = el('figure', { class: 'described', role: 'group', tabindex: 0, 'aria-label': figure.title });
+  frame.append(document.importNode(drawn, true));
+  const whole = { root: frame, redraw: () => undefined, picture: () => picture };
+  return card(
+    figure.title,
+    [
+      saveMenu(
+        figure.title,
+        () => fileName(figure.name),
+        () => whole,
+        () => tableOfDescribed(figure),
+      ),
+    ],
+    [frame, el('p', { class: 'how' }, figure.caption)],
+    { 'data-figure': figure.name },
+  );
+}
+
+function card(
+  title: string,
+  tools: readonly HTMLElement[],
+  content: readonly HTMLElement[],
+  attributes: Readonly<Record<string, string>> = {},
+): HTMLElement {
+  return el(
+    'section',
+    { class: 'card map-card', 'aria-label': title, ...attributes },
+    el('header', {}, el('h2', { tabindex: -1 }, title), ...tools),
+    ...content,
+  );
+}
+
+/// The numbers of a sheet in the units of its columns, with all their digits.
+function csvOfSheet({ columns, headings, rows }: Sheet): string {
+  const plain = (cell: Sheet['rows'][number][number], c: number): string =>
+    typeof cell === 'number'
+      ? String(cell / columns[c]!.size)
+      : cell === null || typeof cell === 'string'
+        ? (cell ?? '')
+        : cell.map((each) => plain(each, c)).join(' ');
+  return csvOf({ heading: headings, rows: rows.map((row) => row.map(plain)) });
+}
+
+/// Columns without a cell are left out.
+function sheetCard(sheet: Sheet): HTMLElement {
+  const { table, name, title, about, headings, shown } = sheet;
+  const kept = headings.map((_, c) => c).filter((c) => shown.some((row) => row[c] !== ''));
+  const of = (row: readonly string[]) => kept.map((c) => row[c]!);
+  const save = () => download(`${fileName(table, name)}.csv`, 'text/csv', csvOfSheet(sheet));
+  const numbers = el(
+    'div',
+    { class: 'numbers', role: 'region', tabindex: 0, 'aria-label': `${title}: table` },
+    numbersTable(title, of(headings), shown.map(of)),
+  );
+  return card(
+    title,
+    [button('\u2913 CSV', `${title}: save as CSV`, save, { 'data-save': 'csv' })],
+    about ? [el('p', { class: 'how' }, about), numbers] : [numbers],
+    { 'data-sheet': `${table}/${name}` },
+  );
+}
+
+function statementItem(statement: Statement): HTMLElement {
+  const [at, what, told] = piecesOf(statement);
+  const verdict = statement.clause ? { 'data-verdict': statement.verdict } : {};
+  const clause = statement.clause ? [' ', el('span', { class: 'clause' }, statement.clause)] : [];
+  return el('li', verdict, at, el('strong', {}, what), told, ...clause);
+}
+
+function statementList(part: Part): HTMLElement {
+  return el(
+    'ul',
+    { class: 'statements' },
+    ...part.statements.map(statementItem),
+    ...part.notes.map((note) => el('li', {}, note)),
+  );
+}
+
+const says = (part: Part) => part.statements.length + part.notes.length > 0;
+
+const FOUND = 'What was found';
+
+export class DocumentView {
+  readonly contents = el('nav', { class: 'contents', 'aria-label': 'Contents' });
+  readonly root = el('div', { class: 'document' });
+  private shown: Part | undefined;
+
+  constructor(private readonly listener: DocumentListener) {}
+
+  /// Shows a part; without one there is nothing.
+  show(parts: readonly Part[], part: Part | undefined): void {
+    this.root.hidden = this.contents.hidden = part === undefined;
+    if (!part || part === this.shown) return;
+    this.shown = part;
+    const machine = part === parts[0];
+    const found = machine ? parts.filter(says) : [part].filter(says);
+    const statements = found.flatMap((one) => [
+      ...(machine && one !== part ? [el('h3', {}, this.goal(one, false))] : []),
+      statementList(one),
+    ]);
+    const told = found.length > 0 ? [card(FOUND, [], statements)] : [];
+    const figures = part.figures.map(figureCard);
+    // A drawing comes before what was found of it.
+    const cards = machine ? [...figures, ...told] : [...told, ...part.sheets.map(sheetCard), ...figures];
+    this.root.classList.toggle('of-machine', machine);
+    this.root.replaceChildren(...cards);
+    const goals = cards.map((each) => {
+      const title = each.getAttribute('aria-label')!;
+      return button(title, `Go to ${title}`, () => {
+        each.scrollIntoView({ block: 'start' });
+        each.querySelector('h2')!.focus({ preventScroll: true });
+      });
+    });
+    const list = (label: string, entries: readonly HTMLElement[]) =>
+      el('ul', { 'aria-label': label }, ...entries.map((entry) => el('li', {}, entry)));
+    const had = this.contents.contains(document.activeElement);
+    this.contents.replaceChildren(
+      list(
+        'Parts of the result',
+        parts.map((each) => this.goal(each, each === part)),
+      ),
+      list(part.title, cards.length > 1 || part.view ? goals : []),
+    );
+    // The list is made anew under the finger that chose a part.
+    if (had) this.contents.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
+  }
+
+  private goal({ id, title }: Part, current: boolean): HTMLElement {
+    const attributes = current ? { 'aria-current': 'page' } : {};
+    return button(title, `Go to ${title}`, () => this.listener.part(id), attributes);
+  }
+}

@@ -1,0 +1,193 @@
+// The contents of a result in the explorer's page: what was found of every table, as statements, sheets and figures.
+#include "report_parts.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "figure_kinds.h"
+#include "shown_kinds.h"
+#include "whirl/engine/figure.h"
+
+/// Bytes of figures that a browser takes in at once: of one, and of all of a result. Larger ones are left out.
+enum { MAX_FIGURE = 4 << 20, MAX_FIGURES = 24 << 20 };
+
+/// A result as contents show it.
+typedef struct contents {
+    FILE *stream;
+    whirl_result *view; ///< in which every attractor stands once
+    whirl_shown_units units;
+    whirl_case *machine;
+    whirl_findings *findings;
+    figure_list figures;
+} contents;
+
+/// Whether the page lists what was found: of machines at rest, and of motions of machines that it does not compute. The
+/// live views of other results show all of them.
+static bool has_contents(const whirl_result *result) {
+    for (size_t t = 0; t < result->table_count; t++) {
+        const whirl_kind *kind = whirl_analysis_kind(result->tables[t].analyses);
+        if ((!kind->moves && !kind->found) || motions_beside(&result->tables[t])) return true;
+    }
+    return false;
+}
+
+/// JSON within a script: nothing in it ends the script.
+static void put_safely(FILE *stream, const char *json) {
+    for (; *json; json++)
+        if (*json == '<')
+            fputs("\\u003c", stream);
+        else if (*json != '\n')
+            fputc(*json, stream);
+}
+
+/// Writes a value, which it takes over, behind a comma and its key; false without memory.
+static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
+    char *text = well && value ? json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
+    json_decref(value);
+    if (!text) return false;
+    fprintf(stream, ",\"%s\":", key);
+    put_safely(stream, text);
+    free(text);
+    return true;
+}
+
+// ---------------------------------------------------------------- tables
+
+/// What reports say of a table beside its numbers: motions in words, laws that points have left, contacts at rest.
+static json_t *notes_of(bool *well, const contents *of, const whirl_table *table) {
+    char motions[MOTIONS_TOLD_SIZE], text[RANGES_TOLD_SIZE];
+    json_t *notes = json_array();
+    if (motions_beside(table)) {
+        motions_told(&of->units, of->view, table, motions);
+        document_append(well, notes, document_text(motions));
+    }
+    for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
+        if (ranges_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
+    if (unfound_told(&of->units, table, text)) document_append(well, notes, document_text(text));
+    for (size_t i = 0; i < of->view->contact_count; i++)
+        if (held_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
+    return notes;
+}
+
+/// The live view that the page has of a table; "" none. It computes motions of the machine as it stands alone.
+static const char *view_of(const whirl_table *table) {
+    const shown_kind *kind = shown_kind_of(table);
+    const whirl_kind *points = whirl_analysis_kind(table->analyses);
+    if (points->moves || points->found) return motions_beside(table) ? "" : "motions";
+    return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";
+}
+
+/// Every table: its name, what it is of, which live view it has, and notes.
+static bool put_tables(const contents *of) {
+    bool well = true;
+    json_t *tables = json_array();
+    for (const whirl_table *table = of->view->tables; table < of->view->tables + of->view->table_count; table++) {
+        const shown_kind *kind = shown_kind_of(table);
+        json_t *one = json_object();
+        document_put(&well, one, "table", document_text(table->name));
+        document_put(&well, one, "title", document_text(kind ? kind->name : "Motions"));
+        document_put(&well, one, "view", document_text(view_of(table)));
+        document_put(&well, one, "notes", notes_of(&well, of, table));
+        document_append(&well, tables, one);
+    }
+    return put_value(of->stream, "parts", well, tables);
+}
+
+// ---------------------------------------------------------------- sheets
+
+/// Headings and cells as documents show them, beside the numbers of a sheet.
+static void put_shown(bool *well, json_t *to, const whirl_sheet *sheet) {
+    char text[STATEMENT_SIZE];
+    json_t *headings = json_array(), *rows = json_array();
+    for (size_t c = 0; c < sheet->columns; c++) {
+        whirl_column_heading(&sheet->column[c], text, sizeof text);
+        document_append(well, headings, document_text(text));
+    }
+    for (size_t r = 0; r < sheet->rows; r++) {
+        json_t *row = json_array();
+        for (size_t c = 0; c < sheet->columns; c++) {
+            whirl_cell_text(&sheet->column[c], &sheet->cells[r * sheet->columns + c], text, sizeof text);
+            document_append(well, row, document_text(text));
+        }
+        document_append(well, rows, row);
+    }
+    document_put(well, to, "headings", headings);
+    document_put(well, to, "shown", rows);
+}
+
+static bool put_findings(const contents *of) {
+    bool well = true;
+    json_t *statements = statements_json(&well, of->findings), *sheets = sheets_json(&well, of->findings);
+    for (size_t i = 0; i < of->findings->sheet_count && well; i++)
+        put_shown(&well, json_array_get(sheets, i), &of->findings->sheets[i]);
+    const bool put = put_value(of->stream, "statements", well, statements);
+    return put_value(of->stream, "sheets", well, sheets) && put;
+}
+
+// ---------------------------------------------------------------- figures
+
+/// A figure as JSON, to be freed; NULL where it cannot be made.
+static char *figure_json(const contents *of, const figure_place *place, size_t *size) {
+    const drawing drawn = {of->view, &of->units, of->machine};
+    whirl_figure *figure = NULL;
+    char *json = NULL;
+    FILE *text = open_memstream(&json, size);
+    bool well = text && figure_make(&drawn, place, NULL, &figure).code == WHIRL_OK &&
+                whirl_figure_write_json(figure, text).code == WHIRL_OK;
+    if (text && fclose(text) != 0) well = false;
+    whirl_figure_free(figure);
+    if (well) return json;
+    free(json);
+    return NULL;
+}
+
+/// All figures with the table that each is of ("" of the machine); of those that are too large the titles alone.
+static bool put_figures(const contents *of) {
+    size_t all = 0, put = 0;
+    bool well = true;
+    json_t *left = json_array();
+    fputs(",\"figures\":[", of->stream);
+    for (size_t i = 0; i < of->figures.count && well; i++) {
+        const figure_place *place = &of->figures.items[i];
+        size_t size = 0;
+        char *json = figure_json(of, place, &size);
+        well = json != NULL;
+        if (well && size <= MAX_FIGURE && all + size <= MAX_FIGURES) {
+            if (put++ > 0) fputc(',', of->stream);
+            script_text_member(of->stream, '{', "table", place->kind->whole ? "" : place->table->name);
+            fputs(",\"figure\":", of->stream);
+            put_safely(of->stream, json);
+            fputc('}', of->stream);
+            all += size;
+        } else if (well)
+            document_append(&well, left, document_text(place->name.title));
+        free(json);
+    }
+    fputc(']', of->stream);
+    return put_value(of->stream, "left_out", well, left);
+}
+
+static bool put_warnings(const contents *of) {
+    bool well = true;
+    json_t *warnings = json_array();
+    for (size_t i = 0; *whirl_result_warning(of->view, i); i++)
+        document_append(&well, warnings, document_text(whirl_result_warning(of->view, i)));
+    return put_value(of->stream, "warnings", well, warnings);
+}
+
+bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units) {
+    contents of = {.stream = stream};
+    if (!has_contents(result)) return true;
+    bool well = whirl_result_by_attractor(result, &of.view).code == WHIRL_OK &&
+                whirl_result_shown_units(of.view, units, &of.units).code == WHIRL_OK &&
+                findings_of(of.view, &of.units, &of.findings).code == WHIRL_OK;
+    if (well) of.machine = machine_of(of.view);
+    const drawing drawn = {of.view, &of.units, of.machine};
+    well = well && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) && put_findings(&of) &&
+           put_figures(&of) && put_warnings(&of);
+    free(of.figures.items);
+    whirl_findings_free(of.findings);
+    whirl_case_free(of.machine);
+    whirl_result_view_free(of.view);
+    return well;
+}
