@@ -80,7 +80,7 @@ function rowsOf(text) {
 
 /// What the result holds of its branches: points with the fields of several rows among them.
 function stored() {
-  command('export', 'beside.h5', '--csv', 'csv');
+  command('export', 'beside.h5', '--csv', 'csv', '--force');
   const read = (name) => rowsOf(readFileSync(join(folder, 'csv', name), 'utf8'));
   const of = (name, row) => read(name).filter(({ point }) => point === row);
   return read('branch.csv').map((point) => ({
