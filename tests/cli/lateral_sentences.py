@@ -3,8 +3,8 @@
 
     lateral_sentences.py RESULT.h5 lateral.html
 
-A sentence is whatever stands outside of tables, figures and the case. Those with a number or a verdict must be of a kind
-that is known here, and are derived once more from the fields of the result, by rules of this file's own: what is stable
+A sentence is whatever stands outside of tables, figures and the case. Those with a number or a verdict must be of a
+kind that is known here, and are derived once more from the fields of the result, by rules of this file's own: what is stable
 by growth, where modes cross the speed, margins by API 617's formula, shares of clearances, decrements, motions. What is
 no finding stands in FIXED, each with its reason. A sentence of another kind is a failure: tell here how it is checked.
 """
@@ -34,8 +34,6 @@ FIXED = {
     r"Critical speeds and thresholds of stability": "a title",
     r"Amplitudes say whether they are zero to peak \(0-p\) or peak to peak \(p-p\)\.": "the convention",
     r"Time against the rotation: .*": "a definition",
-    r"Not known of places .*": "a definition",
-    r"(Stability|Levels?) .*by the speed": "a title",
 }
 
 
@@ -49,7 +47,8 @@ def sentences(markup):
     markup = re.sub(r"<(style|script|svg|pre|table|figure|dl)\b.*?</\1>", "</p>", markup, flags=re.S)
     markup = markup[markup.index("<main>") :]
     title = ""
-    for tag, text in re.findall(r"<(/?(?:p|li|ul|ol|h[1-6]|section|div|summary|details))\b[^>]*>([^<]*(?:<(?!/?(?:p|li|ul|ol|h[1-6]|section|div|summary|details)\b)[^<]*)*)", markup):
+    tags = r"/?(?:p|li|ul|ol|h[1-6]|section|div|summary|details)\b"
+    for tag, text in re.findall(rf"<({tags})[^>]*>((?:[^<]|<(?!{tags}))*)", markup):
         text = plain(text)
         title = text if tag == "h3" else title
         if re.search(r"\d|stable|holds|fails|not known|never", text):
