@@ -55,11 +55,10 @@ typedef struct whirl_shown_units {
     whirl_unit of[WHIRL_QUANTITIES];       ///< in which documents show each quantity: number = SI over its size
 } whirl_shown_units;
 
-/// What `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none) says, where it says
-/// nothing what the result's fact "units" says, else: lengths over their scale where that is a named parameter, in m,
-/// mm or um where it is not; parameters as the case writes them; orders; zero to peak. WHIRL_BAD_INPUT for words that
-/// are no units.
-/// `*units` borrows the result.
+/// What `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none) says; where it says
+/// nothing, and names no system, what the result's fact "units" says; else lengths over their scale where that is a
+/// named parameter, in m, mm or um where it is not, parameters as the case writes them, orders, zero to peak.
+/// WHIRL_BAD_INPUT for words that are no units. `*units` borrows the result.
 whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units);
 
 /// What lengths of a point of the table are multiplied by to be shown.

@@ -133,7 +133,9 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
     if (status.code != WHIRL_OK) return status;
     // A file may say anything; what is no choice chooses nothing.
     if (unit_choice_read(whirl_result_fact(result, "units"), &own).code != WHIRL_OK) own = (unit_choice){0};
-    for (int kind = 0; kind < UNIT_KINDS; kind++)
+    // A system that is asked for is all of it: words of the case do not stand beside it.
+    const bool whole = choice.of[UNIT_SYSTEM] != NULL;
+    for (int kind = 0; kind < UNIT_KINDS && !whole; kind++)
         if (!choice.of[kind]) choice.of[kind] = own.of[kind];
     for (int kind = 0; kind < UNIT_SYSTEM; kind++)
         if (!choice.of[kind]) choice.of[kind] = unit_of_system(choice.of[UNIT_SYSTEM], (unit_kind)kind);

@@ -59,6 +59,14 @@ static void who_asks(void **state) {
     assert_labels(&units, "x (mil)", "amplitude (mil rms)");
     assert_true(fabs(units_order(&units, 100.0 * acos(-1.0)) - 50.0) < 1e-12); // 50 turns a second
     assert_true(isnan(units_order(&units, (double)NAN)));
+    // A system that is asked for leaves nothing of the result's own words; one of the result's own fills in the rest.
+    units = units_for(result, "US");
+    assert_labels(&units, "x (mil)", "amplitude (mil p-p)");
+    units = units_for(result, "SI");
+    assert_labels(&units, "x / c", "amplitude / c (0-p)");
+    assert_int_equal(whirl_result_add_fact(result, "units", "um, US").code, WHIRL_OK);
+    units = units_for(result, "0-p");
+    assert_labels(&units, "x (\u00b5m)", "amplitude (\u00b5m 0-p)");
     assert_int_equal(whirl_result_add_fact(result, "units", "um, <b>").code, WHIRL_OK);
     units = units_for(result, "");
     assert_labels(&units, "x / c", "amplitude / c (0-p)");
