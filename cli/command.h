@@ -21,7 +21,8 @@ typedef struct command {
 } command;
 
 extern const command run_command, merge_command, verify_command, check_command, describe_command, report_command,
-    export_command, show_command, new_command, import_command, figure_command, balance_command, bearing_command;
+    export_command, show_command, new_command, import_command, figure_command, table_command, balance_command,
+    bearing_command;
 
 /// Prints "whirl: ..." and a newline on standard error.
 void complain(const char *format, ...) __attribute__((format(printf, 1, 2)));

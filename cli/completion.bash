@@ -81,9 +81,10 @@ _whirl_options() {
     verify) echo '--points= --method= --revolutions= --set= --threads= --json --quiet --help' ;;
     report) echo '-o --output= --claims= --gnuplot= --explorer= --units= --lateral --weasyprint= --force --quiet --help' ;;
     figure) echo '-o --output= --list --format= --units= --log= --panels= --gnuplot= --force --help' ;;
+    table) echo '-o --output= --list --format= --units= --force --help' ;;
     show) echo '--json --json=full --help' ;;
     export) echo '--csv= --mat= --npz= --force --help' ;;
-    check) echo '--set= --help' ;;
+    check) echo '--set= --figure= --force --help' ;;
     balance) echo '--json --help' ;;
     bearing) echo '-o --output= --json --csv= --table= --over-frequency --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
     describe | help) echo '--help' ;;
@@ -107,6 +108,7 @@ _whirl() {
         case $command in
         run | merge) _whirl_files "$word" h5 ;;
         new | import) _whirl_files "$word" yaml yml ;;
+        table) _whirl_files "$word" txt csv tex json ;;
         *) _whirl_files "$word" ;;
         esac
         return
@@ -120,6 +122,7 @@ _whirl() {
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
     *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
+    --format) [ "$command" = table ] && _whirl_words "$word" 'text csv latex json'; return ;;
     --figure) _whirl_words "$word" 'curves sommerfeld locus'; return ;;
     --at | --points | --revolutions | --refine | --shard | --max-time | --units) return ;;
     esac
@@ -129,13 +132,19 @@ _whirl() {
         return
     fi
     case $command in
-    '') _whirl_words "$word" 'new import run merge verify check describe report figure show export balance bearing help' ;;
+    '') _whirl_words "$word" 'new import run merge verify check describe report figure table show export balance bearing help' ;;
     new) _whirl_words "$word" "$("$whirl" new --help | sed -n '/Kinds:/,/^$/s/^  \([a-z][a-z]*\)  .*/\1/p')" ;;
     import) _whirl_files "$word" toml json ;;
     run | merge | verify | check | balance | bearing) _whirl_files "$word" yaml yml ;;
     report | figure | show | export) _whirl_files "$word" h5 ;;
+    table)
+        case $before in
+        *.h5) _whirl_words "$word" "$("$whirl" table "$before" --list 2>/dev/null | awk '{ print $1 }')" ;;
+        *) _whirl_files "$word" h5 ;;
+        esac
+        ;;
     describe) _whirl_words "$word" "$(_whirl_names "$whirl")" ;;
-    help) _whirl_words "$word" 'new import run merge verify check describe report figure show export balance bearing' ;;
+    help) _whirl_words "$word" 'new import run merge verify check describe report figure table show export balance bearing' ;;
     esac
 }
 

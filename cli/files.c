@@ -120,17 +120,17 @@ bool may_write_file(const char *path, const char *input, const char *what, bool 
     return force;
 }
 
-int write_case(const char *path, bool force, const char *text) {
+int write_whole(const char *path, bool force, const char *text) {
     char temporary[4096];
     struct stat found;
     if (snprintf(temporary, sizeof temporary, "%s.tmp-%ld", path, (long)getpid()) >= (int)sizeof temporary) {
-        complain("the name of the case has %zu bytes, expected a shorter one", strlen(path));
+        complain("the name of the file has %zu bytes, expected a shorter one", strlen(path));
         return EXIT_FAILED;
     }
     const bool there = stat(path, &found) == 0;
     int reason = there && !force ? EEXIST : there && S_ISDIR(found.st_mode) ? EISDIR : 0;
     if (there && !reason && !S_ISREG(found.st_mode)) {
-        complain("'%s' is no ordinary file, expected the name of a case", path);
+        complain("'%s' is no ordinary file, expected the name of one", path);
         return EXIT_FAILED;
     }
     if (!reason) {

@@ -30,8 +30,8 @@ int load_outline(const char *path, whirl_result **outline);
 /// ("the result itself"), always. Complains if not.
 bool may_write_file(const char *path, const char *input, const char *what, bool force);
 
-/// Writes a case, whole or not at all; one that is there is kept unless `force`. Gives the exit status, after a
-/// complaint.
-int write_case(const char *path, bool force, const char *text);
+/// Writes a text as a file, whole or not at all; one that is there is kept unless `force`. Gives the exit status, after
+/// a complaint.
+int write_whole(const char *path, bool force, const char *text);
 
 #endif

@@ -47,7 +47,7 @@ static int import(const import_arguments *arguments) {
     int done = EXIT_DONE;
     if (arguments->output) {
         keep_private(arguments->rotor);
-        done = write_case(arguments->output, arguments->force, imported.text);
+        done = write_whole(arguments->output, arguments->force, imported.text);
     } else {
         fputs(imported.text, stdout);
         done = finish_output();

@@ -9,10 +9,10 @@
 
 static const command help_command;
 
-static const command *const commands[] = {&new_command,     &import_command, &run_command,      &merge_command,
-                                          &verify_command,  &check_command,  &describe_command, &report_command,
-                                          &figure_command,  &show_command,   &export_command,   &balance_command,
-                                          &bearing_command, &help_command};
+static const command *const commands[] = {&new_command,     &import_command,  &run_command,      &merge_command,
+                                          &verify_command,  &check_command,   &describe_command, &report_command,
+                                          &figure_command,  &table_command,   &show_command,     &export_command,
+                                          &balance_command, &bearing_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
 /// What the first argument chose, and where its own arguments begin.

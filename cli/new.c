@@ -74,7 +74,7 @@ static int run(int argc, char **argv) {
     if (read != EXIT_DONE) return read;
     const starter *const chosen = arguments.kind ? find_starter(arguments.kind) : starter_at(0);
     if (!chosen) return EXIT_BAD_INPUT;
-    if (arguments.output) return write_case(arguments.output, arguments.force, chosen->text);
+    if (arguments.output) return write_whole(arguments.output, arguments.force, chosen->text);
     fputs(chosen->text, stdout);
     return finish_output();
 }

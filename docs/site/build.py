@@ -63,6 +63,7 @@ def lay_out_markdown(source):
             write(source / name, adapted(path.read_text()))
     lay_out_guide(source)
     write(source / "docs/reference/keys.md", keys.page(adapted((ROOT / "docs/reference/keys.md").read_text())))
+    shutil.copy(ROOT / "docs/reference/result.schema.json", source / "docs/reference")
     for name in ("docs/images", "examples/slurm"):
         shutil.copytree(ROOT / name, source / name, dirs_exist_ok=True)
     for name in ("LICENSE", "CITATION.cff"):

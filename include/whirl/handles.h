@@ -223,6 +223,17 @@ whirl_status whirl_balance_json(const char *text, size_t length, const char *nam
 /// The figures of a result, a line each: name, tabulator, title. *lines is freed by whirl_text_free.
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
 
+/// What was found of machines at rest, of branches, tori and spectra (docs/result-file.md, "Findings as JSON"): the
+/// sheet of that name ("peaks", or "TABLE/peaks" where several tables have one), or of a name NULL all statements and
+/// sheets. `units` as reports take them, or NULL; `format` is "text" or "json", of a sheet also "csv" or "latex". *text
+/// is freed by whirl_text_free. WHIRL_BAD_INPUT with a sentence for a sheet, unit or format that there is none of.
+whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
+                                   char **text);
+
+/// The sheets of a result, a line each: name, by which whirl_result_findings knows it, tabulator, title. *lines is
+/// freed by whirl_text_free.
+whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
+
 void whirl_text_free(char *text); ///< Frees such a text; NULL is none.
 
 /// What `whirl bearing` answers to the text of a file on a bearing (docs/guide/15-bearings.md), as its JSON document,

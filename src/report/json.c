@@ -279,11 +279,15 @@ static bool dump_unfound(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "unfound", all, stream) && well;
 }
 
+/// Raised where a key goes or means something else; the schema is docs/reference/result.schema.json.
+enum { DOCUMENT_FORMAT = 1 };
+
 static bool dump_head(const whirl_result *result, FILE *stream) {
     const whirl_table *first = result->table_count ? &result->tables[0] : NULL;
     size_t done, total;
     const bool partial = whirl_result_partial(result, &done, &total);
-    return dump_member("{", "whirl", document_text(version_of(result)), stream) &&
+    return dump_member("{", "format", json_integer(DOCUMENT_FORMAT), stream) &&
+           dump_member(",\n", "whirl", document_text(version_of(result)), stream) &&
            dump_member(",\n", "title", document_text(result->title), stream) &&
            dump_member(",\n", "case", document_text(result->case_name), stream) &&
            dump_member(",\n", "speed", document_number(result->speed), stream) && dump_machine(result, stream) &&
@@ -300,10 +304,10 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
 // Names of tables become keys beside these.
 static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {
-        "whirl",      "title",      "case",       "speed",       "length_scale", "force_scale", "partial",
-        "table",      "points",     "parameters", "jumps",       "integrated",   "keyphasor",   "keyphasor_rate",
-        "attractors", "refined",    "warnings",   "margins",     "beyond",       "held",        "unfound",
-        "fits",       "amplitudes", "asked",      "film_tables", "weight"};
+        "format",     "whirl",          "title",      "case",       "speed",   "length_scale", "force_scale",
+        "partial",    "table",          "points",     "parameters", "jumps",   "integrated",   "fits",
+        "keyphasor",  "keyphasor_rate", "attractors", "refined",    "beyond",  "warnings",     "film_tables",
+        "amplitudes", "statements",     "sheets",     "held",       "unfound", "weight"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

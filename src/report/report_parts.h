@@ -79,6 +79,17 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
 /// False without memory.
 bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
 
+/// ... as CSV and as LaTeX, as whirl_sheet_write has them.
+void sheet_write_csv(FILE *stream, const whirl_sheet *sheet);
+void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
+
+/// Statements and sheets of a table as text; of sheets whose rows are points at most `points` rows, of others `rows`.
+/// False without memory.
+bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
+
+/// A sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
+whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream);
+
 /// As parts of a JSON document.
 json_t *statements_json(bool *well, const whirl_findings *findings);
 json_t *sheets_json(bool *well, const whirl_findings *findings);

@@ -21,7 +21,7 @@ says <(grep -m 1 '^## ' CHANGELOG.md) "$version" 's/^## ([0-9.]+).*/\1/p'
 for document in docs/guide/*-library.md docs/elements.md; do
     says $document "$minor" 's/.*find_package\(whirl ([0-9.]+).*/\1/p'
 done
-says <(cat docs/guide/*.md) "$version" 's/.*\{"whirl": "([^"]*)".*/\1/p'
+says <(cat docs/guide/*.md) "$version" 's/.*\{"format": 1, "whirl": "([^"]*)".*/\1/p'
 says debian/changelog "$version" '1s/.*\((.*)\).*/\1/p'
 says debian/libwhirl1.symbols "$minor" 's/.*WHIRL_([0-9.]*\.[0-9.]*) .*/\1/p'
 says <("$2" --version) "$version" 's/^whirl ([^ ]*).*/\1/p'

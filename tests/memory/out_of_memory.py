@@ -23,6 +23,8 @@ COMMANDS = {
     "import": ["import", "supports.toml", "-o", "imported.yaml"],
     "import JSON": ["import", "layers.json", "-o", "imported.yaml"],
     "show": ["show", "starts.h5"],
+    "table": ["table", "modes.h5", "-o", "made.txt"],
+    "table JSON": ["table", "modes.h5", "--format", "json"],
     "modes": ["run", "modes.yaml", "--threads", "1", "-q", "-o", "made.h5"],
     "pads": ["run", "pads.yaml", "--threads", "1", "-q", "--json"],
     "pads at rest": ["run", "rest.yaml", "--threads", "1", "-q", "--json"],
@@ -112,6 +114,7 @@ def main():
             shutil.copy(pathlib.Path(__file__).parent.parent / "rotors" / rotor, template)
         assert execute(["run", "case.yaml", "-q", "-o", "there.h5"], template).returncode == 0
         shutil.copy(pathlib.Path(good).parent / "modes.yaml", template)
+        assert execute(["run", "modes.yaml", "-q", "-o", "modes.h5"], template).returncode == 0
         starts = "study:\n  starts: {count: 3, within: {disc: {x: [-1, 1]}}}"
         (template / "starts.yaml").write_text((template / "case.yaml").read_text().replace("study:", starts))
         assert execute(["run", "starts.yaml", "-q", "-o", "starts.h5"], template).returncode == 0

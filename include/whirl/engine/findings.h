@@ -116,11 +116,21 @@ void whirl_cell_text(const whirl_column *column, const whirl_cell *cell, char *t
 /// A phrase as it is shown.
 void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size);
 
-/// How sheets are written to files.
-typedef enum whirl_sheet_form { WHIRL_SHEET_TEXT, WHIRL_SHEET_CSV, WHIRL_SHEET_LATEX } whirl_sheet_form;
+/// The name by which whirl_findings_sheet knows a sheet of these findings: "peaks", or "TABLE/peaks" where several
+/// tables have one.
+void whirl_sheet_name(const whirl_findings *findings, const whirl_sheet *sheet, char *text, size_t size);
 
-/// Writes a sheet: aligned text, CSV (RFC 4180, numbers as they are shown with all their digits), or a LaTeX table
-/// with rules of booktabs. Text and LaTeX leave out columns that are empty. WHIRL_NO_MEMORY.
+/// How sheets are written to files.
+typedef enum whirl_sheet_form {
+    WHIRL_SHEET_TEXT,
+    WHIRL_SHEET_CSV,
+    WHIRL_SHEET_LATEX,
+    WHIRL_SHEET_JSON
+} whirl_sheet_form;
+
+/// Writes a sheet: aligned text, CSV (RFC 4180, numbers as they are shown with all their digits), a LaTeX table with
+/// rules of booktabs, or JSON as whirl_findings_write_json has it. Text and LaTeX leave out columns that are empty.
+/// WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream);
 
 /// Writes statements and sheets as one JSON object: numbers in SI beside what is shown (docs/result-file.md,

@@ -47,6 +47,12 @@ whirl_status whirl_findings_new(const whirl_result *result, const char *units, w
 
 // ---------------------------------------------------------------- a sheet by its name
 
+void whirl_sheet_name(const whirl_findings *findings, const whirl_sheet *sheet, char *text, size_t size) {
+    size_t count = 0;
+    for (size_t i = 0; i < findings->sheet_count; i++) count += strcmp(findings->sheets[i].name, sheet->name) == 0;
+    snprintf(text, size, "%s%s%s", count > 1 ? sheet->table : "", count > 1 ? "/" : "", sheet->name);
+}
+
 whirl_status whirl_findings_sheet(const whirl_findings *findings, const char *name, const whirl_sheet **sheet) {
     const char *const slash = strchr(name, '/');
     const size_t length = slash ? (size_t)(slash - name) : 0;

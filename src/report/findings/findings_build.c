@@ -104,9 +104,16 @@ void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...
     va_end(arguments);
 }
 
+/// No zero is told with a sign.
+static double unsigned_zero(double number) {
+    return number == 0.0 ? 0.0 : number;
+}
+
 static void phrase_quantity(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value) {
-    *phrase_piece(of, phrase) = (whirl_piece){
-        .value = value, .unit = find_text(of->findings, "%s", unit->name), .size = unit->size, .digits = digits};
+    *phrase_piece(of, phrase) = (whirl_piece){.value = unsigned_zero(value),
+                                              .unit = find_text(of->findings, "%s", unit->name),
+                                              .size = unit->size,
+                                              .digits = digits};
 }
 
 void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value) {
@@ -201,16 +208,15 @@ void sheet_row(const finder *of, whirl_sheet *sheet) {
 }
 
 void cell_number(const finder *of, whirl_sheet *sheet, double number) {
-    // No zero is told with a sign.
     *sheet_cell(of, sheet) =
-        isfinite(number) ? (whirl_cell){.count = 1, .number = number == 0.0 ? 0.0 : number} : (whirl_cell){.count = 0};
+        isfinite(number) ? (whirl_cell){.count = 1, .number = unsigned_zero(number)} : (whirl_cell){.count = 0};
 }
 
 void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers) {
     double *copy = count > 0 ? find_take(of->findings, count * sizeof *copy) : NULL;
     whirl_cell *cell = sheet_cell(of, sheet);
     if (!copy) return;
-    memcpy(copy, numbers, count * sizeof *copy);
+    for (size_t i = 0; i < count; i++) copy[i] = unsigned_zero(numbers[i]);
     *cell = (whirl_cell){.count = count, .number = *copy, .numbers = copy};
 }
 

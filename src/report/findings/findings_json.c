@@ -17,6 +17,7 @@ static json_t *phrase_json(bool *well, const whirl_phrase *phrase) {
 }
 
 static json_t *statement_json(bool *well, const whirl_statement *statement) {
+    char text[STATEMENT_SIZE];
     json_t *one = json_object();
     document_put(well, one, "table", document_text(statement->table));
     document_put(well, one, "what", document_text(statement->what));
@@ -27,6 +28,8 @@ static json_t *statement_json(bool *well, const whirl_statement *statement) {
     document_put(well, one, "asked", phrase_json(well, &statement->asked));
     document_put(well, one, "found", phrase_json(well, &statement->found));
     document_put(well, one, "told", phrase_json(well, &statement->told));
+    statement_text(statement, text, sizeof text);
+    document_put(well, one, "text", document_text(text));
     return one;
 }
 
@@ -40,7 +43,8 @@ static json_t *cell_json(bool *well, const whirl_column *column, const whirl_cel
 }
 
 static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
-    json_t *one = json_object(), *columns = json_array(), *rows = json_array();
+    char text[STATEMENT_SIZE];
+    json_t *one = json_object(), *columns = json_array(), *rows = json_array(), *shown = json_array();
     document_put(well, one, "table", document_text(sheet->table));
     document_put(well, one, "name", document_text(sheet->name));
     document_put(well, one, "title", document_text(sheet->title));
@@ -52,16 +56,23 @@ static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
         document_put(well, heading, "unit", document_text(column->unit));
         document_put(well, heading, "size", document_number(column->size));
         document_put(well, heading, "digits", json_integer(column->digits));
+        if (column->between) document_put(well, heading, "between", document_text(column->between));
         document_append(well, columns, heading);
     }
     for (size_t r = 0; r < sheet->rows; r++) {
-        json_t *row = json_array();
-        for (size_t c = 0; c < sheet->columns; c++)
-            document_append(well, row, cell_json(well, &sheet->column[c], &sheet->cells[r * sheet->columns + c]));
+        json_t *row = json_array(), *texts = json_array();
+        for (size_t c = 0; c < sheet->columns; c++) {
+            const whirl_cell *cell = &sheet->cells[r * sheet->columns + c];
+            document_append(well, row, cell_json(well, &sheet->column[c], cell));
+            whirl_cell_text(&sheet->column[c], cell, text, sizeof text);
+            document_append(well, texts, document_text(text));
+        }
         document_append(well, rows, row);
+        document_append(well, shown, texts);
     }
     document_put(well, one, "columns", columns);
     document_put(well, one, "rows", rows);
+    document_put(well, one, "shown", shown);
     return one;
 }
 
@@ -79,15 +90,25 @@ json_t *sheets_json(bool *well, const whirl_findings *findings) {
     return array;
 }
 
-whirl_status whirl_findings_write_json(const whirl_findings *findings, FILE *stream) {
-    bool well = true;
-    json_t *object = json_object();
-    document_put(&well, object, "statements", statements_json(&well, findings));
-    document_put(&well, object, "sheets", sheets_json(&well, findings));
+static whirl_status findings_write(bool well, json_t *object, FILE *stream) {
     errno = 0;
     well = document_write(well, object, stream);
     fputc('\n', stream);
     if (fflush(stream) != 0 || ferror(stream))
         return whirl_fail(WHIRL_IO_ERROR, "cannot write JSON: %s", strerror(errno ? errno : EIO));
     return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
+}
+
+whirl_status whirl_findings_write_json(const whirl_findings *findings, FILE *stream) {
+    bool well = true;
+    json_t *object = json_object();
+    document_put(&well, object, "statements", statements_json(&well, findings));
+    document_put(&well, object, "sheets", sheets_json(&well, findings));
+    return findings_write(well, object, stream);
+}
+
+whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream) {
+    bool well = true;
+    json_t *object = sheet_json(&well, sheet);
+    return findings_write(well, object, stream);
 }

@@ -243,7 +243,7 @@ static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void
     fputs(end, stream);
 }
 
-static void write_latex(FILE *stream, const whirl_sheet *sheet) {
+void sheet_write_latex(FILE *stream, const whirl_sheet *sheet) {
     fputs("\\begin{tabular}{", stream);
     for (size_t c = 0; c < sheet->columns; c++)
         if (!sheet_column_empty(sheet, c))
@@ -256,12 +256,8 @@ static void write_latex(FILE *stream, const whirl_sheet *sheet) {
     fputs("\\bottomrule\n\\end{tabular}\n", stream);
 }
 
-whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream) {
+void sheet_write_csv(FILE *stream, const whirl_sheet *sheet) {
     enum { ALL_DIGITS = 17 };
-    if (form == WHIRL_SHEET_TEXT && !sheet_write_text(stream, sheet, sheet->rows + 1))
-        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sheet %.80s", sheet->name);
-    if (form == WHIRL_SHEET_LATEX) write_latex(stream, sheet);
-    for (size_t row = 0; row <= sheet->rows && form == WHIRL_SHEET_CSV; row++)
+    for (size_t row = 0; row <= sheet->rows; row++)
         write_cells(stream, sheet, row, write_field, ALL_DIGITS, ",", "\r\n");
-    return whirl_ok();
 }

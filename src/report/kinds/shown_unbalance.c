@@ -124,8 +124,9 @@ static void find_scaled(const finder *of) {
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPAN, 4, by.limit);
     phrase_text(of, &own->found, ", the largest that a probe sees where the machine runs ");
     phrase_number(of, &own->found, WHIRL_QUANTITY_SPAN, 4, by.largest);
-    phrase_text(of, &own->found, " (%s): responses are scaled by %.4g (6 at most)%s",
-                of->result->stations[by.station].name, by.factor, by.beyond ? "; the limit is passed" : "");
+    phrase_text(of, &own->found, " (%s): responses are scaled by ", of->result->stations[by.station].name);
+    phrase_number(of, &own->found, WHIRL_QUANTITY_NUMBER, 4, by.factor);
+    phrase_text(of, &own->found, " (6 at most)%s", by.beyond ? "; the limit is passed" : "");
     if (by.trip > 0.0) {
         phrase_text(of, &own->found,
                     by.reaches ? "; clearances count up to the trip speed, "

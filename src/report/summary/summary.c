@@ -64,22 +64,7 @@ static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_
         if (held_told(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
 }
 
-enum { MOST_ROWS = 24 };
-
-/// What was found in a table.
-static whirl_status print_findings(FILE *out, const whirl_findings *findings, const whirl_table *table) {
-    bool well = true;
-    for (size_t i = 0; i < findings->statement_count; i++)
-        if (strcmp(findings->statements[i].table, table->name) == 0) {
-            char text[STATEMENT_SIZE];
-            statement_text(&findings->statements[i], text, sizeof text);
-            fprintf(out, "  %s\n", text);
-        }
-    for (size_t i = 0; i < findings->sheet_count && well; i++)
-        if (strcmp(findings->sheets[i].table, table->name) == 0)
-            well = sheet_write_text(out, &findings->sheets[i], findings->sheets[i].of_points ? 2 : MOST_ROWS);
-    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
-}
+enum { MOST_POINTS = 2, MOST_ROWS = 24 };
 
 static whirl_status print_table(FILE *out, const whirl_findings *findings, const whirl_shown_units *units,
                                 const whirl_table *table) {
@@ -96,14 +81,16 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
     if (!kind && motions_beside(table)) summarize_motions(out, units, table);
+    whirl_status status = whirl_ok();
     if (!kind) {
-        const whirl_status status =
-            single ? summarize_response(out, units, table) : summarize_points(out, units, table);
-        return status.code == WHIRL_OK ? print_findings(out, findings, table) : status;
+        status = single ? summarize_response(out, units, table) : summarize_points(out, units, table);
+    } else if (table->count == 0 && !whirl_analysis_kind(table->analyses)->found) {
+        fputs("  no point was computed\n", out);
+        return status;
     }
-    if (table->count > 0 || whirl_analysis_kind(table->analyses)->found) return print_findings(out, findings, table);
-    fputs("  no point was computed\n", out);
-    return whirl_ok();
+    if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MOST_POINTS, MOST_ROWS))
+        status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
+    return status;
 }
 
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {

@@ -1,0 +1,114 @@
+// Findings in every form: a sheet, those of a table, and of a result, as texts for programs in other languages.
+#include <stdint.h>
+#include <string.h>
+
+#include "report_parts.h"
+#include "whirl/engine/findings.h"
+#include "whirl/handles.h"
+
+whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream) {
+    if (form == WHIRL_SHEET_JSON) return sheet_write_json(sheet, stream);
+    if (form == WHIRL_SHEET_TEXT && !sheet_write_text(stream, sheet, sheet->rows + 1))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the sheet %.80s", sheet->name);
+    if (form == WHIRL_SHEET_CSV) sheet_write_csv(stream, sheet);
+    if (form == WHIRL_SHEET_LATEX) sheet_write_latex(stream, sheet);
+    return whirl_ok();
+}
+
+bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows) {
+    bool well = true;
+    for (size_t i = 0; i < findings->statement_count; i++)
+        if (strcmp(findings->statements[i].table, table) == 0) {
+            char text[STATEMENT_SIZE];
+            statement_text(&findings->statements[i], text, sizeof text);
+            fprintf(stream, "  %s\n", text);
+        }
+    for (size_t i = 0; i < findings->sheet_count && well; i++)
+        if (strcmp(findings->sheets[i].table, table) == 0)
+            well = sheet_write_text(stream, &findings->sheets[i], findings->sheets[i].of_points ? points : rows);
+    return well;
+}
+
+// ---------------------------------------------------------------- all of a result
+
+/// What is written: a sheet, or all findings of a result.
+typedef struct findings_asked {
+    const whirl_result *result;
+    const whirl_findings *findings;
+    const whirl_sheet *sheet; ///< NULL: all
+    whirl_sheet_form form;
+} findings_asked;
+
+static whirl_status findings_form(const char *format, whirl_sheet_form *form) {
+    static const char *const formats[] = {"text", "csv", "latex", "json", NULL};
+    size_t i = 0;
+    while (formats[i] && strcmp(format, formats[i]) != 0) i++;
+    *form = (whirl_sheet_form)i;
+    if (formats[i]) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT, "the format is '%.40s', expected text, csv, latex or json", format);
+}
+
+static bool findings_has(const whirl_findings *findings, const char *table) {
+    for (size_t i = 0; i < findings->statement_count; i++)
+        if (strcmp(findings->statements[i].table, table) == 0) return true;
+    for (size_t i = 0; i < findings->sheet_count; i++)
+        if (strcmp(findings->sheets[i].table, table) == 0) return true;
+    return false;
+}
+
+/// Those of each table below its name.
+static whirl_status findings_write_tables(const findings_asked *asked, FILE *stream) {
+    for (size_t t = 0; t < asked->result->table_count; t++) {
+        const char *const table = asked->result->tables[t].name;
+        if (!findings_has(asked->findings, table)) continue;
+        fprintf(stream, "%s:\n", table);
+        if (!findings_write_table(stream, asked->findings, table, SIZE_MAX, SIZE_MAX))
+            return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
+    }
+    return whirl_ok();
+}
+
+static whirl_status findings_write_asked(const void *of, FILE *stream) {
+    const findings_asked *const asked = of;
+    if (asked->sheet) return whirl_sheet_write(asked->sheet, asked->form, stream);
+    if (asked->form == WHIRL_SHEET_TEXT) return findings_write_tables(asked, stream);
+    return whirl_findings_write_json(asked->findings, stream);
+}
+
+static whirl_status findings_write_names(const void *of, FILE *stream) {
+    const whirl_findings *const findings = of;
+    char name[2 * WHIRL_NAME_SIZE];
+    for (size_t i = 0; i < findings->sheet_count; i++) {
+        whirl_sheet_name(findings, &findings->sheets[i], name, sizeof name);
+        fprintf(stream, "%s\t%s\n", name, findings->sheets[i].title);
+    }
+    return whirl_ok();
+}
+
+whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
+                                   char **text) {
+    whirl_findings *findings;
+    findings_asked asked = {.result = result};
+    *text = NULL;
+    whirl_status status = findings_form(format, &asked.form);
+    if (status.code != WHIRL_OK) return status;
+    if (!sheet && (asked.form == WHIRL_SHEET_CSV || asked.form == WHIRL_SHEET_LATEX))
+        return whirl_fail(WHIRL_BAD_INPUT, "a file of format %.40s holds one sheet, expected the name of one", format);
+    status = whirl_findings_new(result, units, &findings);
+    if (status.code != WHIRL_OK) return status;
+    asked.findings = findings;
+    if (sheet) status = whirl_findings_sheet(findings, sheet, &asked.sheet);
+    if (status.code == WHIRL_OK) status = text_written(findings_write_asked, &asked, "for what was found", text);
+    whirl_findings_free(findings);
+    return status;
+}
+
+whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines) {
+    whirl_findings *findings;
+    *lines = NULL;
+    whirl_status status = whirl_findings_new(result, units, &findings);
+    if (status.code != WHIRL_OK) return status;
+    status = text_written(findings_write_names, findings, "for the names of sheets", lines);
+    whirl_findings_free(findings);
+    return status;
+}

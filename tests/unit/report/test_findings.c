@@ -1,0 +1,273 @@
+// Findings: phrases, sheets and how they are written, from findings that are made by hand.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "findings_build.h"
+#include "report_parts.h"
+#include "sample.h"
+
+/// Findings without any in them, of the sweep of the sample.
+typedef struct made {
+    whirl_result *result;
+    whirl_shown_units units;
+    whirl_findings *findings;
+    finder of;
+} made;
+
+static made made_in(const char *units) {
+    made own = {.result = sample_result()};
+    assert_int_equal(whirl_result_shown_units(own.result, units, &own.units).code, WHIRL_OK);
+    const size_t tables = own.result->table_count;
+    own.result->table_count = 0; // in which nothing is found
+    assert_int_equal(findings_of(own.result, &own.units, &own.findings).code, WHIRL_OK);
+    own.result->table_count = tables;
+    own.of = (finder){.findings = own.findings, .result = own.result, .table = own.result->tables};
+    return own;
+}
+
+static void made_free(made *own) {
+    whirl_findings_free(own->findings);
+    whirl_result_free(own->result);
+}
+
+/// What is written of a sheet; freed by the caller.
+static char *written(const whirl_sheet *sheet, whirl_sheet_form form) {
+    char *text;
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+    assert_non_null(stream);
+    assert_int_equal(whirl_sheet_write(sheet, form, stream).code, WHIRL_OK);
+    assert_int_equal(fclose(stream), 0);
+    return text;
+}
+
+static void assert_written(const whirl_sheet *sheet, whirl_sheet_form form, const char *expected) {
+    char *text = written(sheet, form);
+    assert_string_equal(text, expected);
+    free(text);
+}
+
+/// Numbers of phrases stay numbers in SI, and are shown in their units.
+static void phrases(void **state) {
+    (void)state;
+    made own = made_in("um, rpm");
+    own.of.units = &own.units;
+    whirl_statement *statement = find_judgement(&own.of, "vibration", "API 617", WHIRL_FAILS);
+    statement->station = "disc";
+    phrase_value(&own.of, &statement->at, 6, 0.25);
+    phrase_text(&own.of, &statement->asked, "at most ");
+    phrase_number(&own.of, &statement->asked, WHIRL_QUANTITY_SPAN, 4, 25.4e-6);
+    phrase_number(&own.of, &statement->found, WHIRL_QUANTITY_SPEED, 5, 100.0 * acos(-1.0));
+    phrase_text(&own.of, &statement->found, " and ");
+    phrase_number(&own.of, &statement->found, WHIRL_QUANTITY_NUMBER, 4, -0.0);
+    phrase_text(&own.of, &statement->told, ", %d of %d", 1, 2);
+    char text[STATEMENT_SIZE];
+    statement_text(statement, text, sizeof text);
+    assert_string_equal(text, "at 0.25: vibration at disc, asked for at most 25.4 \u00b5m p-p: 3000 rpm and 0: "
+                              "fails, 1 of 2");
+    assert_true(statement->asked.pieces[1].value == 25.4e-6 && !statement->asked.pieces[1].text);
+    whirl_phrase_text(&statement->found, text, 6); // what does not fit is cut
+    assert_string_equal(text, "3000 ");
+    assert_string_equal(whirl_judgement_name(WHIRL_NOT_KNOWN), "not known");
+    // More pieces than a phrase has room for are no phrase that lacks its end: the findings are given up.
+    for (size_t i = statement->told.count; i < WHIRL_PHRASE_PIECES; i++) phrase_text(&own.of, &statement->told, ".");
+    assert_false(own.findings->failed);
+    phrase_text(&own.of, &statement->told, "end");
+    assert_true(own.findings->failed);
+    made_free(&own);
+}
+
+/// Columns: a text, a number, one that stays empty, and several numbers a cell.
+static whirl_sheet *sheet_of(made *own, const char *name) {
+    own->of.units = &own->units;
+    whirl_sheet *sheet = find_sheet(&own->of, name, "Made by hand");
+    sheet_texts(&own->of, sheet, "what", "what");
+    sheet_column(&own->of, sheet, "force", "force", WHIRL_QUANTITY_FORCE, 4);
+    sheet_column(&own->of, sheet, "never", "never", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_list(&own->of, sheet, "pads", "pads", WHIRL_QUANTITY_FORCE, 3, ", ");
+    return sheet;
+}
+
+static void sheet_fill(const made *own, whirl_sheet *sheet, const char *what, double force) {
+    const double pads[] = {1.5, -0.0};
+    sheet_row(&own->of, sheet);
+    cell_text(&own->of, sheet, what);
+    cell_number(&own->of, sheet, force);
+    cell_number(&own->of, sheet, (double)NAN);
+    cell_numbers(&own->of, sheet, force > 0.0 ? 2 : 0, pads);
+}
+
+/// Text and LaTeX leave empty columns out; CSV has all of them, with all digits. No zero has a sign.
+static void empty_columns(void **state) {
+    (void)state;
+    made own = made_in("");
+    whirl_sheet *sheet = sheet_of(&own, "sheet");
+    sheet_fill(&own, sheet, "a", 1000.0 / 3.0);
+    sheet_fill(&own, sheet, "bb", -0.0);
+    assert_false(own.findings->failed);
+    assert_false(signbit(sheet->cells[4 + 1].number));
+    assert_written(sheet, WHIRL_SHEET_TEXT,
+                   "  Made by hand:\n    what  force (N)  pads (N)\n    a         333.3  1.5, 0\n    bb            0  "
+                   "\n");
+    assert_written(sheet, WHIRL_SHEET_CSV,
+                   "what,force (N),never,pads (N)\r\na,333.33333333333331,,\"1.5, 0\"\r\nbb,0,,\r\n");
+    assert_written(sheet, WHIRL_SHEET_LATEX,
+                   "\\begin{tabular}{lrl}\n\\toprule\nwhat & force (N) & pads (N) \\\\\n\\midrule\n"
+                   "a & 333.3 & 1.5, 0 \\\\\nbb & 0 &  \\\\\n\\bottomrule\n\\end{tabular}\n");
+    // A sheet without rows is none.
+    find_sheet(&own.of, "none", "Nothing");
+    find_sheet_end(&own.of);
+    assert_int_equal(own.findings->sheet_count, 1);
+    made_free(&own);
+}
+
+/// Fields of CSV after RFC 4180; letters that mean something to LaTeX.
+static void letters(void **state) {
+    (void)state;
+    made own = made_in("");
+    own.of.units = &own.units;
+    whirl_sheet *sheet = find_sheet(&own.of, "letters", "Letters");
+    sheet_texts(&own.of, sheet, "a", "a, \"b\"");
+    sheet_texts(&own.of, sheet, "b", "50 %");
+    sheet_row(&own.of, sheet);
+    cell_text(&own.of, sheet, "two\nlines");
+    cell_text(&own.of, sheet, "\\ {a_b} ~ ^ \u00b5m & # $ \u03c9");
+    assert_written(sheet, WHIRL_SHEET_CSV,
+                   "\"a, \"\"b\"\"\",50 %\r\n\"two\nlines\",\\ {a_b} ~ ^ \u00b5m & # $ \u03c9\r\n");
+    char *text = written(sheet, WHIRL_SHEET_LATEX);
+    assert_non_null(strstr(text, "a, \"b\" & 50 \\% \\\\\n"));
+    assert_non_null(
+        strstr(text, "& \\textbackslash{} \\{a\\_b\\} \\textasciitilde{} \\^{} $\\mu$m \\& \\# \\$ \u03c9 \\\\"));
+    free(text);
+    made_free(&own);
+}
+
+/// Few rows that are wider than a terminal stand beside their headings; more rows do not.
+static void transposed(void **state) {
+    (void)state;
+    made own = made_in("");
+    own.of.units = &own.units;
+    whirl_sheet *sheet = find_sheet(&own.of, "wide", "Wide");
+    for (size_t c = 0; c < 9; c++)
+        sheet_column(&own.of, sheet, "key", c % 2 ? "a heading of twenty letters" : "\u03c9", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t row = 0; row < 3; row++) {
+        sheet_row(&own.of, sheet);
+        for (size_t c = 0; c < 9; c++) cell_number(&own.of, sheet, (double)(10 * row + c));
+    }
+    char *text = written(sheet, WHIRL_SHEET_TEXT);
+    assert_non_null(strstr(text, "  Wide:\n    \u03c9                            0  10  20\n"
+                                 "    a heading of twenty letters  1  11  21\n"));
+    free(text);
+    sheet_row(&own.of, sheet);
+    text = written(sheet, WHIRL_SHEET_TEXT);
+    assert_non_null(strstr(text, "  Wide:\n     \u03c9  a heading of twenty letters   \u03c9"));
+    free(text);
+    // Of many rows the first ones and the last.
+    size_t size;
+    FILE *stream = open_memstream(&text, &size);
+    assert_true(stream && sheet_write_text(stream, sheet, 2));
+    assert_int_equal(fclose(stream), 0);
+    assert_non_null(strstr(text, "  Wide (the first and the last of 4 rows):\n"));
+    free(text);
+    made_free(&own);
+}
+
+/// A name that several tables have is told with that of the table.
+static void sheets_of_one_name(void **state) {
+    (void)state;
+    made own = made_in("");
+    for (size_t table = 0; table < 2; table++) {
+        own.of.table = &own.result->tables[table];
+        sheet_fill(&own, sheet_of(&own, "peaks"), "a", 1.0);
+    }
+    sheet_fill(&own, sheet_of(&own, "levels"), "a", 1.0);
+    const whirl_sheet *sheet;
+    char name[80];
+    whirl_status status = whirl_findings_sheet(own.findings, "peaks", &sheet);
+    assert_int_equal(status.code, WHIRL_BAD_INPUT);
+    assert_null(sheet);
+    assert_string_equal(status.message, "2 tables have a sheet 'peaks', expected one of them: sweep/peaks");
+    for (size_t i = 0; i < 3; i++) {
+        whirl_sheet_name(own.findings, &own.findings->sheets[i], name, sizeof name);
+        assert_string_equal(name, ((const char *[]){"sweep/peaks", "detail/peaks", "levels"})[i]);
+        assert_int_equal(whirl_findings_sheet(own.findings, name, &sheet).code, WHIRL_OK);
+        assert_ptr_equal(sheet, &own.findings->sheets[i]);
+    }
+    assert_int_equal(whirl_findings_sheet(own.findings, "detail/levels", &sheet).code, WHIRL_OK);
+    status = whirl_findings_sheet(own.findings, "sweep/levels", &sheet);
+    assert_string_equal(status.message, "there is no sheet 'sweep/levels', did you mean levels?");
+    status = whirl_findings_sheet(own.findings, "peak", &sheet);
+    assert_string_equal(status.message, "there is no sheet 'peak', did you mean peaks?");
+    made_free(&own);
+}
+
+/// Once memory was lacking nothing is added and nothing is written to what is not there.
+static void memory_is_lacking(void **state) {
+    (void)state;
+    made own = made_in("");
+    whirl_sheet *sheet = sheet_of(&own, "sheet");
+    sheet_fill(&own, sheet, "a", 1.0);
+    own.findings->failed = true;
+    sheet_fill(&own, sheet, "b", 2.0);
+    assert_int_equal(sheet->rows, 1);
+    assert_string_equal(sheet->cells[0].text, "a");
+    sheet_fill(&own, sheet_of(&own, "other"), "c", 3.0);
+    phrase_text(&own.of, &find_judgement(&own.of, "what", "", WHIRL_HOLDS)->found, "%s", "found");
+    assert_string_equal(find_text(own.findings, "%d", 3), "");
+    assert_int_equal(own.findings->sheet_count, 1);
+    assert_int_equal(own.findings->statement_count, 0);
+    made_free(&own);
+}
+
+/// NIST SP 811 (2008), appendix B.8: factors to seven figures.
+static void customary_units(void **state) {
+    (void)state;
+    static const struct {
+        whirl_quantity quantity;
+        double si, shown;
+        const char *unit;
+    } rows[] = {{WHIRL_QUANTITY_FORCE, 4.448222, 1.0, "lbf"},
+                {WHIRL_QUANTITY_MASS, 0.4535924, 1.0, "lbm"},
+                {WHIRL_QUANTITY_STIFFNESS, 1.751268e2, 1.0, "lbf/in"},
+                {WHIRL_QUANTITY_CROSS, 1.751268e2, 1.0, "lbf/in"},
+                {WHIRL_QUANTITY_DAMPING, 1.751268e2, 1.0, "lbf s/in"},
+                {WHIRL_QUANTITY_MOMENT, 1.129848e-1, 1.0, "lbf in"},
+                {WHIRL_QUANTITY_INERTIA, 2.926397e-4, 1.0, "lbm in2"},
+                {WHIRL_QUANTITY_UNBALANCE, 2.834952e-2 * 2.54e-2, 1.0, "oz in"},
+                {WHIRL_QUANTITY_DENSITY, 1.601846e1, 1.0, "lbm/ft3"},
+                {WHIRL_QUANTITY_POSITION, 2.54e-2, 1.0, "in"},
+                {WHIRL_QUANTITY_DIAMETER, 2.54e-2, 1.0, "in"},
+                {WHIRL_QUANTITY_LENGTH, 2.54e-5, 1.0, "mil"},
+                {WHIRL_QUANTITY_SIZE, 2.54e-5, 2.0, "mil p-p"}, // SI is zero to peak
+                {WHIRL_QUANTITY_SPAN, 2.54e-5, 1.0, "mil p-p"},
+                {WHIRL_QUANTITY_SPEED, 1.047198e-1, 1.0, "rpm"},
+                {WHIRL_QUANTITY_FREQUENCY, 1.047198e-1, 1.0, "cpm"}};
+    made own = made_in("US");
+    own.of.units = &own.units;
+    whirl_sheet *sheet = find_sheet(&own.of, "units", "Units");
+    const size_t count = sizeof rows / sizeof *rows;
+    for (size_t c = 0; c < count; c++) sheet_column(&own.of, sheet, "key", "heading", rows[c].quantity, 6);
+    sheet_row(&own.of, sheet);
+    for (size_t c = 0; c < count; c++) cell_number(&own.of, sheet, rows[c].si);
+    for (size_t c = 0; c < count; c++) {
+        const whirl_column *column = &sheet->column[c];
+        assert_string_equal(column->unit, rows[c].unit);
+        const double half_of_the_seventh_figure = 5e-7;
+        assert_true(fabs(sheet->cells[c].number / column->size / rows[c].shown - 1.0) < half_of_the_seventh_figure);
+    }
+    made_free(&own);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(phrases),         cmocka_unit_test(empty_columns),      cmocka_unit_test(letters),
+        cmocka_unit_test(transposed),      cmocka_unit_test(sheets_of_one_name), cmocka_unit_test(memory_is_lacking),
+        cmocka_unit_test(customary_units),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
