@@ -1,6 +1,5 @@
 """Unbalances by rule, and responses scaled by them, of a rotor whose weight is told in closed form."""
 
-import json
 import re
 import subprocess
 
@@ -118,22 +117,24 @@ def test_response_is_that_of_such_unbalances(rule):
         assert np.allclose(by_rule[name], by_hand[name], rtol=1e-10, atol=1e-16)
 
 
-def test_scaled_responses(tmp_path):
+def test_scaled_responses():
     """The limit over the largest amplitude that a probe sees where it runs scales the major axis at the gap."""
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left right", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
     result = whirl.run(whirl.Case(text=text), progress=False)
-    result.save(tmp_path / "r.h5")
-    summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
     table = result["unbalance"]
     running = table["unbalance/speed"].ravel() > 4999 * RPM
     seen = 2e-3 * table["unbalance/probe"][running][:, [0, 4]].max()
     limit = 25.4e-6
     axes = 2e-3 * table["unbalance/axes"][:, 2, 0] * min(6, limit / seen)
-    assert f"largest at a probe where it runs {seen * 1e6:.4g} um p-p" in summary
-    assert f"responses are scaled by {min(6, limit / seen):.4g}" in summary
-    assert f"middle: scaled major axis {axes.max() * 1e6:.4g} um p-p" in summary
-    assert f"{100 * axes.max() / 1e-3:.3g} % of the diametral clearance 1000 um, 75 % allowed" in summary
+    (told,) = [own for own in result.statements() if own.what == "scaled responses"]
+    assert told.values["found"] == pytest.approx((limit, seen, min(6, limit / seen)), rel=1e-9)
+    assert f"the largest that a probe sees where the machine runs {seen * 1e6:.4g} µm p-p" in told.found
+    (clearance,) = result.sheet("clearances").records(si=True)
+    assert (clearance["station"], clearance["verdict"]) == ("middle", "holds")
+    assert clearance["axis"] == pytest.approx(axes.max(), rel=1e-9)
+    assert clearance["clearance"] == pytest.approx(1e-3, rel=1e-12)
+    assert clearance["share"] == pytest.approx(100 * axes.max() / 1e-3, rel=1e-9)
 
 
 def test_clearances_up_to_the_trip_speed(tmp_path):
@@ -148,30 +149,30 @@ def test_clearances_up_to_the_trip_speed(tmp_path):
         result.save(tmp_path / "r.h5", overwrite=True)
         shown = [COMMAND, "show", tmp_path / "r.h5"]
         summary = subprocess.run(shown, capture_output=True, text=True, check=True).stdout
-        told = subprocess.run([*shown, "--json"], capture_output=True, text=True, check=True).stdout
-        return result["unbalance"], json.loads(told)["margins"]["unbalance"]["scaled"], summary
+        (clearance,) = result.sheet("clearances").records(si=True)
+        (told,) = [own for own in result.statements() if own.what == "scaled responses"]
+        return result["unbalance"], clearance, told, summary
 
-    table, of, summary = scaled(2500)
-    (clearance,) = of["clearances"]
+    table, clearance, told, summary = scaled(2500)
+    _, _, factor, trip = told.values["found"]
     upto = table["unbalance/speed"].ravel() < 3001 * RPM
-    axes = 2e-3 * of["factor"] * table["unbalance/axes"][:, 2, 0]
+    axes = 2e-3 * factor * table["unbalance/axes"][:, 2, 0]
     assert clearance["axis"] == pytest.approx(axes[upto].max(), rel=1e-9) and axes.argmax() >= upto.sum()
-    assert clearance["speed"] <= 3000.001 * RPM and of["reaches_trip"] and of["trip"] == pytest.approx(2500 * RPM)
-    assert "clearances count up to the trip speed, 2500 rpm" in summary
-    _, of, summary = scaled(9500)
-    assert of["reaches_trip"] is False and of["clearances"][0]["axis"] == pytest.approx(axes.max(), rel=1e-9)
+    assert clearance["speed"] <= 3000.001 * RPM and trip == pytest.approx(2500 * RPM)
+    assert "clearances count up to the trip speed, 2500 rpm" in summary and "2500 rpm" in told.found
+    _, clearance, told, summary = scaled(9500)
+    assert "do not reach the trip speed" in told.found and clearance["axis"] == pytest.approx(axes.max(), rel=1e-9)
     assert "points do not reach the trip speed, 9500 rpm: compute more points" in summary
     with pytest.raises(whirl.Error, match="expected at least the highest running speed"):
         scaled(1500)
 
 
-def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled(tmp_path):
+def test_responses_that_do_not_reach_over_the_running_speeds_are_not_scaled():
     own = "    - unbalance: {at: middle, moment: 0.3 kg.mm}"
     text = CASE.format(rule=", probes_at: left", unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
     beyond = whirl.run(whirl.Case(text=text.replace("from: 1000 rpm", "from: 5100 rpm")), progress=False)
-    beyond.save(tmp_path / "r.h5", overwrite=True)
-    summary = subprocess.run([COMMAND, "show", tmp_path / "r.h5"], capture_output=True, text=True, check=True).stdout
-    assert "responses are not scaled: points do not reach over the running speeds" in summary
+    (told,) = [own.found for own in beyond.statements() if own.what == "scaled responses"]
+    assert told.startswith("none: points do not reach over the running speeds")
 
 
 # A rigid disc, m 100 kg, K 1e7 N/m, C 4000 N s/m: its decrement is 0 at Q = C sqrt(K/m).
@@ -280,15 +281,12 @@ def test_coefficients_of_short_films():
         assert np.isnan(table["statics/stiffness"][point][1]).all()
 
 
-def test_margins_are_asked_where_probes_are(tmp_path):
+def test_margins_are_asked_where_probes_are():
     def peaks(rule):
         own = "    - unbalance: {at: middle, moment: 3 kg.mm}"
         text = CASE.format(rule=rule, unbalances=own, k=20, end=1.9, mass=20, trip=TRIP)
         text = text.replace("points: 9,", "points: 321,")
-        path = tmp_path / "case.yaml"
-        path.write_text(text)
-        told = subprocess.run([COMMAND, "run", path, "--json"], capture_output=True, text=True, check=True).stdout
-        return json.loads(told)["margins"]["unbalance"]["peaks"]
+        return whirl.run(whirl.Case(text=text), progress=False).sheet("peaks").records(si=True)
 
     everywhere, probed = peaks(""), peaks(", probes_at: [left, right]")
     assert len(everywhere) == len(probed) > 0
@@ -297,7 +295,7 @@ def test_margins_are_asked_where_probes_are(tmp_path):
         if after["station"] in ("left", "right"):
             assert before == after
         else:
-            unjudged = {"asked": None, "margin": None, "holds": None, "above": False}
+            unjudged = {"asked": None, "margin": None, "side": "", "verdict": "at none of probes_at: not judged"}
             assert after == before | unjudged
 
 
@@ -325,6 +323,5 @@ study:
     subprocess.run([COMMAND, "run", path, "-q", "-o", tmp_path / "r.h5"], check=True)
     subprocess.run([COMMAND, "report", tmp_path / "r.h5", "-q", "--lateral", "-o", tmp_path / "out"], check=True)
     page = " ".join(re.sub("<[^>]*>", " ", (tmp_path / "out/lateral.html").read_text()).split())
-    assert "No peak that a probe sees at the speeds that were looked at has an amplification of 2.5 or more" in page
-    assert "2 peaks of that amplification at stations without a probe are not judged." in page  # x and y of the disc
+    assert "2 peaks of that amplification at stations without a probe not judged" in page  # x and y of the disc
     assert "no amplification of 2.5 or more at a probe at the speeds that were looked at" in page

@@ -260,8 +260,12 @@ except ImportError as refused:
 
 
 def test_subinterpreters_are_refused_in_words():
-    done = subprocess.run([sys.executable, "-c", SUBINTERPRETER], capture_output=True, text=True, timeout=60, check=False)
-    assert done.stdout == "whirl works in the main interpreter of a program alone, not in a subinterpreter\n", done.stderr
+    done = subprocess.run(
+        [sys.executable, "-c", SUBINTERPRETER], capture_output=True, text=True, timeout=60, check=False
+    )
+    assert (
+        done.stdout == "whirl works in the main interpreter of a program alone, not in a subinterpreter\n"
+    ), done.stderr
 
 
 def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .case import Case
     from .errors import BadInput, Error, ExistingFile, FileFailure, MissingFile, MissingProgram, NumericalFailure
     from .errors import OutOfMemory, ReadOnlyCopy, Stopped
+    from .findings import Column, Sheet, Statement, Statements
     from .result import Parameter, Result, Station, open, read
     from .running import run
     from .table import Field, Table
@@ -30,6 +31,10 @@ _HOMES = {
     "Field": "table",
     "Station": "result",
     "Parameter": "result",
+    "Statement": "findings",
+    "Statements": "findings",
+    "Sheet": "findings",
+    "Column": "findings",
     "Bearing": "bearings",
     "bearing": "bearings",
     "open": "result",

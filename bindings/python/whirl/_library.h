@@ -124,6 +124,9 @@ bool whirl_result_name_fits(const char *path);
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
                                  const char *told, size_t *index);
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
+whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
+                                   char **text);
+whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
                                 char **json);
 void whirl_text_free(char *text);

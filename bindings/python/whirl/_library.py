@@ -72,6 +72,14 @@ def text(pointer):
     return None if pointer == ffi.NULL else ffi.string(pointer).decode("utf-8", "replace")
 
 
+def taken(pointer):
+    """The text at a ``char **`` of the library, which is freed."""
+    try:
+        return text(pointer[0]) or ""
+    finally:
+        lib.whirl_text_free(pointer[0])
+
+
 def check(status):
     """Raises what a status says, if it is no success."""
     if status.code != OK:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import errors
-from ._library import check, ffi, lib, text, word_bytes
+from ._library import check, ffi, lib, taken, word_bytes
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,19 +33,11 @@ def _word(value):
     return ffi.NULL if value is None else word_bytes(value)
 
 
-def _taken(pointer):
-    """The text at a ``char **`` of the library, which is freed."""
-    try:
-        return text(pointer[0]) or ""
-    finally:
-        lib.whirl_text_free(pointer[0])
-
-
 def names_of(handle) -> dict[str, str]:
     """Names and titles of the figures of a result."""
     out = ffi.new("char **")
     check(lib.whirl_result_figures(handle, ffi.NULL, out))
-    return dict(line.split("\t", 1) for line in _taken(out).splitlines())
+    return dict(line.split("\t", 1) for line in taken(out).splitlines())
 
 
 def describe(handle, name, units, panels, log) -> dict[str, Any]:
@@ -53,7 +45,7 @@ def describe(handle, name, units, panels, log) -> dict[str, Any]:
     out = ffi.new("char **")
     chosen = ",".join(panels) if isinstance(panels, (list, tuple)) else panels
     check(lib.whirl_result_figure(handle, _word(name), _word(units), _word(chosen), _word(log), out))
-    return json.loads(_taken(out))
+    return json.loads(taken(out))
 
 
 # ---------------------------------------------------------------- series

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from .findings import Sheet, Statements
     from .plot import Plots
 
 __all__ = ["Parameter", "Station", "Result", "open", "read"]
@@ -260,7 +261,8 @@ class Result:
         return Case(text=self.case_text, name=self.case_name)
 
     def show_in(self, units: str) -> Result:
-        """Chooses the units of figures, as ``whirl report --units`` does; those of the case without it.
+        """Chooses the units of figures, statements and sheets, as ``whirl report --units`` does; those of the case without
+        it.
 
         Parameters
         ----------
@@ -374,6 +376,38 @@ class Result:
         from .figure import draw
 
         return draw(self.figure_data(name, panels, log, units), ax)
+
+    def statements(self, units: str | None = None) -> Statements:
+        """What was found of machines at rest, of branches, tori and spectra: a list of :class:`whirl.Statement`.
+
+        Parameters
+        ----------
+        units : str, optional
+            Of the numbers in texts, "um, rpm, Hz, p-p" or "US"; those of the result.
+        """
+        from .findings import statements_of
+
+        return statements_of(self._figured(), units)
+
+    def sheets(self, units: str | None = None) -> dict[str, Sheet]:
+        """Tables of what was found as documents show them, by their names: "peaks", or "TABLE/peaks" where several
+        tables have one. ``units`` as of :meth:`statements`."""
+        from .findings import sheets_of
+
+        return ReadOnly(sheets_of(self._figured(), units), "sheets are what was found")
+
+    def sheet(self, name: str, units: str | None = None) -> Sheet:
+        """One of :meth:`sheets`; "TABLE/peaks" is always understood. BadInput for one that is not there."""
+        from .findings import sheet_of
+
+        return sheet_of(self._figured(), name, units)
+
+    def sheet_text(self, name: str | None = None, format: str = "text", units: str | None = None) -> str:
+        """A sheet as ``whirl table`` writes it: "text", "csv", "latex" (a table with rules of booktabs) or "json". All
+        statements and sheets without a name, as "text" or "json"."""
+        from .findings import text_of
+
+        return text_of(self._figured(), name, units, format)
 
     def _figured(self):
         """The result as the library has it: of one that lies in a file, all of it is read."""

@@ -1,0 +1,194 @@
+"""Statements and sheets in Python are those of the command, number by number, in the units shown."""
+
+import csv
+import io
+import json
+import re
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from conftest import ROOT, command
+
+import whirl
+
+RPM = 2 * np.pi / 60
+
+
+def at_rest(name):
+    """A shipped case without its motions, at few points."""
+    text = (ROOT / f"cases/{name}.yaml").read_text()
+    head, study = re.split(r"(?m)^study:\n", text)
+    motions = "sweep|motions|starts|initial|integrate|keep|analyze|detail"
+    study = re.sub(rf"(?m)^  ({motions}):.*\n(    .*\n)*", "", study)
+    return f"{head}study:\n{re.sub('points: [0-9]+', 'points: 4', study)}"
+
+
+SHIPPED = ("floating-ring", "magnetic-drop", "misalignment", "pump", "ross-example", "tilting-pad-table")
+OWN = ("modes", "branch", "tori")
+
+
+@pytest.fixture(scope="module", params=SHIPPED + OWN)
+def file(request, tmp_path_factory):
+    folder = tmp_path_factory.mktemp(request.param)
+    text = (
+        at_rest(request.param) if request.param in SHIPPED else (ROOT / f"tests/cli/{request.param}.yaml").read_text()
+    )
+    (folder / "case.yaml").write_text(text)
+    command("run", folder / "case.yaml", "-q", "-o", folder / "r.h5")
+    return folder / "r.h5"
+
+
+@pytest.fixture(scope="module")
+def modes():
+    return whirl.run(whirl.Case(ROOT / "tests/cli/modes.yaml"), progress=False)
+
+
+def phrase(of):
+    return of["text"], tuple(np.nan if number is None else number for number in of["values"])
+
+
+def test_statements_and_sheets_are_those_of_the_command(file):
+    document = json.loads(command("show", file, "--json").stdout)
+    result = whirl.open(file)
+    statements = result.statements()
+    assert len(statements) == len(document.get("statements", []))
+    for own, told in zip(statements, document.get("statements", [])):
+        for name in ("table", "what", "verdict", "text"):
+            assert getattr(own, name) == told[name]
+        assert (own.station, own.clause) == (told.get("station", ""), told.get("clause", ""))
+        for name in ("at", "asked", "found", "told"):
+            if name in told:
+                np.testing.assert_equal((getattr(own, name), own.values[name]), phrase(told[name]))
+        assert own.found in str(own) and own.told in str(own)
+    sheets = result.sheets()
+    assert len(sheets) == len(document["sheets"]) > 0
+    for (key, own), told in zip(sheets.items(), document["sheets"]):
+        assert (own.table, own.name, own.title) == (told["table"], told["name"], told["title"])
+        assert own.si == result.sheet(f"{own.table}/{own.name}").si == result.sheet(key).si
+        assert len(own) == len(told["rows"]) and all(len(row) == len(own.columns) for row in told["rows"])
+        for row, shown, cells in zip(own.si, own.rows, told["rows"]):
+            for column, number, in_unit, cell in zip(own.columns, row, shown, cells):
+                assert number == (tuple(cell) if isinstance(cell, list) else cell)
+                if isinstance(cell, float):
+                    assert in_unit * column.size == pytest.approx(cell, rel=1e-15)
+
+
+def test_texts_are_the_numbers(file):
+    """CSV has every number as `rows` have it; text and LaTeX as `texts` have it, to their digits."""
+    result = whirl.open(file)
+    for key, sheet in result.sheets().items():
+        heading, *rows = csv.reader(io.StringIO(result.sheet_text(key, "csv"), newline=""))
+        assert heading == [column.title for column in sheet.columns] and len(rows) == len(sheet)
+        for row, texts in zip(sheet.rows, rows):
+            for cell, text in zip(row, texts):
+                assert (
+                    text == (cell or "")
+                    if isinstance(cell, (str, type(None)))
+                    else isinstance(cell, tuple) or float(text) == cell
+                )
+        text, latex = result.sheet_text(key), result.sheet_text(key, "latex")
+        for row, texts in zip(sheet.rows, sheet.texts):
+            for column, cell, shown in zip(sheet.columns, row, texts):
+                numbers = cell if isinstance(cell, tuple) else [] if isinstance(cell, (str, type(None))) else [cell]
+                for number, one in zip(numbers, shown.split(column.between) if column.between else [shown]):
+                    assert float(one) == pytest.approx(number, rel=0.51 * 10 ** (1 - column.digits))
+        assert latex.count("\\\\\n") == len(sheet) + 1
+        for cell in (cell for row in sheet.texts for cell in row):
+            assert cell in text and re.sub(r"([%&_#$])", r"\\\1", cell).replace("µ", "$\\mu$") in latex
+        assert text == command("table", file, key).stdout
+
+
+def test_closed_form(modes):
+    """A disc of 2 kg on springs of 80 and 200 kN/m."""
+    speeds = [np.sqrt(80e3 / 2), np.sqrt(200e3 / 2)]
+    sheet = modes.sheet("critical")
+    keys = [column.key for column in sheet.columns]
+    assert [row[keys.index("omega")] for row in sheet.si] == pytest.approx(speeds, rel=1e-9)
+    assert sheet["omega"] == pytest.approx(np.array(speeds) / RPM, rel=1e-9)
+    assert sheet.columns[keys.index("omega")].title == "omega (rpm)"
+    assert [record["what"] for record in sheet.records()] == ["critical speed"] * 2
+    (told,) = [own for own in modes.statements() if own.what.startswith("critical speeds")]
+    assert told.values["found"] == pytest.approx(speeds, rel=1e-9) and told.found == "1909.9 rpm, 3019.8 rpm"
+    assert told.table == "modes" and told.verdict == "none asked for" and not told.clause
+
+
+def test_units_are_those_of_figures(file):
+    """The same numbers in SI, whatever they are shown in; parameters that are no speeds keep the unit of the case."""
+    result = whirl.open(file)
+    metric, customary = result.sheets("SI, Hz"), result.sheets("US")
+    assert result.show_in("US").sheets() == customary
+    for key, sheet in customary.items():
+        assert sheet.si == metric[key].si and sheet.keys == metric[key].keys
+        units = {column.unit for column in sheet.columns if column.key not in result.parameters}
+        assert not units & {"m", "mm", "µm p-p", "N", "kg mm", "MN/m", "kN s/m", "Hz"}
+
+
+def test_frames(modes):
+    pytest.importorskip("pandas")
+    sheet = modes.sheet("lowest")
+    frame = sheet.to_pandas()
+    assert list(frame.columns) == [column.title for column in sheet.columns] and len(frame) == len(sheet)
+    for at, key in enumerate(frame.attrs["keys"]):
+        if frame.iloc[:, at].dtype.kind == "f":
+            np.testing.assert_array_equal(frame.iloc[:, at], sheet[key])
+    statements = modes.statements()
+    assert list(statements.to_pandas()["found"]) == [own.found for own in statements]
+
+
+def test_frames_without_pandas(modes, monkeypatch):
+    monkeypatch.setitem(__import__("sys").modules, "pandas", None)
+    with pytest.raises(ImportError, match="pip install pandas"):
+        modes.sheet("critical").to_pandas()
+
+
+class Cells(HTMLParser):
+    """The texts of the cells of a table."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.found, self.inside = [], False
+        self.feed(page)
+
+    def handle_starttag(self, tag, _attributes):
+        self.inside = tag == "td"
+        self.found += [""] if self.inside else []
+
+    def handle_endtag(self, _tag):
+        self.inside = False
+
+    def handle_data(self, data):
+        if self.inside:
+            self.found[-1] += data
+
+
+def test_notebooks_show_what_texts_do(file):
+    result = whirl.open(file)
+    for sheet in result.sheets().values():
+        shown = [column for column in zip(*sheet.texts) if any(column)]
+        assert Cells(sheet._repr_html_()).found == [text for row in zip(*shown) for text in row]
+    cells = Cells(result.statements()._repr_html_()).found
+    assert all(own.found in cells and own.told in cells for own in result.statements())
+
+
+def test_motions_without_spectra_have_none():
+    text = re.sub("analyze: .*", "analyze: [orbit]", (ROOT / "tests/cli/good.yaml").read_text())
+    result = whirl.run(whirl.Case(text=text), progress=False)
+    assert result.statements() == [] and result.sheets() == {}
+    with pytest.raises(whirl.BadInput, match="the result has no sheets"):
+        result.sheet("peaks")
+
+
+def test_what_is_wrong_is_said(modes):
+    with pytest.raises(whirl.BadInput, match="there is no sheet 'lowst', did you mean lowest"):
+        modes.sheet("lowst")
+    with pytest.raises(whirl.BadInput, match="expected text, csv, latex or json"):
+        modes.sheet_text("lowest", "xlsx")
+    with pytest.raises(whirl.BadInput, match="holds one sheet, expected the name of one"):
+        modes.sheet_text(format="csv")
+    with pytest.raises(whirl.BadInput, match="did you mean rpm"):
+        modes.statements("rpn")
+    with pytest.raises(KeyError, match="no column 'speeds', expected one of: "):
+        modes.sheet("lowest")["speeds"]
+    with pytest.raises(KeyError, match="did you mean 'lowest'"):
+        modes.sheets()["lowes"]
