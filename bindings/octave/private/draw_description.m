@@ -129,15 +129,6 @@ end
 hold(axes_handle, 'off');
 end
 
-function items = list_of(decoded)
-% Objects of an array: jsondecode makes one struct of those with the same keys, and a list of others.
-if iscell(decoded)
-    items = decoded(:);
-else
-    items = num2cell(decoded(:));
-end
-end
-
 function list = named(list)
 % Series that stand in a legend, each name once.
 names = cellfun(@(series) series.name, list, 'UniformOutput', false);
