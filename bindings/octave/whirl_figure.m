@@ -1,7 +1,7 @@
 function drawn = whirl_figure(file, varargin)
 % WHIRL_FIGURE  Draws a figure of a result as reports show it: its panels, units, colours, ticks and legend.
-%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, that is not the machine,
-%   into the current figure window, which is cleared.
+%   WHIRL_FIGURE(FILE) draws the first figure of the result FILE (.h5), or of what WHIRL_READ gave, that is not the
+%   machine, into the current figure window, which is cleared.
 %   WHIRL_FIGURE(FILE, NAME) draws that figure; WHIRL_FIGURE(FILE, 'list') prints what there is, and
 %   NAMES = WHIRL_FIGURE(FILE, 'list') gives the names.
 %   WHIRL_FIGURE(..., 'panels', 'x,exponent') draws these panels alone, 'units', 'um, rpm' in these units, 'log', 'xy'

@@ -121,7 +121,7 @@ test('every statement, every cell of every sheet and every figure is there', asy
   await close();
 });
 
-test('the page begins with the drawing, of this machine alone; the live views begin at a station with a probe', async () => {
+test('the page begins with the drawing of this machine alone; live views begin at a station with a probe', async () => {
   const { page, complaints, close } = await opened();
   assert.equal(await page.getAttribute('.document > .card >> nth=0', 'data-figure'), 'rotor');
   assert.equal(await page.locator('.topbar select[aria-label="Machine"] option').count(), 1);

@@ -12,8 +12,8 @@
 /// direction, but for its size. Above 0 forward.
 void direction_area(const whirl_system *system, const double *a, const double *b, double out[2]);
 
-/// Takes displacements of the probes for 0 that are rounding, of a mode v [dimension][2] that moves none of them: one of
-/// tilts alone, or of a node between stations.
+/// Takes displacements of the probes for 0 that are rounding, of a mode v [dimension][2] that moves none of them: one
+/// of tilts alone, or of a node between stations.
 void direction_drop_rounding(const whirl_system *system, double *v);
 
 /// Of a motion Re(v exp(i w t)), v [dimension][2]: whirl_mode.direction.

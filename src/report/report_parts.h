@@ -57,8 +57,8 @@ void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 // ---------------------------------------------------------------- explorer_contents
 // What was found of a result, in the explorer: statements, sheets and figures of every table.
 
-/// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of machines
-/// at rest, or of motions that the page does not compute; of all others nothing. False without memory.
+/// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of
+/// machines at rest, or of motions that the page does not compute; of all others nothing. False without memory.
 bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units);
 
 // ---------------------------------------------------------------- findings

@@ -99,7 +99,7 @@ class Sheet:
         return len(self.rows)
 
     def __getitem__(self, key: str) -> Any:
-        """A column by its key, in the unit shown: an array (NaN where there is no number), or a list of what is none."""
+        """A column by its key, in the unit shown: an array (NaN for no number), or a list of what is none."""
         if key not in self.keys:
             raise KeyError(f"the sheet '{self.name}' has no column '{key}', expected one of: {', '.join(self.keys)}")
         at = self.keys.index(key)

@@ -77,7 +77,7 @@ function introOf(run: Run): string {
 /// Of a part of a result.
 export function introOfPart({ id, view }: Part): string {
   if (id === MACHINE)
-    return 'The machine, and what was found of it. The contents lead to every part of the result, and to its live views.';
+    return 'The machine, and what was found of it. The contents lead to all parts of the result and its live views.';
   if (view === 'motions') return OWN;
   return view
     ? AT_REST[view]

@@ -276,12 +276,8 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
 
 /// What outweighs what among the ends of copies: coming to rest, being lost, not telling, going on.
 static int end_rank(whirl_regime regime) {
-    static const int ranks[] = {[WHIRL_CHAOTIC] = 0,
-                                [WHIRL_UNDETERMINED] = 1,
-                                [WHIRL_NOT_JUDGED] = 1,
-                                [WHIRL_DIVERGING] = 2,
-                                [WHIRL_QUASI_PERIODIC] = 3,
-                                [WHIRL_PERIODIC] = 4};
+    static const int ranks[] = {[WHIRL_CHAOTIC] = 0,   [WHIRL_UNDETERMINED] = 1,   [WHIRL_NOT_JUDGED] = 1,
+                                [WHIRL_DIVERGING] = 2, [WHIRL_QUASI_PERIODIC] = 3, [WHIRL_PERIODIC] = 4};
     return ranks[regime];
 }
 

@@ -89,7 +89,8 @@ static whirl_result *map_of(size_t columns, size_t rows) {
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
     const size_t count = columns * rows, size = sizeof names / sizeof *names;
-    *table = (whirl_table){.name = "map", .role = WHIRL_ROLE_MAP, .parameter = "a", .second = "b", .row = columns, .count = count};
+    *table = (whirl_table){
+        .name = "map", .role = WHIRL_ROLE_MAP, .parameter = "a", .second = "b", .row = columns, .count = count};
     table->layout = (whirl_layout){.field_count = size, .size = size};
     for (size_t f = 0; f < size; f++) {
         table->layout.fields[f] = (whirl_field){
@@ -227,10 +228,10 @@ static whirl_result *many_orbits(size_t count) {
     whirl_table *table = calloc(1, sizeof *table);
     assert_true(result && table);
     *table = (whirl_table){.name = "branch",
-                            .role = WHIRL_ROLE_BRANCHES,
-                            .parameter = "a",
-                            .count = count,
-                            .record = whirl_record_default()};
+                           .role = WHIRL_ROLE_BRANCHES,
+                           .parameter = "a",
+                           .count = count,
+                           .record = whirl_record_default()};
     table->record.trace.segments = SEGMENTS;
     table->record.trace.longest = 1;
     whirl_analysis_add(&table->analyses, "trace");
