@@ -39,11 +39,12 @@ test('bands of tori lie over the diagram with their rotation numbers', { timeout
   await close();
   assert.deepEqual(complaints, []);
   assert.ok(!/NaN|Infinity/.test(svg));
-  const shown = command('show', 'tori.h5').match(/rotation number ([\d.]+) to ([\d.]+)/);
+  const shown = command('show', 'tori.h5').match(/rotation number +([\d.]+) to ([\d.]+)/);
   const label = svg.match(/>rotation ([\d.]+) to ([\d.]+)</);
   for (const i of [1, 2]) assert.ok(Math.abs(Number(shown[i]) - Number(label[i])) < 1e-5);
   // The band is filled once, through the edges of all tori and the orbits at which they begin and end.
-  const tori = Number(command('show', 'tori.h5').match(/torus 1: (\d+) points/)[1]);
+  const { columns, rows } = JSON.parse(command('show', 'tori.h5', '--json')).sheets.find(({ name }) => name === 'tori');
+  const tori = rows[0][columns.findIndex(({ key }) => key === 'points')];
   const filled = [...svg.matchAll(/<path[^>]*?\bd="([^"]*)"[^>]*>/g)]
     .filter(([whole]) => /opacity="0?\.28"/.test(whole))
     .map(([, path]) => pointsOf(path));

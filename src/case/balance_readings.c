@@ -63,7 +63,7 @@ static void append(file_node *parent, file_node *node) {
 
 /// "amplitude [um]", "amplitude (um)" or "amplitude": a key of the group, and the unit of all its numbers.
 static void read_heading(readings_table *table, char *text, int column) {
-    const char *names[MAX_COLUMNS], *unit = "";
+    const char *names[MAX_COLUMNS] = {NULL}, *unit = "";
     char advice[WHY_SIZE], shown[SHOWN_SIZE];
     size_t length = strcspn(text, "[("), count = 0;
     if (text[length]) {

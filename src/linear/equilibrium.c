@@ -218,11 +218,11 @@ static void move_with_load(const mean_system *m, const double *load, double dist
 /// A machine that nothing holds where it starts (within clearances) falls the way its load points; the load is brought
 /// on at once where something holds it.
 static bool fall(search *s, const double *start, double *at) {
-    const double first = 1e-6, furthest = 1e3;
+    enum { DOUBLINGS = 30 }; // from a millionth of the length scale to a thousand of them
     s->share = 1.0;
-    for (double distance = first; distance < furthest; distance *= 2.0) {
+    for (int k = 0; k < DOUBLINGS; k++) {
         memcpy(at, start, s->mean->system->dimension * sizeof *at);
-        move_with_load(s->mean, s->load, distance, at);
+        move_with_load(s->mean, s->load, ldexp(1e-6, k), at);
         if (mean_settle(s->mean, at) && solve(s, at)) return true;
     }
     return false;

@@ -129,8 +129,9 @@ static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
     double *x = malloc(count * sizeof *x);
     if (!x) return false;
     double *y = x + grid.columns, *z = y + grid.rows;
+    const bool any = grid.columns > 0 && grid.rows > 0;
     for (size_t i = 0; i < count; i++) x[i] = (double)NAN;
-    for (size_t p = first_chosen(chosen); p < chosen->table->count; p = next_chosen(chosen, p)) {
+    for (size_t p = first_chosen(chosen); any && p < chosen->table->count; p = next_chosen(chosen, p)) {
         const size_t cell = cell_of(chosen, grid, p);
         x[cell % grid.columns] = chosen->table->values[p];
         y[cell / grid.columns % grid.rows] = whirl_table_second(chosen->table, p);

@@ -74,7 +74,7 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
 
 /// A figure's data and its script in the folder of its result.
 static whirl_status write_figure(const char *folder, const whirl_figure *figure) {
-    report_file file;
+    report_file file = {0};
     char name[FIGURE_FILE_SIZE];
     snprintf(name, sizeof name, "%s.dat", figure->name);
     whirl_status status = report_file_open(&file, folder, name);
@@ -161,7 +161,7 @@ static void compare(report *made, const whirl_result *const *results, size_t cou
 
 static whirl_status write_page(const report *made, const whirl_result *const *results, const char *const *names,
                                size_t count, const char *directory, const whirl_report_options *options, bool lateral) {
-    report_file file;
+    report_file file = {0};
     const whirl_status status = report_file_open(&file, directory, lateral ? "lateral.html" : "report.html");
     if (status.code != WHIRL_OK) return status;
     bool failed = false;

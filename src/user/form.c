@@ -30,8 +30,9 @@ static whirl_status form_judge(const whirl_user_system *system, const form_argum
         if (form_changed(a, arguments[i], i))
             return whirl_fail(WHIRL_BAD_INPUT, "the %s change the %s that they are given, expected %s", name, names[i],
                               form);
-    // The slopes of displacements are the velocities, whatever a function writes.
+    // The slopes of displacements are the velocities, whatever a function writes. The very bits are asked for.
     for (size_t k = system->displacements; k < system->dimension; k++)
+        // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c)
         if (memcmp(&a->slopes[k], &unwritten, sizeof unwritten) == 0)
             return whirl_fail(WHIRL_BAD_INPUT, "the %s leave number %zu of %zu unwritten, expected %s", name, k,
                               system->dimension, form);

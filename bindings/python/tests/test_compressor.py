@@ -155,15 +155,14 @@ def test_response(case, rotor, seals):
             assert abs(own - expected).max() < tolerance * abs(expected).max()
 
 
-def test_peaks_and_margins(case, rotor, tmp_path):
+def test_peaks_and_margins(case, rotor):
     """Criticals as probes at the bearings see them: peak, amplification by half power, margins had and asked for."""
     study = (
         "unbalance: {parameter: speed, from: 4001 rpm, to: 10999 rpm, points: 101, running_from: 7000 rpm, "
         f"running_to: {MAXIMUM} rpm, antinodes_of: 1, probes_at: [bearing_0, bearing_1]}}"
     )
     result = run(case[False], study, USUAL)
-    result.save(tmp_path / "r.h5")
-    summary = command("show", tmp_path / "r.h5").stdout
+    peaks = result.sheet("peaks").records(si=True)
     unbalances, largest = placed(result["unbalance"]), 0
     for name, node in zip(("bearing_0", "bearing_1"), JOURNALS):
 
@@ -172,20 +171,18 @@ def test_peaks_and_margins(case, rotor, tmp_path):
 
         top, height, amplification = peak(amplitude, 4001 * RPM, 9000 * RPM)
         largest = max(largest, *(2e6 * amplitude(speed) for speed in (7000 * RPM, MAXIMUM * RPM)))
-        seen = re.search(
-            rf"  {name}: .*\n    0 deg: peak at (\S+) rpm, (\S+) um 0-p, amplification (\S+) \(half power\); "
-            r"margin (\S+) % below, (\S+) % asked for: fails",
-            summary,
-        )
-        speed, size, factor, margin, asked = map(float, seen.groups())
+        seen = next(row for row in peaks if row["station"] == name and row["probe"] == 0)
+        assert (seen["found_by"], seen["side"], seen["verdict"]) == ("half power", "below", "fails")
+        speed, size, factor = seen["speed"] / RPM, 1e6 * seen["amplitude"], seen["amplification"]
+        margin, asked = seen["margin"], seen["asked"]
         assert speed == pytest.approx(top / RPM, rel=1e-4)  # points are 70 rpm apart
         assert size == pytest.approx(1e6 * height, rel=3e-4)
         assert factor == pytest.approx(amplification, rel=1e-3)
         assert margin == pytest.approx(100 * (1 - top / RPM / 7000), abs=0.01)
         assert asked == pytest.approx(margin_asked(amplification, True), abs=0.06)
-    scaled = re.search(r"largest at a probe where it runs (\S+) um p-p .*: responses are scaled by (\S+)", summary)
-    assert float(scaled[1]) == pytest.approx(largest, rel=3e-4)
-    assert float(scaled[2]) == pytest.approx(25.4 / largest, rel=2e-3)  # 10500 rpm: the limit is 25.4 um
+    scaled = next(one for one in result.statements() if one.what == "scaled responses").values
+    assert 1e6 * scaled[1] == pytest.approx(largest, rel=1e-4)
+    assert scaled[2] == pytest.approx(25.4 / largest, rel=1e-4)  # 10500 rpm: the limit is 25.4 um
 
 
 def test_weight(case, rotor):

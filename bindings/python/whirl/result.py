@@ -261,7 +261,7 @@ class Result:
         return Case(text=self.case_text, name=self.case_name)
 
     def show_in(self, units: str) -> Result:
-        """Chooses the units of figures, statements and sheets, as ``whirl report --units`` does; else the case's are shown.
+        """Chooses the units of figures, statements and sheets, as ``whirl report --units`` does; else the case's are.
 
         Parameters
         ----------

@@ -231,11 +231,13 @@ void cell_value(const finder *of, whirl_sheet *sheet, size_t point) {
 whirl_findings *find_begin(void) {
     whirl_findings *all = calloc(1, sizeof *all);
     find_memory *memory = calloc(1, sizeof *memory);
-    if (all) all->memory = memory;
-    if (all && memory) return all;
-    free(all);
-    free(memory);
-    return NULL;
+    if (!all || !memory) {
+        free(all);
+        free(memory);
+        return NULL;
+    }
+    all->memory = memory;
+    return all;
 }
 
 void whirl_findings_free(whirl_findings *findings) {

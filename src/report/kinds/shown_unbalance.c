@@ -90,8 +90,11 @@ static void find_peaks(const finder *of) {
 static void find_clearances(const finder *of, const scaled *by) {
     whirl_sheet *sheet = find_sheet(of, "clearances", "Scaled responses and clearances");
     scaled_row *rows = malloc((of->result->station_count + 1) * sizeof *rows);
-    const size_t count = rows ? scaled_rows(of->result, of->table, by, rows) : 0;
-    if (!rows) of->findings->failed = true;
+    if (!rows) {
+        of->findings->failed = true;
+        return;
+    }
+    const size_t count = scaled_rows(of->result, of->table, by, rows);
     sheet_texts(of, sheet, "station", "station");
     sheet_column(of, sheet, "axis", "scaled major axis", WHIRL_QUANTITY_SPAN, 4);
     sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);

@@ -108,7 +108,7 @@ static int compare_checksums(const void *one, const void *other) {
 }
 
 void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_TABLES_TEXT]) {
-    uint64_t sums[MAX_TABLES], all = 0;
+    uint64_t sums[MAX_TABLES] = {0}, all = 0;
     size_t count = 0, different = 0;
     lock_take(&guard);
     for (size_t i = 0; i < slot_count; i++)
