@@ -126,6 +126,11 @@ static int write(const whirl_result *result, const figure_arguments *arguments) 
     return outcome;
 }
 
+static int act(const whirl_result *result, const void *given) {
+    const figure_arguments *arguments = given;
+    return arguments->list ? print_names(result, arguments) : write(result, arguments);
+}
+
 static int run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
@@ -137,16 +142,8 @@ static int run(int argc, char **argv) {
             "@#NUMBER[:STATION] make figures of any numbers and of any point. TABLE/NAME is the figure of that table.",
     };
     figure_arguments arguments = {0};
-    whirl_result *result;
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
-    if (read != EXIT_DONE) return read;
-    keep_private(arguments.result);
-    int outcome = load_result(arguments.result, &result);
-    if (outcome != EXIT_DONE) return outcome;
-    outcome = arguments.list ? print_names(result, &arguments) : write(result, &arguments);
-    whirl_result_free(result);
-    const int written = finish_output();
-    return outcome == EXIT_DONE ? written : outcome;
+    return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
 }
 
 const command figure_command = {"figure", "write one figure of a result", run};

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "output.h"
 #include "whirl/engine/input.h"
 
 enum { HEAD_SIZE = 4096 };
@@ -73,6 +74,17 @@ static int load(const char *path, whirl_status (*read)(const char *, whirl_resul
 
 int load_result(const char *path, whirl_result **result) {
     return load(path, whirl_result_read, result);
+}
+
+int with_result(const char *path, result_action *act, const void *arguments) {
+    whirl_result *result;
+    keep_private(path);
+    int outcome = load_result(path, &result);
+    if (outcome != EXIT_DONE) return outcome;
+    outcome = act(result, arguments);
+    whirl_result_free(result);
+    const int written = finish_output();
+    return outcome == EXIT_DONE ? written : outcome;
 }
 
 int load_outline(const char *path, whirl_result **outline) {

@@ -23,6 +23,12 @@ whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **
 /// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
 int load_result(const char *path, whirl_result **result);
 
+/// What a command does with a result and its arguments; gives the exit status.
+typedef int result_action(const whirl_result *result, const void *arguments);
+
+/// Does it with the result of a file, and ends the output. Gives the exit status.
+int with_result(const char *path, result_action *act, const void *arguments);
+
 /// The same without the numbers of points.
 int load_outline(const char *path, whirl_result **outline);
 

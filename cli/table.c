@@ -117,6 +117,11 @@ static int write(const whirl_result *result, const table_arguments *arguments) {
     return outcome;
 }
 
+static int act(const whirl_result *result, const void *given) {
+    const table_arguments *arguments = given;
+    return arguments->list ? print_names(result, arguments) : write(result, arguments);
+}
+
 static int run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
@@ -128,16 +133,8 @@ static int run(int argc, char **argv) {
                "the sheet of that table.",
     };
     table_arguments arguments = {0};
-    whirl_result *result;
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
-    if (read != EXIT_DONE) return read;
-    keep_private(arguments.result);
-    int outcome = load_result(arguments.result, &result);
-    if (outcome != EXIT_DONE) return outcome;
-    outcome = arguments.list ? print_names(result, &arguments) : write(result, &arguments);
-    whirl_result_free(result);
-    const int written = finish_output();
-    return outcome == EXIT_DONE ? written : outcome;
+    return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
 }
 
 const command table_command = {"table", "print or write tables of what was found", run};
