@@ -95,31 +95,9 @@ static bool put_tables(const contents *of) {
 
 // ---------------------------------------------------------------- sheets
 
-/// Headings and cells as documents show them, beside the numbers of a sheet.
-static void put_shown(bool *well, json_t *to, const whirl_sheet *sheet) {
-    char text[STATEMENT_SIZE];
-    json_t *headings = json_array(), *rows = json_array();
-    for (size_t c = 0; c < sheet->columns; c++) {
-        whirl_column_heading(&sheet->column[c], text, sizeof text);
-        document_append(well, headings, document_text(text));
-    }
-    for (size_t r = 0; r < sheet->rows; r++) {
-        json_t *row = json_array();
-        for (size_t c = 0; c < sheet->columns; c++) {
-            whirl_cell_text(&sheet->column[c], &sheet->cells[r * sheet->columns + c], text, sizeof text);
-            document_append(well, row, document_text(text));
-        }
-        document_append(well, rows, row);
-    }
-    document_put(well, to, "headings", headings);
-    document_put(well, to, "shown", rows);
-}
-
 static bool put_findings(const contents *of) {
     bool well = true;
     json_t *statements = statements_json(&well, of->findings), *sheets = sheets_json(&well, of->findings);
-    for (size_t i = 0; i < of->findings->sheet_count && well; i++)
-        put_shown(&well, json_array_get(sheets, i), &of->findings->sheets[i]);
     const bool put = put_value(of->stream, "statements", well, statements);
     return put_value(of->stream, "sheets", well, sheets) && put;
 }

@@ -3,20 +3,21 @@
 import type { Described } from '../figure/described';
 import type { Run, StoredTable } from './run';
 
-interface Phrase {
-  readonly text: string;
-}
-
 export interface Statement {
   readonly table: string;
   readonly what: string;
   readonly station?: string;
   readonly clause?: string;
   readonly verdict: string;
-  readonly at?: Phrase;
-  readonly asked: Phrase;
-  readonly found: Phrase;
-  readonly told: Phrase;
+  /// The whole sentence.
+  readonly text: string;
+}
+
+export interface Column {
+  readonly heading: string;
+  readonly unit: string;
+  readonly size: number;
+  readonly digits: number;
 }
 
 export interface Sheet {
@@ -24,11 +25,10 @@ export interface Sheet {
   readonly name: string;
   readonly title: string;
   readonly about?: string;
-  readonly columns: readonly { readonly unit: string; readonly size: number; readonly digits: number }[];
+  readonly columns: readonly Column[];
   /// Numbers in SI, of some cells several; texts; null where a cell is empty.
   readonly rows: readonly (readonly (number | string | null | readonly (number | null)[])[])[];
-  /// As documents show them.
-  readonly headings: readonly string[];
+  /// The same as documents show them.
   readonly shown: readonly (readonly string[])[];
 }
 
@@ -113,12 +113,12 @@ export function partOf(run: Run | undefined, id: string): Part | undefined {
   return parts.find((part) => part.id === id) ?? parts[parts.length === 2 ? 1 : 0];
 }
 
-/// Sentence of a statement in pieces: what it is of, and the rest.
-export function piecesOf({ at, what, station, asked, found, told }: Statement): readonly [string, string, string] {
-  const behind = (before: string, { text }: Phrase) => (text ? before + text : '');
-  return [
-    at?.text ? `at ${at.text}: ` : '',
-    what + (station ? ` at ${station}` : ''),
-    behind(', asked for ', asked) + behind(': ', found) + behind(': ', told),
-  ];
+/// The heading of a column with its unit.
+export const headingOf = ({ heading, unit }: Column): string => (unit ? `${heading} (${unit})` : heading);
+
+/// Sentence of a statement in pieces: where, what it is of, and the rest.
+export function piecesOf({ text, what, station }: Statement): readonly [string, string, string] {
+  const name = what + (station ? ` at ${station}` : '');
+  const begins = text.indexOf(name);
+  return [text.slice(0, begins), name, text.slice(begins + name.length)];
 }

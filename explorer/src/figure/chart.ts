@@ -65,6 +65,16 @@ export function drawClipped(pen: Pen, { left, top, width, height }: Frame, draw:
   pen.restore();
 }
 
+/// Draws a thin line at 0 from edge to edge.
+export function drawZero(pen: Pen, frame: Frame, colour: string): void {
+  pen.strokeStyle = colour;
+  pen.lineWidth = frame.ratio;
+  pen.beginPath();
+  pen.moveTo(frame.left, frame.y(0));
+  pen.lineTo(frame.left + frame.width, frame.y(0));
+  pen.stroke();
+}
+
 interface Ticks {
   readonly at: readonly number[];
   readonly text: readonly string[];

@@ -10,7 +10,7 @@ import {
   type Place,
 } from '../data/rest';
 import { Segments } from '../dom';
-import { Chart, isInside, type Frame, type Range } from '../figure/chart';
+import { Chart, drawZero, isInside, type Frame, type Range } from '../figure/chart';
 import { textSize, type Picture } from '../figure/figure';
 import { drawLabels, type Marked } from '../figure/labels';
 import { drawMark } from '../figure/marks';
@@ -237,12 +237,7 @@ export class CampbellView implements RestChart {
   private drawDamping(pen: Pen, frame: Frame, colours: Theme): void {
     if (!this.subject) return;
     const { choice } = this.subject;
-    pen.strokeStyle = colours.muted;
-    pen.lineWidth = frame.ratio;
-    pen.beginPath();
-    pen.moveTo(frame.left, frame.y(0));
-    pen.lineTo(frame.left + frame.width, frame.y(0));
-    pen.stroke();
+    drawZero(pen, frame, colours.muted);
     const top = topOf(this.subject);
     this.drawCurves(pen, frame, colours, (mode) => (mode.frequency <= top ? dampingOf(mode, choice) : NaN));
   }

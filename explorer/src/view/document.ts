@@ -1,5 +1,5 @@
 // Statements, sheets and figures of a part of a result, none of them known by its name, and the list of contents.
-import { piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
+import { headingOf, piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
 import { button, download, el } from '../dom';
 import { pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
 import { numbersTable } from './numbers';
@@ -46,26 +46,26 @@ function card(
 }
 
 /// The numbers of a sheet in the units of its columns, with all their digits.
-function csvOfSheet({ columns, headings, rows }: Sheet): string {
+function csvOfSheet({ columns, rows }: Sheet): string {
   const plain = (cell: Sheet['rows'][number][number], c: number): string =>
     typeof cell === 'number'
       ? String(cell / columns[c]!.size)
       : cell === null || typeof cell === 'string'
         ? (cell ?? '')
         : cell.map((each) => plain(each, c)).join(' ');
-  return csvOf({ heading: headings, rows: rows.map((row) => row.map(plain)) });
+  return csvOf({ heading: columns.map(headingOf), rows: rows.map((row) => row.map(plain)) });
 }
 
 /// Columns without a cell are left out.
 function sheetCard(sheet: Sheet): HTMLElement {
-  const { table, name, title, about, headings, shown } = sheet;
-  const kept = headings.map((_, c) => c).filter((c) => shown.some((row) => row[c] !== ''));
+  const { table, name, title, about, columns, shown } = sheet;
+  const kept = columns.map((_, c) => c).filter((c) => shown.some((row) => row[c] !== ''));
   const of = (row: readonly string[]) => kept.map((c) => row[c]!);
   const save = () => download(`${fileName(table, name)}.csv`, 'text/csv', csvOfSheet(sheet));
   const numbers = el(
     'div',
     { class: 'numbers', role: 'region', tabindex: 0, 'aria-label': `${title}: table` },
-    numbersTable(title, of(headings), shown.map(of)),
+    numbersTable(title, of(columns.map(headingOf)), shown.map(of)),
   );
   return card(
     title,

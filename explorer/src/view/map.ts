@@ -9,7 +9,7 @@ import { el } from '../dom';
 import type { StationInfo } from '../engine/protocol';
 import { drawBranches, heightsOf, type BranchLines } from '../figure/branches';
 import { bandOf, drawTori, type BandAt, type ToriBands } from '../figure/tori';
-import { Chart, drawClipped, type Frame, type Range } from '../figure/chart';
+import { Chart, drawClipped, drawZero, type Frame, type Range } from '../figure/chart';
 import { drawCloud, type Cloud } from '../figure/cloud';
 import { theme, textSize, type Picture } from '../figure/figure';
 import { font, type Pen } from '../figure/pen';
@@ -345,12 +345,7 @@ export class MapView {
       (subject.diagram.column(FIELD.LYAPUNOV_LARGEST) ?? subject.diagram.column(FIELD.REGIME_EXPONENT));
     if (!subject?.diagram || !column) return;
     drawClipped(pen, frame, () => {
-      pen.strokeStyle = colours.muted;
-      pen.lineWidth = frame.ratio;
-      pen.beginPath();
-      pen.moveTo(frame.left, frame.y(0));
-      pen.lineTo(frame.left + frame.width, frame.y(0));
-      pen.stroke();
+      drawZero(pen, frame, colours.muted);
       this.drawErrors(pen, frame, subject, colours);
     });
     const valueFactor = parameterMeasure(subject.unit, subject.units).factor;
