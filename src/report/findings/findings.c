@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "findings_build.h"
+#include "memory.h"
 #include "report_parts.h"
 #include "shown_kinds.h"
 
@@ -12,23 +13,20 @@
 
 static void find_table(const finder *of) {
     const shown_kind *kind = shown_kind_of(of->table);
-    if (!kind) find_lines(of);
-    if (kind && (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)) kind->find(of);
+    if (!kind)
+        find_lines(of);
+    else if (of->table->count > 0 || whirl_analysis_kind(of->table->analyses)->found)
+        kind->find(of);
 }
 
 whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings) {
+    const int before = exhausted_watch();
     whirl_findings *all = find_begin();
-    *findings = NULL;
-    if (all) {
-        whirl_case *machine = machine_of(view);
-        for (size_t t = 0; t < view->table_count; t++)
-            find_table(&(finder){all, units, view, &view->tables[t], machine});
-        whirl_case_free(machine);
-        if (!all->failed) {
-            *findings = all;
-            return whirl_ok();
-        }
-    }
+    for (size_t t = 0; all && t < view->table_count; t++) find_table(&(finder){all, units, view, &view->tables[t]});
+    // Peaks, scales and lines of modes are looked for in functions that find none without memory.
+    const bool well = !exhausted(before) && all && !all->failed;
+    *findings = well ? all : NULL;
+    if (well) return whirl_ok();
     whirl_findings_free(all);
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }

@@ -224,6 +224,10 @@ void cell_text(const finder *of, whirl_sheet *sheet, const char *text) {
     *sheet_cell(of, sheet) = (whirl_cell){.text = text};
 }
 
+void cell_station(const finder *of, whirl_sheet *sheet, size_t station) {
+    cell_text(of, sheet, find_text(of->findings, "%s", of->result->stations[station].name));
+}
+
 void cell_value(const finder *of, whirl_sheet *sheet, size_t point) {
     if (*of->table->parameter) cell_number(of, sheet, of->table->values[point]);
 }

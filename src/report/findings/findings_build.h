@@ -3,7 +3,6 @@
 #ifndef REPORT_FINDINGS_BUILD_H
 #define REPORT_FINDINGS_BUILD_H
 
-#include "whirl/engine/case.h"
 #include "whirl/engine/findings.h"
 
 /// A table of a result on which findings are made.
@@ -12,7 +11,6 @@ typedef struct finder {
     const whirl_shown_units *units; ///< of the result
     const whirl_result *result;     ///< a view of it (whirl_result_by_attractor)
     const whirl_table *table;
-    const whirl_case *machine; ///< of the result; NULL where it cannot be read
 } finder;
 
 /// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.
@@ -55,6 +53,7 @@ void sheet_row(const finder *of, whirl_sheet *sheet);
 void cell_number(const finder *of, whirl_sheet *sheet, double number);
 void cell_numbers(const finder *of, whirl_sheet *sheet, size_t count, const double *numbers);
 void cell_text(const finder *of, whirl_sheet *sheet, const char *text);
+void cell_station(const finder *of, whirl_sheet *sheet, size_t station);
 void cell_value(const finder *of, whirl_sheet *sheet, size_t point); ///< the parameter's; nothing of a table without
 
 #endif

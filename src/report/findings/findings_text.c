@@ -87,14 +87,34 @@ enum { MOST_WIDTH = 118, MOST_BESIDE = 3 };
 /// A sheet as texts, without empty columns, in a grid whose first line is the heading.
 typedef struct text_grid {
     size_t lines, columns;
-    char **texts; ///< [lines][columns]
-    bool *right;  ///< [columns] of numbers, which stand at the right
+    char **texts;   ///< [lines][columns]
+    bool *right;    ///< [columns] of numbers, which stand at the right
+    size_t *widths; ///< [columns] letters of the longest text
 } text_grid;
 
 static void grid_free(text_grid *grid) {
     for (size_t i = 0; grid->texts && i < grid->lines * grid->columns; i++) free(grid->texts[i]);
     free(grid->texts);
     free(grid->right);
+    free(grid->widths);
+}
+
+/// Letters of a text in UTF-8, as terminals have them in columns.
+static size_t letters_of(const char *text) {
+    size_t count = 0;
+    for (; *text; text++) count += ((unsigned char)*text & 0xC0u) != 0x80u;
+    return count;
+}
+
+/// Measures the texts; false without memory.
+static bool grid_measure(text_grid *grid) {
+    grid->widths = calloc(grid->columns + 1, sizeof *grid->widths);
+    for (size_t i = 0; grid->widths && i < grid->lines * grid->columns; i++) {
+        size_t *widest = &grid->widths[i % grid->columns];
+        const size_t own = letters_of(grid->texts[i]);
+        if (own > *widest) *widest = own;
+    }
+    return grid->widths != NULL;
 }
 
 /// Of these rows of a sheet [count]; false without memory.
@@ -119,44 +139,27 @@ static bool grid_make(const whirl_sheet *sheet, const size_t *rows, size_t count
         }
         to++;
     }
+    well = well && grid_measure(grid);
     if (!well) grid_free(grid);
     return well;
 }
 
-/// Lines become columns; false without memory.
+/// Lines become columns; false without memory, with the grid as it was.
 static bool grid_turn(text_grid *grid) {
     text_grid turned = {.lines = grid->columns,
                         .columns = grid->lines,
                         .texts = calloc(grid->lines * grid->columns + 1, sizeof *turned.texts),
                         .right = calloc(grid->lines + 1, sizeof *turned.right)};
-    if (!turned.texts || !turned.right) {
-        free(turned.texts);
-        free(turned.right);
-        return false;
-    }
-    for (size_t line = 0; line < grid->lines; line++)
+    for (size_t line = 0; line < grid->lines && turned.texts; line++)
         for (size_t c = 0; c < grid->columns; c++)
             turned.texts[c * turned.columns + line] = grid->texts[line * grid->columns + c];
-    free(grid->texts);
-    free(grid->right);
-    *grid = turned;
-    return true;
-}
-
-/// Letters of a text in UTF-8, as terminals have them in columns.
-static size_t letters_of(const char *text) {
-    size_t count = 0;
-    for (; *text; text++) count += ((unsigned char)*text & 0xC0u) != 0x80u;
-    return count;
-}
-
-static size_t grid_width(const text_grid *grid, size_t column) {
-    size_t widest = 0;
-    for (size_t line = 0; line < grid->lines; line++) {
-        const size_t own = letters_of(grid->texts[line * grid->columns + column]);
-        if (own > widest) widest = own;
-    }
-    return widest;
+    const bool well = turned.texts && turned.right && grid_measure(&turned);
+    text_grid *const old = well ? grid : &turned;
+    free(old->texts);
+    free(old->right);
+    free(old->widths);
+    if (well) *grid = turned;
+    return well;
 }
 
 static void grid_write(FILE *stream, const text_grid *grid) {
@@ -164,7 +167,7 @@ static void grid_write(FILE *stream, const text_grid *grid) {
         fputs("   ", stream);
         for (size_t c = 0; c < grid->columns; c++) {
             const char *text = grid->texts[line * grid->columns + c];
-            const int gap = (int)(grid_width(grid, c) - letters_of(text));
+            const int gap = (int)(grid->widths[c] - letters_of(text));
             const bool last = c + 1 == grid->columns;
             fprintf(stream, " %*s%s", grid->right[c] ? gap : 0, "", text);
             if (!grid->right[c] && !last) fprintf(stream, "%*s", gap, "");
@@ -188,7 +191,7 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most) {
     else if (count < sheet->rows)
         fprintf(stream, " (%zu of %zu rows)", count, sheet->rows);
     fputs(":\n", stream);
-    for (size_t c = 0; c < grid.columns; c++) width += grid_width(&grid, c) + 2;
+    for (size_t c = 0; c < grid.columns; c++) width += grid.widths[c] + 2;
     if (width > MOST_WIDTH && count <= MOST_BESIDE) well = grid_turn(&grid);
     if (well) grid_write(stream, &grid);
     grid_free(&grid);

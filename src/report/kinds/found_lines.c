@@ -76,7 +76,7 @@ static void track_row(const finder *of, whirl_sheet *sheet, const line_track *tr
     cell_numbers(of, sheet, 2, orders);
     cell_numbers(of, sheet, known ? 2 : 0, rates);
     cell_number(of, sheet, track->largest.size);
-    cell_text(of, sheet, find_text(of->findings, "%s", of->result->stations[track->largest.station].name));
+    cell_station(of, sheet, track->largest.station);
     cell_number(of, sheet, of->table->values[track->largest_at]);
     cell_number(of, sheet, 100.0 * track->largest.share);
     cell_text(of, sheet,

@@ -1,30 +1,34 @@
 // What is found of modes: critical speeds, thresholds of stability, and the lowest modes at the ends of the parameter.
 #include <math.h>
 
+#include "quantities.h"
 #include "shown_kinds.h"
 
 static const double two_pi = 6.283185307179586476925;
 
-/// What rounding leaves of no damping, over the frequency.
-static const double rounding = 1e-10;
-
-/// A damping ratio, 0 where it is nothing but rounding.
-static double shown_ratio(double ratio) {
-    return fabs(ratio) < rounding ? 0.0 : ratio;
+/// The columns that tell a mode.
+static void mode_columns(const finder *of, whirl_sheet *sheet) {
+    sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 6);
+    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
+    sheet_column(of, sheet, "damping_ratio", "damping ratio", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_column(of, sheet, "decrement", "logarithmic decrement", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_texts(of, sheet, "whirl", "whirl");
 }
 
-static const char *way_of(double direction) {
-    static const char *const names[] = {"backward", "to and fro", "forward"};
-    return names[units_way(direction) + 1];
+/// A mode in these columns; a damping ratio is 0 where it is nothing but rounding.
+static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction) {
+    static const char *const ways[] = {"backward", "to and fro", "forward"};
+    const double rounding = 1e-10, ratio = fabs(damping) < rounding ? 0.0 : damping;
+    cell_number(of, sheet, frequency);
+    cell_number(of, sheet, frequency);
+    cell_number(of, sheet, ratio);
+    cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
+    cell_text(of, sheet, ways[units_way(direction) + 1]);
 }
 
 int shown_modes_growing(const whirl_table *table, size_t point) {
     const double stability = whirl_table_number(table, point, WHIRL_FIELD_MODES_STABILITY, 0);
     return (stability > 0.0) - (stability < 0.0);
-}
-
-static double number(const finder *of, size_t point, const char *field) {
-    return whirl_table_number(of->table, point, field, 0);
 }
 
 // ---------------------------------------------------------------- statements of a point
@@ -38,13 +42,14 @@ static whirl_phrase *find_at(const finder *of, size_t point, const char *what) {
 
 /// The peak of loops of control, and the zone that it is in; an unstable machine is in none.
 static void find_sensitivity(const finder *of, size_t point) {
-    const double peak = number(of, point, WHIRL_FIELD_MODES_SENSITIVITY);
+    const double peak = point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY);
     const char zone = peak < 3.0 ? 'A' : peak < 4.0 ? 'B' : peak < 5.0 ? 'C' : 'D';
     if (!isfinite(peak)) return;
     whirl_phrase *found = find_at(of, point, "peak sensitivity of the loops of control");
     phrase_number(of, found, WHIRL_QUANTITY_NUMBER, 7, peak);
     phrase_text(of, found, " at ");
-    phrase_number(of, found, WHIRL_QUANTITY_FREQUENCY, 6, number(of, point, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY));
+    phrase_number(of, found, WHIRL_QUANTITY_FREQUENCY, 6,
+                  point_number(of->table, point, WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY));
     if (shown_modes_growing(of->table, point) > 0)
         phrase_text(of, found, ": no zone of ISO 14839-3, as the machine is unstable");
     else
@@ -53,8 +58,8 @@ static void find_sensitivity(const finder *of, size_t point) {
 
 static void find_stability(const finder *of, size_t point) {
     static const char *const names[] = {"stable", "undamped", "unstable"};
-    const double stability = number(of, point, WHIRL_FIELD_MODES_STABILITY);
-    const double rigid = number(of, point, WHIRL_FIELD_MODES_RIGID_BODY);
+    const double stability = point_number(of->table, point, WHIRL_FIELD_MODES_STABILITY);
+    const double rigid = point_number(of->table, point, WHIRL_FIELD_MODES_RIGID_BODY);
     if (isfinite(stability)) {
         whirl_phrase *found = find_at(of, point, "stability");
         phrase_text(of, found, "%s: the largest real part of all eigenvalues%s is ",
@@ -66,7 +71,7 @@ static void find_stability(const finder *of, size_t point) {
 
 /// What is not known of frequencies.
 static void find_limits(const finder *of, size_t point) {
-    const double modulo = number(of, point, WHIRL_FIELD_MODES_MODULO);
+    const double modulo = point_number(of->table, point, WHIRL_FIELD_MODES_MODULO);
     const double *known = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_KNOWN, 0);
     const double *frequency = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_FREQUENCY, 0);
     if (isfinite(modulo)) {
@@ -122,7 +127,8 @@ static void phrase_unstable(const finder *of, whirl_phrase *found) {
 /// Whether frequencies are known but for multiples of the speed, at any point.
 static bool is_modulated(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++)
-        if (whirl_table_done(of->table, point) && isfinite(number(of, point, WHIRL_FIELD_MODES_MODULO))) return true;
+        if (whirl_table_done(of->table, point) && isfinite(point_number(of->table, point, WHIRL_FIELD_MODES_MODULO)))
+            return true;
     return false;
 }
 
@@ -137,27 +143,18 @@ static void find_critical(const finder *of) {
     sheet_texts(of, sheet, "what", "what");
     sheet_values(of, sheet, "", 9);
     if (!speeds) sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
-    sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 6);
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
-    sheet_column(of, sheet, "damping_ratio", "damping ratio", WHIRL_QUANTITY_NUMBER, 4);
-    sheet_column(of, sheet, "decrement", "logarithmic decrement", WHIRL_QUANTITY_NUMBER, 4);
-    sheet_texts(of, sheet, "whirl", "whirl");
+    mode_columns(of, sheet);
     for (size_t point = 0; field && point < of->table->count; point++) {
         const double *row = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_CRITICAL, 0);
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
             if (!(row[0] >= 1.0 && row[0] <= 3.0)) continue;
-            const double ratio = shown_ratio(row[4]);
             changes += row[0] > 1.5;
             if (located++ < MOST_TOLD) phrase_change(of, &told, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
             if (!speeds) cell_number(of, sheet, row[2]);
-            cell_number(of, sheet, row[3]);
-            cell_number(of, sheet, row[3]);
-            cell_number(of, sheet, ratio);
-            cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
-            cell_text(of, sheet, way_of(row[5]));
+            mode_cells(of, sheet, row[3], row[4], row[5]);
         }
     }
     find_sheet_end(of);
@@ -182,26 +179,17 @@ static void find_lowest(const finder *of, const size_t *ends, size_t count) {
     sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "mode", "mode", WHIRL_QUANTITY_NUMBER, 4);
     sheet_texts(of, sheet, "name", "name");
-    sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 6);
-    sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
-    sheet_column(of, sheet, "damping_ratio", "damping ratio", WHIRL_QUANTITY_NUMBER, 4);
-    sheet_column(of, sheet, "decrement", "logarithmic decrement", WHIRL_QUANTITY_NUMBER, 4);
-    sheet_texts(of, sheet, "whirl", "whirl");
+    mode_columns(of, sheet);
     for (const size_t *point = ends; point < ends + count; point++) {
         const double *frequency = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_FREQUENCY, 0);
         const double *ratios = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_DAMPING_RATIO, 0);
         const double *direction = whirl_table_field(of->table, *point, WHIRL_FIELD_MODES_DIRECTION, 0);
         for (size_t i = 0; field && frequency && i < field->rows && isfinite(frequency[i]); i++) {
-            const double ratio = shown_ratio(ratios[i]);
             sheet_row(of, sheet);
             cell_value(of, sheet, *point);
             cell_number(of, sheet, (double)i + 1.0);
             cell_text(of, sheet, find_text(of->findings, "%s", mode_lines_name(&lines, *point, i)));
-            cell_number(of, sheet, frequency[i]);
-            cell_number(of, sheet, frequency[i]);
-            cell_number(of, sheet, ratio);
-            cell_number(of, sheet, fabs(ratio) < 1.0 ? two_pi * ratio / sqrt(1.0 - ratio * ratio) : (double)NAN);
-            cell_text(of, sheet, way_of(direction[i]));
+            mode_cells(of, sheet, frequency[i], ratios[i], direction[i]);
         }
     }
     find_sheet_end(of);

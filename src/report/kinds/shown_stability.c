@@ -1,11 +1,8 @@
 // What is found of stability: decrements, the limit of the cross coupling, and whether seals are to be counted.
 #include <math.h>
 
+#include "quantities.h"
 #include "shown_kinds.h"
-
-static double number(const finder *of, size_t point, const char *field) {
-    return whirl_table_number(of->table, point, field, 0);
-}
 
 static void find_levels(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "levels", "Stability by decrements");
@@ -33,13 +30,13 @@ static void find_levels(const finder *of) {
         cell_number(of, sheet, at.stages ? at.anticipated : (double)NAN);
         cell_number(of, sheet, at.stages ? at.limit : (double)NAN);
         cell_number(of, sheet, at.ratio);
-        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STABILITY_BASIC));
+        cell_number(of, sheet, point_number(of->table, point, WHIRL_FIELD_STABILITY_BASIC));
         cell_number(of, sheet, at.decrement);
         cell_number(of, sheet, at.complete);
-        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STABILITY_FREQUENCY));
-        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STABILITY_RIGID));
-        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STABILITY_RATIO));
-        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STABILITY_DENSITY));
+        cell_number(of, sheet, point_number(of->table, point, WHIRL_FIELD_STABILITY_FREQUENCY));
+        cell_number(of, sheet, point_number(of->table, point, WHIRL_FIELD_STABILITY_RIGID));
+        cell_number(of, sheet, point_number(of->table, point, WHIRL_FIELD_STABILITY_RATIO));
+        cell_number(of, sheet, point_number(of->table, point, WHIRL_FIELD_STABILITY_DENSITY));
         cell_text(of, sheet, !isfinite(at.region) ? "" : at.region > 0.5 ? "B" : "A");
         cell_text(of, sheet, find_text(of->findings, "%s", text));
     }
@@ -58,7 +55,7 @@ static void find_parts(const finder *of) {
             if (!whirl_table_done(of->table, point) || !isfinite(own)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
-            cell_text(of, sheet, find_text(of->findings, "%s", of->result->stations[station].name));
+            cell_station(of, sheet, station);
             cell_number(of, sheet, own);
         }
     find_sheet_end(of);

@@ -4,10 +4,6 @@
 
 #include "shown_kinds.h"
 
-static const char *station_name(const finder *of, size_t station) {
-    return find_text(of->findings, "%s", of->result->stations[station].name);
-}
-
 /// The number of a station at a point, in SI where it is a length.
 static double number(const finder *of, size_t point, const char *field, size_t station) {
     return whirl_table_number(of->table, point, field, station);
@@ -36,7 +32,7 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
             if (isnan(deflection)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, *point);
-            cell_text(of, sheet, station_name(of, station));
+            cell_station(of, sheet, station);
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_LOAD, station));
             cell_number(of, sheet, length(of, *point, WHIRL_FIELD_STATICS_ELEVATION, station));
             cell_number(of, sheet, deflection);
@@ -71,7 +67,7 @@ static void find_axial(const finder *of, const size_t *ends, size_t count) {
             if (!axial || isnan(*axial)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, *point);
-            cell_text(of, sheet, station_name(of, station));
+            cell_station(of, sheet, station);
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_THRUST_MASS, station));
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_THRUST, station));
             cell_number(of, sheet, axial[0]);
@@ -107,7 +103,7 @@ static void find_films(const finder *of, const size_t *ends, size_t count) {
             const bool seal = number(of, *point, WHIRL_FIELD_STATICS_SEAL, station) == 1.0;
             sheet_row(of, sheet);
             cell_value(of, sheet, *point);
-            cell_text(of, sheet, station_name(of, station));
+            cell_station(of, sheet, station);
             cell_text(of, sheet, seal ? "seal" : "film");
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
             cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_ATTITUDE, station));
@@ -134,7 +130,7 @@ static void find_coefficients(const finder *of) {
             if (!whirl_table_done(of->table, point) || !k || !c || isnan(*k)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
-            cell_text(of, sheet, station_name(of, station));
+            cell_station(of, sheet, station);
             for (size_t i = 0; i < 8; i++) cell_number(of, sheet, i < 4 ? k[i] : c[i - 4]);
         }
     find_sheet_end(of);

@@ -1,25 +1,30 @@
 // What is found of tori: quasi-periodic motions past Neimark-Sacker points, a row a branch of tori.
 #include <math.h>
+#include <stdlib.h>
 
 #include "quantities.h"
 #include "shown_kinds.h"
 
-static double number(const finder *of, size_t point, const char *field) {
-    return whirl_table_number(of->table, point, field, 0);
-}
-
-/// The frequency of the largest second line: an order, or rad/s.
-static double second_frequency(const finder *of, const whirl_tori *own, size_t point, bool order) {
+/// The frequency of the largest second line: rad/s with the speeds of all tori, else an order.
+static double second_frequency(const finder *of, const whirl_tori *own, size_t point, const double *clock) {
     const double line = whirl_table_field(of->table, point, WHIRL_FIELD_TORUS_FREQUENCY, own->station)[own->axis];
-    return order ? line : line * machine_clock(of->machine, of->result, of->table, point);
+    return clock ? line * clock[point] : line;
 }
 
-/// Whether frequencies are shown in Hz or cpm, and the speed of every torus is known.
-static bool in_frequencies(const finder *of) {
-    bool known = of->units->frequency > 0.0;
-    for (size_t point = 0; point < of->table->count && known; point++)
-        known = isfinite(machine_clock(of->machine, of->result, of->table, point));
-    return known;
+/// The speeds of all tori, rad/s, to be freed; NULL where frequencies are shown as orders, or a speed is not known.
+static double *clocks_of(const finder *of) {
+    if (!(of->units->frequency > 0.0) || of->table->count == 0) return NULL;
+    double *clock = malloc(of->table->count * sizeof *clock);
+    whirl_case *machine = clock ? machine_of(of->result) : NULL;
+    bool known = clock != NULL;
+    for (size_t point = 0; point < of->table->count && known; point++) {
+        clock[point] = machine_clock(machine, of->result, of->table, point);
+        known = isfinite(clock[point]);
+    }
+    whirl_case_free(machine);
+    if (known) return clock;
+    free(clock);
+    return NULL;
 }
 
 /// "all", "none", "12 of 20".
@@ -30,27 +35,28 @@ static const char *stable_of(const finder *of, const whirl_tori *own) {
 
 static const char *end_of(const finder *of, size_t point) {
     const double *resonance = whirl_table_field(of->table, point, WHIRL_FIELD_TORUS_RESONANCE, 0);
-    const double limit = number(of, point, WHIRL_FIELD_TORUS_LIMIT);
+    const double limit = point_number(of->table, point, WHIRL_FIELD_TORUS_LIMIT);
     const double unit = whirl_shown_parameter(of->units, of->table->parameter).size;
     char text[WHIRL_MESSAGE_SIZE];
-    if (isnan(number(of, point, WHIRL_FIELD_TORUS_END))) return "";
-    whirl_torus_end_text(number(of, point, WHIRL_FIELD_TORUS_END), resonance[0], resonance[1], text, sizeof text);
+    if (isnan(point_number(of->table, point, WHIRL_FIELD_TORUS_END))) return "";
+    whirl_torus_end_text(point_number(of->table, point, WHIRL_FIELD_TORUS_END), resonance[0], resonance[1], text,
+                         sizeof text);
     if (!isfinite(limit)) return find_text(of->findings, "%s", text);
     return find_text(of->findings, "%s, at %.6g", text, limit / unit);
 }
 
-static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own, bool orders) {
-    const double rotations[] = {number(of, own->first, WHIRL_FIELD_TORUS_ROTATION),
-                                number(of, own->last, WHIRL_FIELD_TORUS_ROTATION)};
+static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own, const double *clock) {
+    const double rotations[] = {point_number(of->table, own->first, WHIRL_FIELD_TORUS_ROTATION),
+                                point_number(of->table, own->last, WHIRL_FIELD_TORUS_ROTATION)};
     const bool line = own->found > 0 && own->station < of->result->station_count;
     sheet_row(of, sheet);
-    cell_number(of, sheet, number(of, own->first, WHIRL_FIELD_TORUS_NUMBER));
-    cell_number(of, sheet, number(of, own->first, WHIRL_FIELD_TORUS_BEGINS));
-    cell_number(of, sheet, number(of, own->first, WHIRL_FIELD_TORUS_BRANCH));
+    cell_number(of, sheet, point_number(of->table, own->first, WHIRL_FIELD_TORUS_NUMBER));
+    cell_number(of, sheet, point_number(of->table, own->first, WHIRL_FIELD_TORUS_BEGINS));
+    cell_number(of, sheet, point_number(of->table, own->first, WHIRL_FIELD_TORUS_BRANCH));
     cell_numbers(of, sheet, own->found > 0 ? 2 : 0, rotations);
     if (line) {
-        const double lines[] = {second_frequency(of, own, own->first, orders),
-                                second_frequency(of, own, own->last, orders)};
+        const double lines[] = {second_frequency(of, own, own->first, clock),
+                                second_frequency(of, own, own->last, clock)};
         cell_numbers(of, sheet, 2, lines);
         cell_text(of, sheet,
                   find_text(of->findings, "%s %c", of->result->stations[own->station].name, "xy"[own->axis]));
@@ -65,16 +71,16 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
 }
 
 static void find(const finder *of) {
-    const bool orders = !in_frequencies(of);
+    double *clock = clocks_of(of);
     whirl_sheet *sheet = find_sheet(of, "tori", "Quasi-periodic motions");
     sheet_column(of, sheet, "torus", "torus", WHIRL_QUANTITY_NUMBER, 6);
     sheet_values(of, sheet, "begins at", 9);
     sheet_column(of, sheet, "branch", "branch", WHIRL_QUANTITY_NUMBER, 6);
     sheet_list(of, sheet, "rotation", "rotation number", WHIRL_QUANTITY_NUMBER, 6, " to ");
-    if (orders)
-        sheet_list(of, sheet, "order", "second frequency, as an order", WHIRL_QUANTITY_NUMBER, 6, " to ");
-    else
+    if (clock)
         sheet_list(of, sheet, "frequency", "second frequency", WHIRL_QUANTITY_FREQUENCY, 6, " to ");
+    else
+        sheet_list(of, sheet, "order", "second frequency, as an order", WHIRL_QUANTITY_NUMBER, 6, " to ");
     sheet_texts(of, sheet, "station", "largest at");
     sheet_texts(of, sheet, "stable", "stable");
     sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 9);
@@ -82,13 +88,14 @@ static void find(const finder *of) {
     sheet_texts(of, sheet, "ends", "ends");
     for (size_t point = 0; point < of->table->count; point++) {
         const whirl_tori own = whirl_table_tori(of->table, point);
-        find_row(of, sheet, &own, orders);
+        find_row(of, sheet, &own, clock);
         point = own.last;
     }
     if (of->table->count == 0)
         phrase_text(of, &find_statement(of, "quasi-periodic motions")->found,
                     "no torus begins along the branches that were followed");
     find_sheet_end(of);
+    free(clock);
 }
 
 const shown_kind shown_tori = {

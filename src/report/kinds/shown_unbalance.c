@@ -6,10 +6,6 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-static const char *station_name(const finder *of, size_t station) {
-    return find_text(of->findings, "%s", of->result->stations[station].name);
-}
-
 /// Unbalances by rule, in the place of the machine's own.
 static void find_placed(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "placed", "Unbalances by rule, in the place of the machine's own");
@@ -20,7 +16,7 @@ static void find_placed(const finder *of) {
         const double *at = whirl_table_field(of->table, 0, WHIRL_FIELD_UNBALANCE_PLACED, station);
         if (!at || !(hypot(at[0], at[1]) > 0.0)) continue;
         sheet_row(of, sheet);
-        cell_text(of, sheet, station_name(of, station));
+        cell_station(of, sheet, station);
         cell_number(of, sheet, hypot(at[0], at[1]));
         cell_number(of, sheet, fabs(atan2(at[1], at[0]) / degree));
     }
@@ -42,7 +38,7 @@ static void find_largest(const finder *of) {
             if (whirl_table_done(of->table, point) && size > largest) largest = size, where = point;
         }
         sheet_row(of, sheet);
-        cell_text(of, sheet, station_name(of, station));
+        cell_station(of, sheet, station);
         cell_number(of, sheet, largest);
         if (largest > 0.0) cell_value(of, sheet, where);
     }
@@ -70,7 +66,7 @@ static void find_peaks(const finder *of) {
         const size_t count = margin_rows(of->result, of->table, station, rows);
         for (const margin_row *row = rows; row < rows + count; row++) {
             sheet_row(of, sheet);
-            cell_text(of, sheet, station_name(of, station));
+            cell_station(of, sheet, station);
             cell_number(of, sheet, row->probe);
             cell_number(of, sheet, row->speed);
             cell_number(of, sheet, row->amplitude);
@@ -103,7 +99,7 @@ static void find_clearances(const finder *of, const scaled *by) {
     sheet_texts(of, sheet, "verdict", "75 % allowed");
     for (const scaled_row *row = rows; row < rows + count; row++) {
         sheet_row(of, sheet);
-        cell_text(of, sheet, station_name(of, row->station));
+        cell_station(of, sheet, row->station);
         cell_number(of, sheet, row->axis);
         cell_number(of, sheet, row->speed);
         cell_number(of, sheet, row->clearance);
