@@ -141,6 +141,17 @@ whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *nam
     return batch;
 }
 
+/// One more batch, as that at `like` but for its role, name and place.
+static whirl_batch *plan_add_like(study_plan *result, size_t like, whirl_role role, const char *name,
+                                  const file_node *place) {
+    *plan_next_origin(result) = result->origins[like];
+    whirl_batch *batch = plan_add_batch(result, role, name, place);
+    *batch = result->batches[like];
+    batch->role = role;
+    snprintf(batch->name, sizeof batch->name, "%s", name);
+    return batch;
+}
+
 /// Values between two ends with equal differences; the last is exactly `to`, and nothing overflows between.
 static void space_values(double from, double to, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
@@ -442,7 +453,6 @@ static const file_node *const *begin_places(case_reader *reader, const plan_part
 
 /// Takes one that begins where it stands, for the second parameter.
 static void make_curves(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
-    const whirl_batch branch = result->batches[result->batch_count - 1];
     const setting_list *curves = &parts->curves;
     double low, high;
     bool good = plan_formula_value(reader, v, place_of(curves, "from"), &parts->second_low, &low);
@@ -455,11 +465,7 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
                    own, parts->second->name);
         return;
     }
-    *plan_next_origin(result) = result->origins[result->batch_count - 1];
-    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_CURVES, "curves", curves->place);
-    *batch = branch;
-    batch->role = WHIRL_ROLE_CURVES;
-    snprintf(batch->name, sizeof batch->name, "curves");
+    whirl_batch *batch = plan_add_like(result, result->batch_count - 1, WHIRL_ROLE_CURVES, "curves", curves->place);
     snprintf(batch->second, sizeof batch->second, "%.63s", parts->second->name);
     batch->second_value = own;
     batch->second_bounds[0] = low;
@@ -468,11 +474,7 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
 
 /// Tori of the branches, which stand at `branch`.
 static void make_tori(const plan_parts *parts, size_t branch, study_plan *result) {
-    *plan_next_origin(result) = result->origins[branch];
-    whirl_batch *batch = plan_add_batch(result, WHIRL_ROLE_TORI, "tori", parts->branch.place);
-    *batch = result->batches[branch];
-    batch->role = WHIRL_ROLE_TORI;
-    snprintf(batch->name, sizeof batch->name, "tori");
+    whirl_batch *batch = plan_add_like(result, branch, WHIRL_ROLE_TORI, "tori", parts->branch.place);
     batch->analyses = 0;
     whirl_analysis_add(&batch->analyses, "torus");
 }

@@ -54,11 +54,13 @@ static const unit_word words[] = {
     {NULL, NULL, UNIT_KINDS, 0.0},
 };
 
-/// Those of the system US, by kind; NULL: as in every other.
+/// Those of the system US, by kind, under UNIT_SYSTEM that of places along shafts and diameters; NULL: as in every
+/// other.
 static const char *const customary[UNIT_KINDS] = {
     [UNIT_LENGTH] = "mil",    [UNIT_SPEED] = "rpm",       [UNIT_FREQUENCY] = "cpm",    [UNIT_AMPLITUDE] = "p-p",
     [UNIT_FORCE] = "lbf",     [UNIT_MASS] = "lbm",        [UNIT_STIFFNESS] = "lbf/in", [UNIT_DAMPING] = "lbf s/in",
-    [UNIT_MOMENT] = "lbf in", [UNIT_INERTIA] = "lbm in2", [UNIT_UNBALANCE] = "oz in",  [UNIT_DENSITY] = "lbm/ft3"};
+    [UNIT_MOMENT] = "lbf in", [UNIT_INERTIA] = "lbm in2", [UNIT_UNBALANCE] = "oz in",  [UNIT_DENSITY] = "lbm/ft3",
+    [UNIT_SYSTEM] = "in"};
 
 const unit_word *unit_words(void) {
     return words;

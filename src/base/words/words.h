@@ -67,7 +67,8 @@ typedef struct unit_choice {
 /// All words; static, ended by one whose word is NULL.
 const unit_word *unit_words(void);
 
-/// The word of a system of units ("US") for a kind; NULL where it has none.
+/// The word of a system of units ("US") for a kind, for UNIT_SYSTEM that of places along shafts and of diameters; NULL
+/// where it has none.
 const unit_word *unit_of_system(const unit_word *system, unit_kind kind);
 
 /// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest

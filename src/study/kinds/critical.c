@@ -204,13 +204,12 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
 static whirl_status locate_threshold(search *s, const resting_machine *to, whirl_critical *found, size_t most,
                                      size_t *count, bool *lost) {
     const double fa = growth_of(s->from), fb = growth_of(to);
-    bool good;
     if ((fa > 0.0) == (fb > 0.0)) return whirl_ok();
     s->mode = SIZE_MAX;
     // A point may lie on the threshold.
     const resting_machine *on = fa == 0.0 ? s->from : fb == 0.0 ? to : NULL;
     whirl_status status = whirl_ok();
-    good = on != NULL;
+    bool good = on != NULL;
     if (on)
         describe(s, on, deciding(on->modes));
     else

@@ -107,16 +107,15 @@ static const struct {
 /// Fills in the unit of every quantity.
 static void choose_quantities(whirl_shown_units *units, const unit_choice *choice) {
     const whirl_unit length = units->size.size > 0.0 ? units->size : whirl_result_length_unit(units->result);
-    const bool inches = unit_of_system(choice->of[UNIT_SYSTEM], UNIT_LENGTH) != NULL;
     for (int quantity = 0; quantity < WHIRL_QUANTITIES; quantity++) {
         const unit_kind kind = shown_quantities[quantity].kind;
-        const unit_word *word = kind < UNIT_KINDS ? choice->of[kind] : NULL;
+        const unit_word *word = kind == UNIT_SYSTEM ? unit_of_system(choice->of[UNIT_SYSTEM], kind)
+                                : kind < UNIT_KINDS ? choice->of[kind]
+                                                    : NULL;
         whirl_unit *unit = &units->of[quantity];
         unit->size = shown_quantities[quantity].size;
         snprintf(unit->name, sizeof unit->name, "%s", shown_quantities[quantity].name);
-        if (kind == UNIT_SYSTEM) {
-            if (inches) *unit = (whirl_unit){.name = "in", .size = 25.4e-3};
-        } else if (word && word->size > 0.0) {
+        if (word && word->size > 0.0) {
             unit->size = word->size * (kind == UNIT_FREQUENCY ? shown_quantities[quantity].size : 1.0);
             snprintf(unit->name, sizeof unit->name, quantity == WHIRL_QUANTITY_SPAN ? "%s p-p" : "%s", word->shown);
         }

@@ -59,11 +59,14 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
     generic_scale(out, to, 1.0);
 }
 
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
-    if (index > 0 || fabs(own->number[HARMONIC_RATE]) <= 1.0) return false;
+bool harmonic_order(const element *own, size_t index, double *order) {
     *order = fabs(own->number[HARMONIC_RATE]);
+    return index == 0 && *order > 1.0;
+}
+
+static bool named_order(const element *own, size_t index, double *order, const char **name) {
     *name = "force";
-    return true;
+    return harmonic_order(own, index, order);
 }
 
 static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {

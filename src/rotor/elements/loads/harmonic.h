@@ -32,6 +32,9 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own, size_t state);
 
+/// What element_type.named_order tells but for the name: the phase's rate, where it turns faster than the shaft.
+bool harmonic_order(const element *own, size_t index, double *order);
+
 /// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`
 /// and turns by `rate` a radian of tau: along the direction `angle` (side 0), or turning from there with the
 /// shaft (1) or against it (-1).

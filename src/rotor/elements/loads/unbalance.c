@@ -40,10 +40,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 static bool named_order(const element *own, size_t index, double *order, const char **name) {
-    if (index > 0 || fabs(own->number[HARMONIC_RATE]) <= 1.0) return false;
-    *order = fabs(own->number[HARMONIC_RATE]);
     *name = "unbal.";
-    return true;
+    return harmonic_order(own, index, order);
 }
 
 static double keyphasor(const key_value *values, double speed) {
