@@ -180,7 +180,7 @@ def test_peaks_and_margins(case, rotor):
         assert factor == pytest.approx(amplification, rel=1e-3)
         assert margin == pytest.approx(100 * (1 - top / RPM / 7000), abs=0.01)
         assert asked == pytest.approx(margin_asked(amplification, True), abs=0.06)
-    scaled = next(one for one in result.statements() if one.what == "scaled responses").values
+    scaled = next(one for one in result.statements() if one.what == "scaled responses").values["found"]
     assert 1e6 * scaled[1] == pytest.approx(largest, rel=1e-4)
     assert scaled[2] == pytest.approx(25.4 / largest, rel=1e-4)  # 10500 rpm: the limit is 25.4 um
 

@@ -272,8 +272,8 @@ double whirl_missed_share(size_t starts);
 
 /// A result in whose tables with several starts a place every attractor stands once: attractor by attractor along the
 /// study, with the number in `branch`, and the block of the first start that came to rest on it; of a map the one
-/// attractor of every place that most starts lead to. All else is borrowed from the result. WHIRL_NO_MEMORY. Freed by
-/// whirl_result_view_free.
+/// attractor of every place that most starts lead to. All else is borrowed from the result, which may itself be a view,
+/// and has to live as long. WHIRL_NO_MEMORY. Freed by whirl_result_view_free.
 whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result **view);
 
 /// Frees a view and nothing that it borrowed; NULL is none.

@@ -49,11 +49,9 @@ static bool take_columns(whirl_table *view) {
     return true;
 }
 
-static whirl_status view_table(const whirl_table *source, whirl_table *view) {
-    whirl_coexistence found;
-    *view = *source;
-    const whirl_status status = whirl_table_coexistence(source, &found);
-    view->source = source;
+/// Begins a view of a table: everything but the arrays, which a view has of its own or takes from its source.
+static void begin_view(const whirl_table *table, whirl_table *view) {
+    *view = *table;
     view->starts = view->neighbours = view->places = 0;
     view->slots = view->chosen = NULL;
     view->values = view->length_scales = view->blocks = NULL;
@@ -61,6 +59,19 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     view->done = NULL;
     view->kept = NULL;
     view->room = NULL;
+    view->attractors = NULL;
+}
+
+static whirl_status finish_view(whirl_table *view) {
+    return take_columns(view) ? whirl_ok()
+                              : whirl_fail(WHIRL_NO_MEMORY, "no memory for a view of %zu points", view->count);
+}
+
+static whirl_status view_table(const whirl_table *source, whirl_table *view) {
+    whirl_coexistence found;
+    begin_view(source, view);
+    view->source = source;
+    const whirl_status status = whirl_table_coexistence(source, &found);
     if (status.code != WHIRL_OK) return status;
     view->attractors = found.items;
     view->count = view->row > 0 ? keep_largest(found.items, found.count) : found.count;
@@ -68,8 +79,16 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     found.items = NULL;
     whirl_coexistence_free(&found);
     if (view->row == 0 && view->count > 0) qsort(view->attractors, view->count, sizeof *view->attractors, by_number);
-    return take_columns(view) ? whirl_ok()
-                              : whirl_fail(WHIRL_NO_MEMORY, "no memory for a view of %zu points", source->count);
+    return finish_view(view);
+}
+
+/// Views a table of a view: the same points of the same source, in arrays of its own.
+static whirl_status view_again(const whirl_table *before, whirl_table *view) {
+    begin_view(before, view);
+    view->attractors = malloc((view->count + 1) * sizeof *view->attractors);
+    if (!view->attractors) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a view of %zu points", view->count);
+    if (view->count > 0) memcpy(view->attractors, before->attractors, view->count * sizeof *view->attractors);
+    return finish_view(view);
 }
 
 whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result **out) {
@@ -85,10 +104,14 @@ whirl_status whirl_result_by_attractor(const whirl_result *result, whirl_result 
     view->tables = tables;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < result->table_count; i++) {
-        if (result->tables[i].starts > 1 && status.code == WHIRL_OK)
-            status = view_table(&result->tables[i], &tables[i]);
+        const whirl_table *table = &result->tables[i];
+        const bool seen = table->source != NULL;
+        if (status.code == WHIRL_OK && (seen || table->starts > 1))
+            status = seen ? view_again(table, &tables[i]) : view_table(table, &tables[i]);
+        else if (seen)
+            begin_view(table, &tables[i]);
         else
-            tables[i] = result->tables[i];
+            tables[i] = *table;
     }
     if (status.code == WHIRL_OK) return status;
     whirl_result_view_free(view);

@@ -309,17 +309,24 @@ static void maps_are_followed_along_both_axes(void **state) {
 
 // ---------------------------------------------------------------- views
 
-/// A view has every attractor once at every place, in the order of their numbers; of a map one at every place.
+/// A view has every attractor once at every place, in the order of their numbers; of a map one at every place. A view
+/// of a view has the same points, and lives and ends by itself.
 static void views_have_attractors_once(void **state) {
     (void)state;
     for (size_t row = 0; row <= PLACES; row += PLACES) {
         whirl_table table = make(PLACES, 3, row);
         const whirl_result result = {.table_count = 1, .tables = &table};
-        whirl_result *view;
+        whirl_result *view, *again;
         size_t done, total;
         for (size_t i = 0; i < table.count; i++) orbit(&table, i, 1, i < PLACES ? -1.0 : 1.0, 0.0, 0);
         assert_int_equal(WHIRL_OK, whirl_result_by_attractor(&result, &view).code);
-        const whirl_table *shown = &view->tables[0];
+        assert_int_equal(WHIRL_OK, whirl_result_by_attractor(view, &again).code);
+        const whirl_table *shown = &view->tables[0], *twice = &again->tables[0];
+        assert_int_equal(shown->count, twice->count);
+        assert_memory_equal(shown->chosen, twice->chosen, shown->count * sizeof *shown->chosen);
+        assert_memory_equal(shown->branch, twice->branch, shown->count * sizeof *shown->branch);
+        assert_true(shown->chosen != twice->chosen && shown->attractors != twice->attractors);
+        whirl_result_view_free(again);
         assert_int_equal(row ? PLACES : 2 * PLACES, shown->count);
         assert_int_equal(PLACES, whirl_table_places(shown));
         for (size_t i = 0; i < shown->count; i++) {
