@@ -117,6 +117,7 @@ static void leave_units(const whirl_user_system *from, double *slopes) {
 static bool slopes_at(const whirl_user_system *from, double t, const double *x, const double *p, double *slopes) {
     double room[USER_MOST_STATES];
     if (atomic_load(&from->failure->code) != 0) return false;
+    if (from->calls_left && --*from->calls_left < 0) return false;
     const double *user = in_units(from, x, room);
     const int code = from->lanes ? from->lanes(1, 1, &t, user, p, slopes, from->context)
                                  : from->rates(t, user, p, slopes, from->context);

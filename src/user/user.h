@@ -49,10 +49,11 @@ struct whirl_user_system {
     char title[256];
     char *identity; ///< of its functions; NULL: not known
     size_t dimension, displacements;
-    double *start;  ///< [dimension]
-    double *angles; ///< [dimension] periods of angles, 0 of what is none; NULL: there are none
-    double *scales; ///< [dimension] of coordinates: what was given, 0 of the others; NULL: none was given
-    double *units;  ///< [dimension] by which the library counts coordinates while a study runs (scales.c); NULL: 1
+    double *start;    ///< [dimension]
+    double *angles;   ///< [dimension] periods of angles, 0 of what is none; NULL: there are none
+    double *scales;   ///< [dimension] of coordinates: what was given, 0 of the others; NULL: none was given
+    double *units;    ///< [dimension] by which the library counts coordinates while a study runs (scales.c); NULL: 1
+    long *calls_left; ///< NULL, or how often slopes may still be taken: the rest are not numbers; by one thread
     size_t parameter_count, station_count, axis_count;
     whirl_parameter *parameters; ///< [parameter_count]
     whirl_probe *stations;       ///< [station_count]
@@ -99,8 +100,8 @@ whirl_status user_restore(const whirl_user_system *system, whirl_table *table);
 
 /// Chooses the units of a copy's coordinates: scales that were given, and for the others powers of two about the size
 /// that motions of the study's points have, where one is far from 1. Adapts the limit of its batches to them. units and
-/// what they are of stay NULL where all are 1; else they are freed with free. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for
-/// scales that do not fit.
+/// what they are of stay NULL where all are 1; else they are freed with free. Motions that take too many slopes count as
+/// not seen. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for scales that do not fit.
 whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study);
 
 /// Warns in a result of coordinates of very different sizes whose scales were not given. WHIRL_NO_MEMORY.
