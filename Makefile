@@ -13,7 +13,7 @@ CONFIGURE = test -f $(BUILD)/CMakeCache.txt || cmake --preset release -DWHIRL_TE
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS) --target whirl
 
 .PHONY: all help test test-all check sanitize ci soak clang fuzz paper explorer gallery docs bench install packages format lint \
-        clean test-steps check-steps sanitize-steps sanitize-build sanitize-release thread-steps changed-steps
+        clean test-steps all-steps check-steps sanitize-steps sanitize-build sanitize-release thread-steps lint-steps
 .NOTPARALLEL:
 .DEFAULT_GOAL := all
 
@@ -32,18 +32,21 @@ dependencies-%:
 
 # Where tests run by themselves nothing may be left out; a person without a network still gets the rest.
 EXPLORER = scripts/explorer.sh $(if $(CI),,--if-possible) $(BUILD)/explorer
-# A proof is made of phases, which a table at its end tells the time of. Long tests run by turns: scripts/quarter.sh.
+# A proof is made of phases, which a table at its end tells the time of.
 export PHASES := $(CURDIR)/$(BUILD)/phases.txt
 PHASE   := scripts/phase.sh
 prove    = @$(PHASE) --begin && $(MAKE) --no-print-directory $(1) && $(PHASE) --table
-QUARTERS = -LE "$$(scripts/quarter.sh --others)"
+# Which tests a proof leaves out, the labels of cmake/testing.cmake; and which instruction set the sanitized build has
+# beside the portable ones: nothing for all of them.
+LEAVE := long
+WIDE  := avx2
 
-test:           ## everything is built, run and proved, the long tests by turns (10 minutes on two cores)
+test:           ## everything is built, run and proved but for the tests that are long (10 minutes on two cores)
 	@echo "make test: 10 minutes on two cores, and 5 more for packages where they are missing"
 	$(call prove,test-steps)
 
-test-all:       ## all quarters of the long tests, under the sanitizers with all instruction sets, too (an hour)
-	$(call prove,test-steps sanitize-steps QUARTER=all)
+test-all:       ## all tests, those of units and commands under the sanitizers, too (two hours on two cores)
+	$(call prove,test-steps sanitize-steps LEAVE=none WIDE=)
 
 check:          ## the tests of daily work, under a minute once things are built
 	$(call prove,check-steps)
@@ -51,30 +54,29 @@ check:          ## the tests of daily work, under a minute once things are built
 sanitize:       ## units and commands under the sanitizers, a minute of fuzzing, a threaded study
 	$(call prove,sanitize-steps)
 
-ci:             ## what continuous integration runs: test, sanitize, and lint of what has changed (20 minutes)
-	$(call prove,test-steps sanitize-steps changed-steps)
+ci:             ## what continuous integration runs: all tests, sanitize, and lint (an hour on two cores)
+	$(call prove,all-steps sanitize-steps lint-steps)
 
 test-steps:
 	@$(PHASE) packages $(INSTALL) build report python test explorer browser docs octave
 	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
 	@$(PHASE) "build: explorer" $(EXPLORER)
-	@rm -f $(BUILD)/tests.log
-	@$(PHASE) "tests, $$(scripts/quarter.sh)" ctest --test-dir $(BUILD) -j $(JOBS) $(QUARTERS)
+	@$(PHASE) tests ctest --test-dir $(BUILD) -j $(JOBS) -LE '^($(LEAVE))$$'
+
+all-steps:
+	@$(MAKE) --no-print-directory test-steps LEAVE=none
 
 check-steps:
 	@$(INSTALL) --check build report python test
 	@$(PHASE) "build: configure" cmake --preset release -DWHIRL_TESTS=ON
 	@$(PHASE) "build: compile" cmake --build $(BUILD) --parallel $(JOBS)
-	@rm -f $(BUILD)/tests.log
 	@$(PHASE) "tests: layers and circles" ctest --test-dir $(BUILD) -j $(JOBS) -R '^architecture'
 	@$(PHASE) "tests: units and commands" ctest --test-dir $(BUILD) -j $(JOBS) -L 'unit|cli' -LE long
 
 sanitize-steps: sanitize-build thread-steps
 	@$(PHASE) "sanitized: a minute of fuzzing" scripts/fuzz.sh $(BUILD)/sanitize 60
-	@rm -f $(BUILD)/sanitize/tests.log
-	@$(PHASE) "sanitized: tests, $$(scripts/quarter.sh)" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' $(QUARTERS) \
-	    --no-tests=error
+	@$(PHASE) "sanitized: tests" ctest --test-dir $(BUILD)/sanitize -j $(JOBS) -L 'unit|cli' -LE '^($(LEAVE))$$' --no-tests=error
 
 # Eigen's part of the library is taken as the release has compiled it, and layers that know of no threads where these are
 # looked at.
@@ -87,7 +89,7 @@ sanitize-release:
 	@cmake --build $(BUILD) --parallel $(JOBS) --target whirl_base >/dev/null
 
 sanitize-build: sanitize-release
-	@$(PHASE) "sanitized: configure" cmake --preset sanitize $(sanitized) -DWHIRL_WIDE=$$(scripts/quarter.sh --wide)
+	@$(PHASE) "sanitized: configure" cmake --preset sanitize $(sanitized) "-DWHIRL_WIDE=$(WIDE)"
 	@$(PHASE) "sanitized: compile" cmake --build $(BUILD)/sanitize --parallel $(JOBS)
 
 thread-steps: sanitize-release
@@ -184,17 +186,16 @@ format: dependencies-lint ## the sources, by clang-format, prettier and black
 	git ls-files 'explorer/*.ts' 'explorer/*.mjs' | xargs explorer/node_modules/.bin/prettier --log-level warn --write
 	black --quiet bindings/python
 
-# The sources as they are read by compilers and linters alike; ALL, or those that have changed since all were seen.
-linted = @$(INSTALL) build test lint && cmake --preset release -DWHIRL_TESTS=ON >/dev/null && \
-         cmake --build $(BUILD) --target build_revision >/dev/null && scripts/node-packages.sh
-
 lint:           ## formats, long lines, clang-tidy and cppcheck of all sources, without changing anything
-	$(linted)
-	scripts/lint.sh $(BUILD) --all
+	$(call prove,lint-steps)
 
-changed-steps:
-	$(linted)
-	@$(PHASE) "lint of what has changed" scripts/lint.sh $(BUILD)
+# The sources as they are read by compilers and linters alike.
+lint-steps:
+	@$(INSTALL) build test lint
+	@cmake --preset release -DWHIRL_TESTS=ON >/dev/null
+	@cmake --build $(BUILD) --target build_revision >/dev/null
+	@scripts/node-packages.sh
+	@$(PHASE) lint scripts/lint.sh $(BUILD)
 
 packages: all   ## Debian packages of HEAD in build/package, with lintian; scripts/package-check.sh tries them
 	@$(INSTALL) build package explorer python

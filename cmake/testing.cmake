@@ -1,71 +1,48 @@
-# Tests, and what they may cost.
+# Tests, and which of them are long.
 
-# tests/costs.txt says of every test that takes long how long it takes and when it runs.
-set(costs_file ${PROJECT_SOURCE_DIR}/tests/costs.txt)
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${costs_file})
-file(STRINGS ${costs_file} costs REGEX "^[^#]")
-foreach(line ${costs})
-  string(REGEX MATCH "^([^ ]+) +([0-9]+) +([0-4])( [1-3])?$" line "${line}")
+# tests/long.txt names those that are long: long_NAME is ON for these.
+set(long_file ${PROJECT_SOURCE_DIR}/tests/long.txt)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${long_file})
+file(STRINGS ${long_file} lines REGEX "^[^#]")
+foreach(line ${lines})
+  string(REGEX MATCH "^([^ ]+)( sanitized)?$" line "${line}")
   if(NOT line)
-    message(FATAL_ERROR "${costs_file}: expected lines 'NAME SECONDS QUARTER [THIRD]'")
+    message(FATAL_ERROR "${long_file}: expected lines 'NAME' or 'NAME sanitized'")
   endif()
-  list(APPEND costed ${CMAKE_MATCH_1})
-  set(cost_${CMAKE_MATCH_1} ${CMAKE_MATCH_2})
-  set(quarter_${CMAKE_MATCH_1} ${CMAKE_MATCH_3})
-  string(STRIP "${CMAKE_MATCH_4}" third_${CMAKE_MATCH_1})
+  if(WHIRL_SANITIZE OR NOT CMAKE_MATCH_2)
+    set(long_${CMAKE_MATCH_1} ON)
+  endif()
+  list(APPEND named_tests ${CMAKE_MATCH_1})
 endforeach()
 
-add_executable(budget ${PROJECT_SOURCE_DIR}/tests/budget.c)
-
-# Adds a test under a budget of processor time: 5 s, or 60 s for those that tests/costs.txt says to take 2 or more.
+# Adds a test. The clock ends what hangs, and nothing else.
 #   whirl_test(<name> COMMAND <command...> [LABEL <label>] [SKIPS] [ENVIRONMENT <name=value...>])
-# SKIPS: exit status 77 says that something is missing here. Labels besides: long, what has 60 s;
-# quarter-N, what runs by turns, and third-N of it. The sanitizers make all of this slower, and set no budget.
+# SKIPS: exit status 77 says that something is missing here. Those that tests/long.txt names have the label "long", too.
 function(whirl_test name)
   cmake_parse_arguments(TEST "SKIPS" "LABEL" "COMMAND;ENVIRONMENT" ${ARGN})
-  set(seconds 1)
   set(labels ${TEST_LABEL})
-  if(DEFINED cost_${name})
-    set(seconds ${cost_${name}})
-  endif()
-  set(budget 5)
-  if(seconds GREATER 1)
+  if(long_${name})
     list(APPEND labels long)
-    set(budget 60)
-  endif()
-  set(quarter ${quarter_${name}})
-  # Under the sanitizers, where everything takes some ten times as long, all that tests/costs.txt names takes turns, and
-  # of what is long a third of each.
-  if(WHIRL_SANITIZE AND DEFINED cost_${name} AND NOT quarter)
-    string(LENGTH ${name} length)
-    math(EXPR quarter "1 + ${length} % 4")
-    if(seconds GREATER 1)
-      math(EXPR third_${name} "1 + ${length} / 4 % 3")
-    endif()
-  endif()
-  if(third_${name})
-    list(APPEND labels third-${third_${name}})
-  endif()
-  if(quarter)
-    list(APPEND labels quarter-${quarter})
   endif()
   if(WHIRL_SANITIZE)
-    set(budget 0)
     list(APPEND TEST_ENVIRONMENT WHIRL_SANITIZED=1)
   endif()
-  add_test(NAME ${name} COMMAND budget ${budget} ${PROJECT_BINARY_DIR}/tests.log ${name} ${TEST_COMMAND})
-  # Threads that wait do not spin, which would be counted.
+  add_test(NAME ${name} COMMAND ${TEST_COMMAND})
+  # Threads of BLAS that wait would take the time of others.
   list(APPEND TEST_ENVIRONMENT OPENBLAS_NUM_THREADS=1 OMP_WAIT_POLICY=passive
        LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/leaks.txt:print_suppressions=0)
-  # The clock ends only what hangs; the longest begin first, so that none is left alone at the end.
-  set_tests_properties(${name} PROPERTIES LABELS "${labels}" COST ${seconds} TIMEOUT 1800 ENVIRONMENT "${TEST_ENVIRONMENT}")
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}" TIMEOUT 1800 ENVIRONMENT "${TEST_ENVIRONMENT}")
+  # The longest begin first, so that none is left alone at the end.
+  if(long_${name})
+    set_tests_properties(${name} PROPERTIES COST 10)
+  endif()
   if(TEST_SKIPS)
     set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77)
   endif()
 endfunction()
 
 # One program of several files of tests, each with a main of its own, and each a test <label>.<file>; or, where
-# tests/costs.txt names <label>.<file>.<test>, each of its tests one of that name.
+# tests/long.txt names <label>.<file>.<test>, each of its tests one of that name.
 #   whirl_test_program(<program> <label> <file...>)
 function(whirl_test_program program label)
   string(REGEX REPLACE "[.].*" "" kind ${label})
@@ -77,7 +54,7 @@ function(whirl_test_program program label)
     set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -Wno-missing-prototypes)
     string(APPEND declarations "int ${name}_main(void);\n")
     string(APPEND lines "    {\"${name}\", ${name}_main},\n")
-    set(parts ${costed})
+    set(parts ${named_tests})
     list(FILTER parts INCLUDE REGEX "^${label}[.]${name}[.]")
     if(parts)
       file(READ ${source} text)
@@ -88,7 +65,7 @@ function(whirl_test_program program label)
       list(TRANSFORM named REPLACE "^${label}[.]${name}[.]" "")
       list(REMOVE_ITEM named ${parts})
       if(named)
-        message(FATAL_ERROR "${costs_file} names tests that ${source} does not have: ${named}")
+        message(FATAL_ERROR "${long_file} names tests that ${source} does not have: ${named}")
       endif()
       foreach(part ${parts})
         whirl_test(${label}.${name}.${part} LABEL ${kind} COMMAND $<TARGET_FILE:${program}> ${name}:${part})

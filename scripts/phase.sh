@@ -3,9 +3,9 @@
 #
 #   scripts/phase.sh --begin            forgets earlier phases
 #   scripts/phase.sh NAME COMMAND...    runs the command and notes what it took; where it fails, the table follows
-#   scripts/phase.sh --table            prints the phases so far and the twenty slowest tests
+#   scripts/phase.sh --table            prints the phases so far, and the ten slowest tests of the last run of each build
 #
-# Notes are in the file $PHASES; tests note their own seconds in the file tests.log of their build (tests/budget.c).
+# Notes are in the file $PHASES.
 set -euo pipefail
 phases=${PHASES:?}
 
@@ -14,10 +14,11 @@ print_table() {
     awk -F '\t' '{ printf "%-44s %10.0f %10.0f\n", $1, $2, $3; clock += $2; spent += $3 }
                  END { printf "%-44s %10.0f %10.0f\n", "all", clock, spent }' "$phases"
     local log
-    for log in "$(dirname "$phases")"/{,sanitize/}tests.log; do
-        [ -s "$log" ] && [ ! "$log" -ot "$phases.begun" ] || continue
-        printf '\n%-44s %10s %10s\n' "slowest tests of $log" "clock s" "CPU s"
-        sort -rn "$log" | awk 'NR <= 20 { printf "%-44s %10.1f %10.1f\n", $4, $2, $1 }'
+    for log in "$(dirname "$phases")"/{,sanitize/}Testing/Temporary/LastTest.log; do
+        [ "$log" -nt "$phases.begun" ] || continue
+        printf '\n%-44s %10s\n' "slowest tests of $(dirname "${log%/Testing/*}/.")" "clock s"
+        awk '/^[0-9]+\/[0-9]+ Test: / { name = $3 } /^Test time = / { print $4, name }' "$log" | sort -rn |
+            awk 'NR <= 10 { printf "%-44s %10.1f\n", $2, $1 }'
     done
 }
 
