@@ -100,8 +100,8 @@ whirl_status user_restore(const whirl_user_system *system, whirl_table *table);
 
 /// Chooses the units of a copy's coordinates: scales that were given, and for the others powers of two about the size
 /// that motions of the study's points have, where one is far from 1. Adapts the limit of its batches to them. units and
-/// what they are of stay NULL where all are 1; else they are freed with free. Motions that take too many slopes count as
-/// not seen. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for scales that do not fit.
+/// what they are of stay NULL where all are 1; else they are freed with free. Motions that take too many slopes count
+/// as not seen. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for scales that do not fit.
 whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study);
 
 /// Warns in a result of coordinates of very different sizes whose scales were not given. WHIRL_NO_MEMORY.
