@@ -83,7 +83,7 @@ _whirl_options() {
     figure) echo '-o --output= --list --format= --units= --log= --panels= --gnuplot= --force --help' ;;
     table) echo '-o --output= --list --format= --units= --force --help' ;;
     show) echo '--json --json=full --help' ;;
-    export) echo '--csv= --mat= --npz= --force --help' ;;
+    export) echo '--csv= --mat= --force --help' ;;
     check) echo '--set= --figure= --force --help' ;;
     balance) echo '--json --help' ;;
     bearing) echo '-o --output= --json --csv= --table= --over-frequency --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
@@ -113,7 +113,7 @@ _whirl() {
         esac
         return
         ;;
-    --csv | --mat | --npz) _whirl_files "$word"; return ;;
+    --csv | --mat) _whirl_files "$word"; return ;;
     --table) _whirl_files "$word" yaml yml; return ;;
     --claims) _whirl_files "$word" yaml yml; return ;;
     --explorer) mapfile -t COMPREPLY < <(compgen -f -- "$word"); return ;;

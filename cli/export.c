@@ -1,4 +1,4 @@
-/// whirl export: a result as CSV, as a MAT file or as an archive of NumPy.
+/// whirl export: a result as CSV or as a MAT file.
 #include "command.h"
 
 #include <stdio.h>
@@ -11,14 +11,13 @@
 enum { KEY_FORCE = 0x100 };
 
 typedef struct export_arguments {
-    const char *result, *csv, *mat, *npz;
+    const char *result, *csv, *mat;
     bool force;
 } export_arguments;
 
 static const struct argp_option options[] = {
     {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; it is made when it is not there"},
     {.name = "mat", .key = 'm', .arg = "FILE", .doc = "MAT file for MATLAB and Octave"},
-    {.name = "npz", .key = 'n', .arg = "FILE", .doc = "Archive for numpy.load"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
     {0},
 };
@@ -32,9 +31,6 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     case 'm':
         arguments->mat = argument;
         return 0;
-    case 'n':
-        arguments->npz = argument;
-        return 0;
     case KEY_FORCE:
         arguments->force = true;
         return 0;
@@ -44,8 +40,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->result, "RESULT.h5");
-        if (!arguments->mat && !arguments->npz)
-            require_option(state, arguments->csv, "--csv DIR, --mat FILE or --npz FILE");
+        if (!arguments->mat) require_option(state, arguments->csv, "--csv DIR or --mat FILE");
         return 0;
     default:
         return ARGP_ERR_UNKNOWN;
@@ -74,13 +69,13 @@ static int export_csv(const export_arguments *arguments) {
 }
 
 /// The file as it stands, once all but its numbers has been found to be a result.
-static int export_file(const char *result, const char *path, whirl_status (*write)(const char *, const char *)) {
+static int export_mat(const export_arguments *arguments) {
     whirl_result *outline = NULL;
-    const int outcome = load_outline(result, &outline);
+    const int outcome = load_outline(arguments->result, &outline);
     if (outcome != EXIT_DONE) return outcome;
     whirl_result_free(outline);
-    guard_output(path);
-    const whirl_status status = write(result, path);
+    guard_output(arguments->mat);
+    const whirl_status status = whirl_result_export_mat(arguments->result, arguments->mat);
     return complain_of(&status);
 }
 
@@ -88,22 +83,18 @@ static int run(int argc, char **argv) {
     static const struct argp argp = {
         .options = options,
         .parser = parse,
-        .args_doc = "RESULT.h5 --csv DIR\nRESULT.h5 --mat FILE\nRESULT.h5 --npz FILE",
+        .args_doc = "RESULT.h5 --csv DIR\nRESULT.h5 --mat FILE",
         .doc = "Writes every table of a result as CSV files, units in the headings; or all of it as a MAT file for "
-               "MATLAB and Octave, or as an archive for NumPy.",
+               "MATLAB and Octave.",
     };
     export_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
     if (read != EXIT_DONE) return read;
     if (arguments.csv && !output_may_be_folder(arguments.csv)) return EXIT_FAILED;
-    if (!may_write(arguments.mat, &arguments) || !may_write(arguments.npz, &arguments)) return EXIT_FAILED;
+    if (!may_write(arguments.mat, &arguments)) return EXIT_FAILED;
     keep_private(arguments.result);
-    int outcome = arguments.csv ? export_csv(&arguments) : EXIT_DONE;
-    if (outcome == EXIT_DONE && arguments.mat)
-        outcome = export_file(arguments.result, arguments.mat, whirl_result_export_mat);
-    if (outcome == EXIT_DONE && arguments.npz)
-        outcome = export_file(arguments.result, arguments.npz, whirl_result_export_npz);
-    return outcome;
+    const int outcome = arguments.csv ? export_csv(&arguments) : EXIT_DONE;
+    return outcome == EXIT_DONE && arguments.mat ? export_mat(&arguments) : outcome;
 }
 
-const command export_command = {"export", "write a result for spreadsheets, MATLAB, Octave or NumPy", run};
+const command export_command = {"export", "write a result for spreadsheets, MATLAB or Octave", run};

@@ -14,15 +14,14 @@ declare -A packages=(
     # that link it statically.
     [build]="build-essential cmake ninja-build pkg-config git libsundials-dev libhdf5-dev libyaml-dev
              libudunits2-dev libexpat1-dev libmuparser-dev libjansson-dev libeigen3-dev
-             libtomlplusplus-dev libmatio-dev libminizip-dev"
+             libtomlplusplus-dev libmatio-dev"
     [report]="gnuplot-nox weasyprint"
     [python]="python3-cffi python3-numpy python3-h5py python3-matplotlib python3-pandas python3-xarray python3-tqdm
               python3-pip python3-setuptools python3-wheel python3-pytest python3-numba"
     # clang with its run time: the fuzz target, and a second compiler that must agree; libomp-dev is its OpenMP.
     # auto-07p, which needs gfortran, is a program that is run beside the tests and never linked.
     [test]="libcmocka-dev liblapacke-dev libopenblas-dev clang libclang-rt-14-dev lld libomp-dev valgrind
-            python3-h5py python3-jsonschema python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin abigail-tools
-            musl-tools"
+            python3-h5py python3-jsonschema python3-scipy auto-07p gfortran libopenmpi-dev openmpi-bin"
     # dpkg-dev unpacks the sources of libyaml, muParser, UDUNITS and expat, which emscripten compiles.
     [explorer]="emscripten nodejs npm dpkg-dev"
     [browser]="chromium-headless-shell firefox-esr"

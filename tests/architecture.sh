@@ -93,7 +93,6 @@ only_in() { # LAYERS PATTERN
 }
 only_in store 'H5|hdf5'
 only_in store 'matio'
-only_in store 'minizip|zip\.h'
 only_in case 'yaml\.h'
 only_in case 'udunits2'
 only_in case 'muParser'

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A result and what was exported of it hold the same, to the bit:  same_export.py RESULT.h5 FILE.npz FILE.mat"""
+"""A result and what was exported of it hold the same, to the bit:  same_export.py RESULT.h5 FILE.mat"""
 
 import re
 import sys
@@ -59,7 +59,7 @@ def in_mat(place, found, expected):
         same(place, found, expected)
 
 
-def compare(result, npz, mat):
+def compare(result, mat):
     count = 0
 
     def visit(path, thing):
@@ -69,7 +69,6 @@ def compare(result, npz, mat):
         for part in parts[1:-1]:
             group = group[part][0, 0]
         if isinstance(thing, h5py.Dataset):
-            same(path, npz[path], plain(thing[()]))
             in_mat(path, group[parts[-1]], plain(thing[()]))
             about = group["about"][0, 0][parts[-1]][0, 0] if len(thing.attrs) else None
             count += 1
@@ -77,18 +76,15 @@ def compare(result, npz, mat):
             inner = group if len(parts) == 1 else group[parts[-1]][0, 0]
             about = inner["attributes"][0, 0] if len(thing.attrs) else None
         for key, value in thing.attrs.items():
-            same(f"{path}@{key}", npz[f"{path}@{key}"], plain(value))
             in_mat(f"{path}@{key}", about[name(key)], plain(value))
             count += 1
 
     result.visititems(visit)
     for key, value in result.attrs.items():
-        same(key, npz[f"@{key}"], plain(value))
         in_mat(key, mat["attributes"][0, 0][name(key)], plain(value))
         count += 1
-    assert count == len(npz.files), f"{count} in the result, {len(npz.files)} in the archive"
     return count
 
 
-with h5py.File(sys.argv[1]) as result, numpy.load(sys.argv[2]) as npz:
-    print("compared", compare(result, npz, scipy.io.loadmat(sys.argv[3])))
+with h5py.File(sys.argv[1]) as result:
+    print("compared", compare(result, scipy.io.loadmat(sys.argv[2])))

@@ -347,10 +347,6 @@ bool whirl_result_find_csv(const whirl_result *result, const char *path, char *f
 /// variable would have more than the 2 GB that such a file may hold.
 whirl_status whirl_result_export_mat(const char *result, const char *path);
 
-/// Writes the result file `result` as an archive for numpy.load: an array for every dataset, by its name
-/// ("sweep/orbit/max_radius"), and one for every attribute ("sweep/orbit/max_radius@unit"). As above, without a limit.
-whirl_status whirl_result_export_npz(const char *result, const char *path);
-
 /// Writes the points as one JSON document ({"points": [...]}) as the user guide describes.
 whirl_status whirl_result_write_json(const whirl_result *result, FILE *stream);
 

@@ -151,7 +151,7 @@ static void count_bytes(whirl_status *status, mat_writer *writer, const stored_a
     else
         *status = whirl_fail(WHIRL_IO_ERROR,
                              "cannot write %.200s: '%.40s' is larger than the %zu bytes that a variable of a MAT file "
-                             "may have; --npz has no such limit",
+                             "may have: read the result file itself (h5read)",
                              writer->path, writer->variable, writer->most);
 }
 
