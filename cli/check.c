@@ -108,7 +108,7 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
-    const volatile bool *over = stable.stop = limit_begin(MOST_SECONDS);
+    const whirl_stop *over = stable.stop = limit_begin(MOST_SECONDS);
     const whirl_status status = whirl_ensemble_new(l->machines[first].system, &stable, l->count - first, &lanes);
     if (status.code != WHIRL_OK) {
         limit_end();
@@ -256,7 +256,7 @@ static void tell_notes(const whirl_rotor *rotor) {
 /// Outlines of all values are built, for some tenths of a second.
 static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     enum { SHORT_TIME = 1 };
-    const volatile bool *over = limit_begin(SHORT_TIME);
+    const whirl_stop *over = limit_begin(SHORT_TIME);
     whirl_status status = whirl_ok();
     whirl_film_tables asked = {0};
     whirl_film_tables_watch(&asked);

@@ -47,7 +47,7 @@ _Noreturn void guard_leave(int status);
 
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGUSR1 set the flag that is returned; another one, half a second later or
 /// more, kills as usual, but for SIGUSR1, by which schedulers only announce an end.
-const volatile bool *interrupt_watch(void);
+const whirl_stop *interrupt_watch(void);
 
 /// Sets the flag in so many seconds from now.
 void interrupt_after(double seconds);

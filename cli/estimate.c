@@ -26,7 +26,7 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     enum { MOST = 50, LONGEST = 5 };
     const double enough = 0.02;
     whirl_integrate_options own = *how;
-    const volatile bool *over = own.stop = limit_begin(LONGEST);
+    const whirl_stop *over = own.stop = limit_begin(LONGEST);
     whirl_ensemble *ensemble;
     const whirl_status made = whirl_ensemble_takes(machine->system, &own)
                                   ? whirl_ensemble_new(machine->system, &own, lanes, &ensemble)

@@ -8,7 +8,7 @@
 #include <time.h>
 
 /// A signal handler can reach nothing but static storage.
-static volatile bool stopped;
+static whirl_stop stopped;
 static volatile sig_atomic_t received;
 
 static volatile double first; ///< seconds, when the first one came
@@ -46,7 +46,7 @@ static void handle(int number, void (*handler)(int)) {
     if (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, NULL);
 }
 
-const volatile bool *interrupt_watch(void) {
+const whirl_stop *interrupt_watch(void) {
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) handle(signals[i], on_signal);
     handle(SIGUSR1, on_announcement);

@@ -1,10 +1,11 @@
 #include "limit.h"
 
 #include <signal.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <sys/time.h>
 
-static volatile bool over;
+static whirl_stop over;
 
 static void set_over(int number) {
     (void)number;
@@ -16,7 +17,7 @@ static void set_timer(long seconds) {
     setitimer(ITIMER_PROF, &timer, NULL);
 }
 
-const volatile bool *limit_begin(long seconds) {
+const whirl_stop *limit_begin(long seconds) {
     const struct sigaction action = {.sa_handler = set_over};
     over = false;
     sigaction(SIGPROF, &action, NULL);

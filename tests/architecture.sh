@@ -14,7 +14,7 @@ fail() {
 
 # ---- which public headers a layer may use: its own and those below it
 
-base="status.h descriptor.h version.h watched.h" # everyone's
+base="status.h descriptor.h stop.h version.h watched.h" # everyone's
 declare -A below=(
     [base]="input.h"
     [rotor]="system.h ensemble.h rotor.h model.h bearing.h film_tables.h"

@@ -26,7 +26,7 @@ static struct {
     int64_t words[RANKS_WORDS]; ///< of the first rank
     pthread_mutex_t lock, asking;
     pthread_t answerer; ///< of the first rank
-    volatile bool leaving;
+    whirl_stop leaving;
     FILE *told; ///< what this rank would have printed, where it is not the first one
     char *text;
     size_t text_size;

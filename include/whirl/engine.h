@@ -30,6 +30,7 @@
 #include "whirl/engine/rotor.h"
 #include "whirl/engine/sensitivity.h"
 #include "whirl/engine/shown.h"
+#include "whirl/engine/stop.h"
 #include "whirl/engine/study.h"
 #include "whirl/engine/system.h"
 #include "whirl/engine/torus.h"

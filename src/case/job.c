@@ -50,7 +50,7 @@ struct whirl_job {
     const whirl_keeper *keeper;
     whirl_job_progress_fn tell;
     void *context;
-    volatile bool stop;
+    whirl_stop stop;
 };
 
 whirl_status whirl_job_of(whirl_job_run_fn *run, const void *subject, whirl_job **job) {

@@ -13,6 +13,7 @@
 #include "keys.h"
 #include "vector.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/engine/stop.h"
 #include "whirl/status.h"
 
 // Elements outside the library find these by names of the library.
@@ -152,7 +153,7 @@ typedef struct whirl_element_type {
 
     /// Optional: sees to it that what its kernels read beside its numbers is there until `release`; gives up where
     /// *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then nothing is held.
-    whirl_status (*hold)(const element *own, const volatile bool *stop);
+    whirl_status (*hold)(const element *own, const whirl_stop *stop);
     void (*release)(const element *own);
 
     /// With states that turn at a constant rate: how often what follows from one comes round in a revolution. NULL:

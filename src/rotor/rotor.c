@@ -385,7 +385,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **out) 
     return status;
 }
 
-whirl_status whirl_rotor_hold(whirl_rotor *rotor, const volatile bool *stop) {
+whirl_status whirl_rotor_hold(whirl_rotor *rotor, const whirl_stop *stop) {
     whirl_status status = whirl_ok();
     while (rotor->held < rotor->element_count && status.code == WHIRL_OK) {
         const element *own = &rotor->elements[rotor->held];

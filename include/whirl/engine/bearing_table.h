@@ -10,6 +10,7 @@
 
 #include "whirl/engine/bearing.h"
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/stop.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
@@ -101,7 +102,7 @@ typedef struct whirl_bearing_options {
     /// Called now and then, from one thread at a time; points count as those at rest do. NULL: none.
     void (*progress)(void *context, const struct whirl_progress *progress);
     void *context;             ///< handed to progress; borrowed
-    const volatile bool *stop; ///< true: points that have not begun are left out; NULL: never
+    const whirl_stop *stop; ///< true: points that have not begun are left out; NULL: never
 } whirl_bearing_options;
 
 /// Reads a file. Problems as for cases. Freed by whirl_bearing_free.

@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/stop.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -33,7 +34,7 @@ typedef struct whirl_integrate_options {
     double limit; ///< a state with a coordinate beyond +-limit counts as diverged, in the state's units
     /// NULL, or becomes true, for good, when motions shall end at once, within their revolutions: what is computed from
     /// then on means nothing, and is to be thrown away. Borrowed; no part of what is computed.
-    const volatile bool *stop;
+    const whirl_stop *stop;
 } whirl_integrate_options;
 
 /// Whether motions by these options shall end. Asked after a revolution, it tells whether that means anything.

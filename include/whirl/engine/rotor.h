@@ -13,6 +13,7 @@
 #include <stddef.h>
 
 #include "whirl/engine/descriptor.h"
+#include "whirl/engine/stop.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -205,7 +206,7 @@ whirl_status whirl_rotor_outline(const whirl_design *design, whirl_rotor **rotor
 /// Sees to it that the tables of films that a rotor reads are there as long as it lives; threads that want the same
 /// ones make them together. Gives up where *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then the
 /// rotor is an outline still.
-whirl_status whirl_rotor_hold(whirl_rotor *rotor, const volatile bool *stop);
+whirl_status whirl_rotor_hold(whirl_rotor *rotor, const whirl_stop *stop);
 
 /// Frees a rotor; NULL is none.
 void whirl_rotor_free(whirl_rotor *rotor);

@@ -11,6 +11,7 @@
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/result.h"
+#include "whirl/engine/stop.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -224,7 +225,7 @@ typedef struct whirl_run_options {
     /// Called a few times a second from one thread at a time, and at the end. May be NULL.
     void (*progress)(void *context, const whirl_progress *progress);
     void *context;              ///< handed to progress; borrowed
-    const volatile bool *stop;  ///< NULL, or becomes true when the run shall end early
+    const whirl_stop *stop;  ///< NULL, or becomes true when the run shall end early
     const whirl_keeper *keeper; ///< NULL: every point is computed
     /// Bytes of a table's blocks from which on they are left with the keeper, if there is one, which must then live as
     /// long as the result; 0: 256 MB. Not where points are confirmed or refined: their blocks stay in memory.

@@ -4,6 +4,7 @@
 
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
+#include "whirl/engine/stop.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -129,7 +130,7 @@ pad_table_key pad_table_key_of(double number);
 /// Sees to it that the table is there until pad_table_release. Making it takes a second; all threads that want the
 /// table make it together, and give up where *stop becomes true (NULL: never). A film that cannot be solved gives a
 /// table of not-a-numbers: what moves by it diverges. WHIRL_NO_MEMORY, WHIRL_STOPPED: then it is not held.
-whirl_status pad_table_hold(double number, const volatile bool *stop);
+whirl_status pad_table_hold(double number, const whirl_stop *stop);
 void pad_table_release(double number);
 
 /// The table of a number that somebody holds; else one of zeros.

@@ -206,7 +206,7 @@ static double table_of(const element *own, size_t pad) {
     return own->number[PADS_FIRST + pad * PAD_NUMBERS + PAD_TABLE];
 }
 
-whirl_status pads_hold(const element *own, const volatile bool *stop) {
+whirl_status pads_hold(const element *own, const whirl_stop *stop) {
     whirl_status status = whirl_ok();
     size_t held = 0;
     while (held < (size_t)own->law && status.code == WHIRL_OK) {

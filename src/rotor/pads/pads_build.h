@@ -73,7 +73,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
 void pads_begin(const element *own, double *states);
 
 /// Holds the tables of its pads (pad_table_hold), or none of them; lets them go.
-whirl_status pads_hold(const element *own, const volatile bool *stop);
+whirl_status pads_hold(const element *own, const whirl_stop *stop);
 void pads_release(const element *own);
 
 /// In length scales: the circle in which the journal moves; 0 where the housing moves.

@@ -151,7 +151,7 @@ static pad_table *take_memory(void) {
 
 // ---------------------------------------------------------------- making
 
-static bool is_stopped(const volatile bool *stop) {
+static bool is_stopped(const whirl_stop *stop) {
     return stop && *stop;
 }
 
@@ -168,7 +168,7 @@ static making *begin_making(const pad_table_key *key) {
 }
 
 /// The values of one t after the other, until nobody has any to begin. Under the guard, which is left meanwhile.
-static void fill_together(making *with, const volatile bool *stop) {
+static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace *work = NULL;
     whirl_status status = pad_workspace_new(with->film.around, with->film.along, &work);
     while (with->next < PAD_T_NODES && status.code == WHIRL_OK && with->error.code == WHIRL_OK && !is_stopped(stop)) {
@@ -233,7 +233,7 @@ static whirl_status end_making(size_t i, bool found) {
 }
 
 /// Makes a table or helps those that make it. Under the guard, which is left meanwhile.
-static whirl_status make(size_t i, const volatile bool *stop) {
+static whirl_status make(size_t i, const whirl_stop *stop) {
     making *with = slots[i].making;
     bool found = false;
     if (!with) {
@@ -253,7 +253,7 @@ static whirl_status make(size_t i, const volatile bool *stop) {
     return end_making(i, found);
 }
 
-whirl_status pad_table_hold(double number, const volatile bool *stop) {
+whirl_status pad_table_hold(double number, const whirl_stop *stop) {
     const size_t i = (size_t)number;
     whirl_status status = whirl_ok();
     lock_take(&guard);

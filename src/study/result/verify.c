@@ -132,7 +132,7 @@ static void compare_exponents(whirl_verification *v) {
 
 /// The state after the revolutions, all NaN where the motion left its bounds.
 static whirl_status state_after(const whirl_machine *machine, const whirl_integrate_options *how,
-                                const volatile bool *stop, int revolutions, double *x) {
+                                const whirl_stop *stop, int revolutions, double *x) {
     whirl_integrate_options options = *how;
     const size_t dimension = machine->system->dimension;
     whirl_integrator *integrator;
@@ -168,7 +168,7 @@ static double observed_order(const double *states, size_t dimension, double rati
     return log(first / second) / log(ratio);
 }
 
-static whirl_status compare_states(const whirl_study *study, const volatile bool *stop, whirl_verification *v,
+static whirl_status compare_states(const whirl_study *study, const whirl_stop *stop, whirl_verification *v,
                                    size_t point) {
     whirl_machine machine;
     whirl_status status = whirl_study_machine(study, &study->batches[0], point, &machine);

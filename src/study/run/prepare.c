@@ -28,7 +28,7 @@ typedef struct preparation {
 } preparation;
 
 /// Builds the machine of a point and lets it go; what it needs stays. What is wrong with it is found where it is used.
-static whirl_status visit(const whirl_study *study, const place *at, bool outline, const volatile bool *stop) {
+static whirl_status visit(const whirl_study *study, const place *at, bool outline, const whirl_stop *stop) {
     whirl_batch batch = study->batches[at->batch];
     whirl_machine machine;
     batch.outline = outline;

@@ -61,7 +61,7 @@ static whirl_status gather(void *context) {
 }
 
 /// What a run gives; `stop` ends it.
-static whirl_result *run_one(table *all, size_t number, const volatile bool *stop, whirl_status *status) {
+static whirl_result *run_one(table *all, size_t number, const whirl_stop *stop, whirl_status *status) {
     const whirl_keeper keeper = {.keep = memory_keep, .recall = memory_recall, .context = all->keepers[number]};
     const bool last = number + 1 == RUNS;
     const whirl_dealer dealer = {
@@ -166,7 +166,7 @@ static void test_what_is_known_is_not_dealt(void **state) {
 /// It has no time for its confirmations, perhaps not for its points; what the others have is in its result all the
 /// same.
 static void test_a_stop_of_the_one_that_gathers(void **state) {
-    const volatile bool stop = true;
+    const whirl_stop stop = true;
     double values[POINTS];
     size_t done = 0, total = 0;
     (void)state;

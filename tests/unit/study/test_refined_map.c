@@ -284,7 +284,7 @@ static void stops_change_nothing(void **state) {
 
 /// Stops at once: the corners of the first squares are asked for, and none is done.
 static void a_stopped_map_is_partial(void **state) {
-    const volatile bool stop = true;
+    const whirl_stop stop = true;
     plane s;
     size_t done, total;
     whirl_result *result;

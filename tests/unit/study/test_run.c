@@ -140,7 +140,7 @@ static void test_progress_ends_complete(void **state) {
     whirl_result_free(result);
 }
 
-static volatile bool stop;
+static whirl_stop stop;
 
 /// Asks for a stop where the middle point begins, not where its machine is built beforehand for its tables of films.
 static whirl_status stopping_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *out) {

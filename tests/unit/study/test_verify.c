@@ -138,7 +138,7 @@ static void test_another_method_is_found(void **state) {
 
 static void test_a_stop_leaves_nothing(void **state) {
     const whirl_study s = study("rk4", 16);
-    const volatile bool stop = true;
+    const whirl_stop stop = true;
     whirl_verification *v;
     (void)state;
     const whirl_verify_options options = {.revolutions = 1};
