@@ -22,6 +22,7 @@
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/journal.h"
 #include "whirl/engine/linear.h"
+#include "whirl/engine/line.h"
 #include "whirl/engine/model.h"
 #include "whirl/engine/orbit.h"
 #include "whirl/engine/record.h"

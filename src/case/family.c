@@ -112,6 +112,20 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
     return whirl_ok();
 }
 
+whirl_status whirl_case_line(const whirl_case *object, const whirl_batch *batch, double value, whirl_shaft_line *out) {
+    valuation v;
+    whirl_given given[PLAN_MAX_GIVEN];
+    const machine_choice choice = choose(batch);
+    const char *couplings = batch->variant == WHIRL_WITH_STATICS ? batch->record.coupling : NULL;
+    const size_t count = plan_given(batch, value, batch->second_value, batch->third_value, given);
+    *out = (whirl_shaft_line){0};
+    whirl_status status = valuation_open(&v, &object->content.parameters, given, count);
+    if (status.code == WHIRL_OK)
+        status = machine_line(&object->content.machine, &v, batch->speed, &choice, couplings, out);
+    valuation_close(&v);
+    return status;
+}
+
 void whirl_case_refine(whirl_case *object, whirl_budget budget) {
     object->refine = budget;
 }

@@ -327,17 +327,31 @@ static whirl_status build_and_free(whirl_status status, whirl_design *design, wh
     return status;
 }
 
+static whirl_status make_chosen_design(const machine_parts *machine, valuation *v, double speed,
+                                       const machine_choice *choice, whirl_design **design) {
+    const whirl_status status = make_design(machine, v, speed, design);
+    if (status.code != WHIRL_OK) return status;
+    whirl_design_unbalances(*design, choice->placed_count, choice->placed);
+    if (choice->in_time) whirl_design_in_time(*design);
+    if (choice->asynchronous) whirl_design_frequency(*design, choice->frequency);
+    whirl_design_drag(*design, choice->drag, choice->drag_at, choice->stages);
+    return status;
+}
+
 whirl_status machine_build_with(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
                                 whirl_rotor **rotor) {
     whirl_design *design;
-    const whirl_status status = make_design(machine, v, speed, &design);
-    if (status.code == WHIRL_OK) {
-        whirl_design_unbalances(design, choice->placed_count, choice->placed);
-        if (choice->in_time) whirl_design_in_time(design);
-        if (choice->asynchronous) whirl_design_frequency(design, choice->frequency);
-        whirl_design_drag(design, choice->drag, choice->drag_at, choice->stages);
-    }
+    const whirl_status status = make_chosen_design(machine, v, speed, choice, &design);
     return build_and_free(status, design, rotor);
+}
+
+whirl_status machine_line(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
+                          const char *couplings, whirl_shaft_line *out) {
+    whirl_design *design;
+    whirl_status status = make_chosen_design(machine, v, speed, choice, &design);
+    if (status.code == WHIRL_OK) status = whirl_design_line(design, couplings, out);
+    whirl_design_free(design);
+    return status;
 }
 
 whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor) {

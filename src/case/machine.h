@@ -3,6 +3,7 @@
 #define CASE_MACHINE_H
 
 #include "settings.h"
+#include "whirl/engine/line.h"
 #include "whirl/engine/model.h"
 #include "whirl/engine/rotor.h"
 
@@ -59,6 +60,10 @@ whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, 
 /// What its weight does, as whirl_design_statics tells it; out and influence are for all its stations.
 whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
                              whirl_station_statics *out, double *influence);
+
+/// The line of its shafts, as whirl_design_line makes it; choice: of the rotor that machine_build_with builds.
+whirl_status machine_line(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
+                          const char *couplings, whirl_shaft_line *out);
 
 /// How weight acts on it, as whirl_design_weight tells it.
 whirl_status machine_weight(const machine_parts *machine, valuation *v, whirl_weight *out);

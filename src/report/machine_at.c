@@ -22,17 +22,22 @@ whirl_case *machine_of(const whirl_result *result) {
     return machine;
 }
 
-bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out) {
-    whirl_study study;
-    if (!machine || whirl_case_study(machine, &study).code != WHIRL_OK) return false;
-    for (size_t i = 0; i < study.batch_count; i++) {
-        whirl_batch *batch = &study.batches[i];
+whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study) {
+    if (!machine || whirl_case_study(machine, study).code != WHIRL_OK) return NULL;
+    for (size_t i = 0; i < study->batch_count; i++) {
+        whirl_batch *batch = &study->batches[i];
         if (strcmp(batch->name, table->name) != 0) continue;
         batch->second_value = whirl_table_second(table, point);
         batch->third_value = whirl_table_third(table, point);
-        return study.machine(study.family, batch, table->values[point], out).code == WHIRL_OK;
+        return batch;
     }
-    return false;
+    return NULL;
+}
+
+bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out) {
+    whirl_study study;
+    const whirl_batch *batch = machine_batch(machine, table, point, &study);
+    return batch && study.machine(study.family, batch, table->values[point], out).code == WHIRL_OK;
 }
 
 double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point) {

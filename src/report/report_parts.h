@@ -101,6 +101,10 @@ json_t *sheets_json(bool *well, const whirl_findings *findings);
 /// Freed by whirl_case_free.
 whirl_case *machine_of(const whirl_result *result);
 
+/// The batch of a table in the study of a case, with the second and third parameter of a point; NULL where there is
+/// none. A part of *study.
+whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study);
+
 /// The machine of a point as the study has it, with the values of its condition, but with its own unbalances where the
 /// study places others; false where it cannot be made. To be released.
 bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out);

@@ -74,6 +74,12 @@ typedef struct whirl_axis {
     char **tick_texts;               ///< [tick_count] and what is written there
 } whirl_axis;
 
+/// A part of a panel that shows a station: where figures can be clicked on, it stands for that.
+typedef struct whirl_spot {
+    char station[WHIRL_NAME_SIZE]; ///< its name
+    double x, y, x_to, y_to;       ///< a box, in numbers of the axes
+} whirl_spot;
+
 /// A panel.
 typedef struct whirl_panel {
     char name[WHIRL_NAME_SIZE];      ///< among those of the figure: "x", "exponent"
@@ -86,6 +92,8 @@ typedef struct whirl_panel {
     bool keyed;                      ///< names of series stand in a legend inside it, else above the figure
     size_t count;                    ///< of series
     whirl_series **series;           ///< [count] later ones over earlier ones
+    size_t spot_count;               ///< of spots
+    whirl_spot *spots;               ///< [spot_count] parts that show stations
 } whirl_panel;
 
 /// The colours of numbers.

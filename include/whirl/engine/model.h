@@ -61,6 +61,8 @@ typedef struct whirl_model {
     whirl_model_mass *stations;                                      ///< [station_count]
     whirl_model_total *shafts;                                       ///< [shaft_count]
     whirl_model_element *elements; ///< [element_count] but segments, in the order of the design
+    bool stands;                   ///< weight acts along the shafts
+    bool rises;                    ///< places along shafts that stand are counted upwards
 } whirl_model;
 
 /// Finds it. Errors as whirl_rotor_new. Freed by whirl_model_free.

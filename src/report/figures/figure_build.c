@@ -134,6 +134,13 @@ void series_add_text(whirl_figure *figure, whirl_series *series, double x, doubl
     if (series->texts[series->count]) series->count++;
 }
 
+void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y) {
+    if (!panel || !make_room(figure, (void *)&panel->spots, panel->spot_count, sizeof *panel->spots)) return;
+    whirl_spot *own = &panel->spots[panel->spot_count++];
+    *own = (whirl_spot){.x = x.low, .y = y.low, .x_to = x.high, .y_to = y.high};
+    snprintf(own->station, sizeof own->station, "%s", station);
+}
+
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text) {
     if (!make_room(figure, (void *)&axis->ticks, axis->tick_count, sizeof *axis->ticks) ||
         !make_room(figure, (void *)&axis->tick_texts, axis->tick_count, sizeof *axis->tick_texts))
@@ -189,6 +196,7 @@ static void free_panel(whirl_panel *panel) {
         free(series);
     }
     free((void *)panel->series);
+    free(panel->spots);
     free_axis(&panel->x);
     free_axis(&panel->y);
     free(panel);

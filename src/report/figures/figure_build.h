@@ -44,6 +44,9 @@ void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y);
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text);
 void series_value(whirl_figure *figure, whirl_series *series, double value); ///< of the box added last
 
+/// A part of a panel that shows a station.
+void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y);
+
 /// A tick with a text of its own.
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text);
 

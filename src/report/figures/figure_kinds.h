@@ -6,6 +6,8 @@
 #include "figure_build.h"
 #include "report_parts.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/line.h"
+#include "whirl/engine/model.h"
 #include "whirl/engine/result.h"
 
 #include <stdbool.h>
@@ -86,8 +88,109 @@ bool table_has(const whirl_table *table, const char *field);
 bool table_is_sweep(const drawing *of, const whirl_table *table);
 
 extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
-    torus_figure, campbell_figure, decrement_figure, shapes_figure, unbalance_figure, critical_speeds_figure,
-    stability_figure, screening_figure, orbits_figure, transient_figure, point_figure, field_figure;
+    torus_figure, campbell_figure, decrement_figure, shapes_figure, deflected_figure, sag_figure, unbalance_figure,
+    critical_speeds_figure, stability_figure, screening_figure, orbits_figure, transient_figure, point_figure,
+    field_figure;
+
+// ---------------------------------------------------------------- machine_layout
+// Where the parts of a machine lie in its drawing.
+
+/// What the drawing of a machine is laid out by. Lengths in m; of a machine without shafts of finite elements they mean
+/// nothing.
+typedef struct machine_layout {
+    const whirl_result *result;
+    whirl_model model;
+    bool to_scale;                                           ///< the machine has shafts of finite elements
+    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< where a shaft begins; its height
+    bool placed_shaft[WHIRL_MAX_SHAFTS];
+    bool placed[WHIRL_MAX_PROBES];
+    double x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], radius[WHIRL_MAX_PROBES]; ///< of every station
+    double symbol;                                                             ///< size of symbols
+    double top, bottom;                                                        ///< of all that is drawn
+    span along;
+} machine_layout;
+
+/// Lays out the machine of a drawing; NULL where there is none, or without memory. Freed by layout_free.
+machine_layout *layout_new(const drawing *of);
+void layout_free(machine_layout *layout);
+
+/// Letters of the longest name of a station.
+size_t layout_longest_name(const whirl_result *result);
+
+/// Returns true for a station of the layout, false for the ground.
+bool layout_has_station(const machine_layout *l, size_t station);
+
+/// Largest radius of a shaft and of all that sits on it; of a station, its disc's or its shaft's. m.
+double layout_largest_radius(const machine_layout *l, size_t shaft);
+double layout_rim_radius(const machine_layout *l, size_t station);
+
+/// The radius of a steel disc of a station's mass and polar inertia, of a mass without one that of a cube; its width.
+/// m.
+double layout_disc_radius(const whirl_model_mass *of);
+double layout_disc_width(const whirl_model_mass *of);
+
+// ---------------------------------------------------------------- machine_along
+// Shapes of a machine over the places of its stations, with the machine in grey behind.
+
+/// Where stations and shafts stand along a figure: those of shafts of finite elements at their places, shafts that do
+/// not lie on one axis after one another, stations on none beyond the last of these; without shafts all one by one.
+typedef struct machine_along {
+    machine_layout *layout;                               ///< of the machine to scale; NULL: none
+    bool shafts;                                          ///< there are any
+    size_t aside;                                         ///< stations on no shaft, where there are shafts
+    double unit;                                          ///< m of one unit
+    span range;                                           ///< in units, or numbers of stations
+    double step, end;                                     ///< between stations on no shaft, which lie beyond `end`
+    double at[WHIRL_MAX_PROBES], start[WHIRL_MAX_SHAFTS]; ///< of stations; of place 0 of shafts
+} machine_along;
+
+/// Finds it; its layout is freed by layout_free.
+void along_place(const drawing *of, machine_along *out);
+
+/// The horizontal axis of a panel: places along the shafts, or the names of stations where there are none.
+void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, const machine_along *along);
+
+/// What a caption says of that machine; "" where it is not drawn.
+const char *along_caption(const machine_along *along);
+
+/// The machine in grey behind a panel whose vertical axis goes from -high to high: along to scale, across as far as it
+/// fits.
+void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along *along, double high);
+
+// ---------------------------------------------------------------- shaft_bends
+// How shafts bend between their stations: the machine of a point, computed once more, with the line of its shafts.
+
+typedef struct shaft_bends shaft_bends;
+
+/// The machine of a point of a study at rest; NULL where it cannot be made or has no shafts of finite elements. Freed
+/// by bends_free.
+shaft_bends *bends_new(const drawing *of, const whirl_table *table, size_t point);
+void bends_free(shaft_bends *bends);
+
+/// Its line, and the length scale of the machine, m.
+const whirl_shaft_line *bends_line(const shaft_bends *bends);
+double bends_length(const shaft_bends *bends);
+
+/// Fill moved [places][4] with x_cos, x_sin, y_cos, y_sin of the line, as `modes/shape` has them, and as lengths of the
+/// response to unbalance. False where the shape is not that of the result's stations, to 1e-6 of its largest.
+bool bends_mode(shaft_bends *bends, size_t mode, double *moved);
+bool bends_response(shaft_bends *bends, double *moved);
+
+/// Adds a column of moved [places][columns] to a series, shaft by shaft.
+void bends_draw(whirl_figure *figure, whirl_series *to, const shaft_bends *bends, const machine_along *along,
+                const double *moved, size_t columns, size_t column);
+
+/// A shape over a machine: which column of moved is drawn, 0 and 1 along x, 2 and 3 along y, even ones with full lines.
+typedef struct along_curve {
+    const drawing *of;
+    const machine_along *along;
+    const shaft_bends *bends; ///< NULL: lines go from station to station
+    const double *moved;      ///< [places][columns] in units of the panel
+    size_t columns, column;
+} along_curve;
+
+/// Draws it, with marks at the stations, whose values [stations] are the same column; NaN: none.
+void along_shape(whirl_figure *figure, whirl_panel *panel, const along_curve *of, const double *values);
 
 // ---------------------------------------------------------------- bifurcation
 // What a bifurcation diagram of a station shows, and what its panels share.

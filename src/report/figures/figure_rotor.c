@@ -8,212 +8,49 @@
 #include "shown_kinds.h"
 #include "whirl/engine/model.h"
 
-/// What the drawing of a machine is laid out by. Lengths in m; of a machine without shafts of finite elements they mean
-/// nothing.
-typedef struct layout {
-    const whirl_result *result;
-    whirl_model model;
-    bool to_scale;                                           ///< the machine has shafts of finite elements
-    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< where a shaft begins; its height
-    bool placed_shaft[WHIRL_MAX_SHAFTS];
-    bool placed[WHIRL_MAX_PROBES];
-    double x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], radius[WHIRL_MAX_PROBES]; ///< of every station
-    double symbol;                                                             ///< size of symbols
-    double top, bottom;                                                        ///< of all that is drawn
-    span along;
-} layout;
-
-/// Density by which masses and inertias become discs, kg/m3: steel.
-static const double steel = 7850.0;
-
-static const double pi = 3.14159265358979323846;
-
-static bool is_station(const layout *l, size_t station) {
-    return station < l->model.station_count && station < WHIRL_MAX_PROBES;
-}
-
-// ---------------------------------------------------------------- where shafts and stations are
-
-/// Outer radius of a shaft at a place along it, the larger one where it steps; 0 beyond its ends.
-static double shaft_radius(const layout *l, size_t shaft, double at) {
-    double radius = 0.0;
-    for (size_t i = 0; i < l->model.section_count; i++) {
-        const whirl_model_section *s = &l->model.sections[i];
-        const double slack = 1e-9 * (s->to - s->from);
-        if (s->shaft != shaft || at < s->from - slack || at > s->to + slack) continue;
-        const double share = (at - s->from) / (s->to - s->from);
-        radius = fmax(radius, 0.5 * (s->outer[0] + share * (s->outer[1] - s->outer[0])));
-    }
-    return radius;
-}
-
-static double largest_radius(const layout *l, size_t shaft) {
-    double radius = 0.0;
-    for (size_t i = 0; i < l->model.section_count; i++)
-        if (l->model.sections[i].shaft == shaft)
-            radius = fmax(radius, 0.5 * fmax(l->model.sections[i].outer[0], l->model.sections[i].outer[1]));
-    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
-        if (l->model.stations[s].shaft == shaft) radius = fmax(radius, l->radius[s]);
-    return radius;
-}
-
-/// Puts a shaft on the axis of another one, if an element joins them: their stations there have one place.
-static bool align_shaft(layout *l, size_t shaft) {
-    for (size_t i = 0; i < l->model.element_count; i++) {
-        const whirl_model_element *e = &l->model.elements[i];
-        for (int end = 0; end < 2; end++) {
-            if (!is_station(l, e->station[0]) || !is_station(l, e->station[1])) continue;
-            const whirl_model_mass *own = &l->model.stations[e->station[end]];
-            const whirl_model_mass *other = &l->model.stations[e->station[1 - end]];
-            if (own->shaft != shaft || other->shaft >= l->model.shaft_count || !l->placed_shaft[other->shaft]) continue;
-            l->offset[shaft] = l->offset[other->shaft] + other->position - own->position;
-            l->axis[shaft] = l->axis[other->shaft];
-            return l->placed_shaft[shaft] = true;
-        }
-    }
-    return false;
-}
-
-/// Shafts that an element joins lie on one axis, the others below one another.
-static void place_shafts(layout *l) {
-    double axis = 0.0;
-    size_t left = l->model.shaft_count;
-    while (left > 0) {
-        bool any = false;
-        for (size_t s = 0; s < l->model.shaft_count; s++)
-            if (!l->placed_shaft[s] && align_shaft(l, s)) left--, any = true;
-        if (any || left == 0) continue;
-        size_t next = 0;
-        while (l->placed_shaft[next]) next++;
-        if (next > 0) axis -= largest_radius(l, next - 1) + largest_radius(l, next) + 9.0 * l->symbol;
-        l->axis[next] = axis;
-        l->placed_shaft[next] = true;
-        left--;
-    }
-}
-
-/// The radius of a steel disc of a station's mass and polar inertia; of a mass without one that of a cube.
-static double disc_radius(const whirl_model_mass *of) {
-    if (!(of->mass > 0.0)) return 0.0;
-    return of->polar > 0.0 ? sqrt(2.0 * of->polar / of->mass) : 0.5 * cbrt(of->mass / steel);
-}
-
-static double disc_width(const whirl_model_mass *of) {
-    const double r = disc_radius(of);
-    return of->polar > 0.0 ? of->mass / (steel * pi * r * r) : 2.0 * r;
-}
-
-/// The radius of a station's disc, or of its shaft where that is larger.
-static double rim_radius(const layout *l, size_t station) {
-    const whirl_model_mass *own = &l->model.stations[station];
-    return own->shaft < l->model.shaft_count ? fmax(disc_radius(own), l->radius[station]) : l->radius[station];
-}
-
-/// A station that lies on no shaft stands below what an element joins it to.
-static bool hang_station(layout *l, size_t station) {
-    for (size_t i = 0; i < l->model.element_count; i++) {
-        const whirl_model_element *e = &l->model.elements[i];
-        for (int end = 0; end < 2; end++) {
-            const size_t other = e->station[1 - end];
-            if (e->station[end] != station || !is_station(l, other) || !l->placed[other]) continue;
-            l->x[station] = l->x[other];
-            l->y[station] = l->y[other] - l->radius[other] - 3.2 * l->symbol;
-            return l->placed[station] = true;
-        }
-    }
-    return false;
-}
-
-/// Whether a station is the housing or the support of another one: the second end of a bearing, stator or support.
-static bool is_housing(const layout *l, size_t station) {
-    for (size_t i = 0; i < l->model.element_count; i++) {
-        const whirl_model_element *e = &l->model.elements[i];
-        if (e->station[1] == station && e->station[0] != WHIRL_MODEL_NONE && e->role != WHIRL_ROLE_LINK) return true;
-    }
-    return false;
-}
-
-static void place_stations(layout *l) {
-    const size_t count = l->model.station_count < WHIRL_MAX_PROBES ? l->model.station_count : WHIRL_MAX_PROBES;
-    double beside = l->to_scale ? l->along.high + 4.0 * l->symbol : 0.0;
-    for (size_t s = 0; s < count; s++) {
-        const whirl_model_mass *own = &l->model.stations[s];
-        if (own->shaft >= l->model.shaft_count) continue;
-        l->x[s] = l->offset[own->shaft] + own->position;
-        l->y[s] = l->axis[own->shaft];
-        l->placed[s] = true;
-    }
-    for (size_t s = 0; s < count && !l->to_scale; s++) {
-        if (is_housing(l, s)) continue;
-        l->x[s] = beside;
-        beside += 1.0;
-        l->placed[s] = true;
-    }
-    for (bool any = true; any;) {
-        any = false;
-        for (size_t s = 0; s < count; s++)
-            if (!l->placed[s] && hang_station(l, s)) any = true;
-    }
-    for (size_t s = 0; s < count; s++) {
-        if (l->placed[s]) continue;
-        l->x[s] = beside;
-        beside += l->to_scale ? 4.0 * l->symbol : 1.0;
-        l->placed[s] = true;
-    }
-}
-
-/// Sizes of symbols, and of stations: those of a machine that is not to scale by the cube root of their masses.
-static void size_stations(layout *l) {
-    double length = 0.0, thick = 0.0, heaviest = 0.0;
-    for (size_t i = 0; i < l->model.section_count; i++) {
-        length = fmax(length, l->model.sections[i].to);
-        thick = fmax(thick, fmax(l->model.sections[i].outer[0], l->model.sections[i].outer[1]));
-    }
-    for (size_t s = 0; s < l->model.station_count; s++) heaviest = fmax(heaviest, l->model.stations[s].mass);
-    l->symbol = l->to_scale ? fmax(0.018 * length, 0.12 * thick) : 0.1;
-    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
-        const whirl_model_mass *own = &l->model.stations[s];
-        const double shaft = own->shaft < l->model.shaft_count ? shaft_radius(l, own->shaft, own->position) : 0.0;
-        l->radius[s] = !l->to_scale  ? 0.06 + (heaviest > 0.0 ? 0.16 * cbrt(own->mass / heaviest) : 0.0)
-                       : shaft > 0.0 ? shaft
-                                     : l->symbol;
-    }
-}
-
-static void measure(layout *l) {
-    l->along = span_empty();
-    for (size_t i = 0; i < l->model.section_count; i++) {
-        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].from);
-        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].to);
-    }
-}
-
 // ---------------------------------------------------------------- drawing
 
-/// A drawing under way: the figure, its panel, and how large a metre is in the unit shown.
+/// A drawing under way: the figure, its panel, and how large a metre is in the unit shown. Places are those of a
+/// machine that lies, x along and y across its shafts; one that stands is drawn upright, x upwards or downwards.
 typedef struct pen {
     whirl_figure *figure;
     whirl_panel *panel;
-    layout *l;
+    machine_layout *l;
     double unit;
+    double upright; ///< 0 of a machine that lies; 1 or -1 where x rises or falls
+    double cm;      ///< m a cm of the drawing, or so
 } pen;
 
-static void reach(layout *l, double x, double low, double high) {
+static void reach(machine_layout *l, double x, double low, double high) {
     span_widen(&l->along, x);
     l->top = fmax(l->top, high);
     l->bottom = fmin(l->bottom, low);
 }
 
+/// A place in the panel, in units; x of one that stands is its height.
+static double pen_x(const pen *p, double x, double y) {
+    return (p->upright != 0.0 ? y : x) / p->unit;
+}
+
+static double pen_y(const pen *p, double x, double y) {
+    return (p->upright != 0.0 ? p->upright * x : y) / p->unit;
+}
+
 static void pen_box(const pen *p, whirl_series *to, double x, double half, double low, double high) {
-    series_add_box(p->figure, to, (span){(x - half) / p->unit, (x + half) / p->unit},
-                   (span){low / p->unit, high / p->unit});
+    const double along = p->upright < 0.0 ? -half : half;
+    const double left = pen_x(p, x - along, low), right = pen_x(p, x + along, high);
+    series_add_box(p->figure, to, (span){left, right}, (span){pen_y(p, x - along, low), pen_y(p, x + along, high)});
     reach(p->l, x - half, low, high);
     reach(p->l, x + half, low, high);
 }
 
 static void pen_point(const pen *p, whirl_series *to, double x, double y) {
-    series_add(p->figure, to, x / p->unit, y / p->unit);
+    series_add(p->figure, to, pen_x(p, x, y), pen_y(p, x, y));
     reach(p->l, x, y, y);
+}
+
+static void pen_text(const pen *p, whirl_series *to, double x, double y, const char *text) {
+    series_add_text(p->figure, to, pen_x(p, x, y), pen_y(p, x, y), text);
 }
 
 static void pen_line(const pen *p, whirl_series *to, double x, double y, double x_to, double y_to) {
@@ -222,18 +59,52 @@ static void pen_line(const pen *p, whirl_series *to, double x, double y, double 
     series_break(p->figure, to);
 }
 
+/// Fills a wall along `x`, of radii at its ends, above (side 1) or below the axis. Areas are filled upwards: of a wall
+/// that stands they go across it, from the end that lies further inside to the one further outside.
+static void pen_fill(const pen *p, whirl_series *area, span x, const double inner[2], const double outer[2], int side) {
+    if (p->upright == 0.0) {
+        for (int end = 0; end < 2; end++)
+            series_add_to(p->figure, area, (end ? x.high : x.low) / p->unit, inner[end] / p->unit,
+                          outer[end] / p->unit);
+        series_break(p->figure, area);
+        return;
+    }
+    const double corners[] = {inner[0], inner[1], outer[0], outer[1]};
+    double at[4];
+    size_t count = 0;
+    for (double after = -HUGE_VAL; count < 4;) {
+        double next = HUGE_VAL;
+        for (size_t i = 0; i < 4; i++)
+            if (corners[i] > after) next = fmin(next, corners[i]);
+        if (next == HUGE_VAL) break;
+        at[count++] = after = next;
+    }
+    for (size_t i = 0; i < count; i++) {
+        span along = x;
+        const double c = at[i];
+        // A slanted edge cuts off the end at which the wall does not reach so far.
+        for (int edge = 0; edge < 2; edge++) {
+            const double *r = edge ? outer : inner;
+            if (r[0] == r[1] || c < fmin(r[0], r[1]) || c > fmax(r[0], r[1])) continue;
+            const bool kept_low = edge ? side * r[0] > side * r[1] : side * r[0] < side * r[1];
+            *(kept_low ? &along.high : &along.low) = x.low + (x.high - x.low) * (c - r[0]) / (r[1] - r[0]);
+        }
+        const double low = p->upright * along.low / p->unit, high = p->upright * along.high / p->unit;
+        series_add_to(p->figure, area, c / p->unit, fmin(low, high), fmax(low, high));
+    }
+    series_break(p->figure, area);
+}
+
 /// One wall of a section, between radii of its ends, above (side 1) or below the axis.
 static void pen_wall(const pen *p, whirl_series *area, whirl_series *edge, const whirl_model_section *s, int side) {
-    const layout *l = p->l;
+    const machine_layout *l = p->l;
     const double axis = l->axis[s->shaft], from = l->offset[s->shaft] + s->from, to = l->offset[s->shaft] + s->to;
     double inner[2], outer[2];
     for (int end = 0; end < 2; end++) {
         inner[end] = axis + side * 0.5 * s->inner[end];
         outer[end] = axis + side * 0.5 * s->outer[end];
     }
-    series_add_to(p->figure, area, from / p->unit, inner[0] / p->unit, outer[0] / p->unit);
-    series_add_to(p->figure, area, to / p->unit, inner[1] / p->unit, outer[1] / p->unit);
-    series_break(p->figure, area);
+    pen_fill(p, area, (span){from, to}, inner, outer, side);
     pen_point(p, edge, from, inner[0]);
     pen_point(p, edge, from, outer[0]);
     pen_point(p, edge, to, outer[1]);
@@ -243,7 +114,7 @@ static void pen_wall(const pen *p, whirl_series *area, whirl_series *edge, const
 }
 
 static void draw_shafts(const pen *p) {
-    const layout *l = p->l;
+    const machine_layout *l = p->l;
     whirl_series *axis = panel_series(p->figure, p->panel, WHIRL_LINE, "#909090", 0.4);
     whirl_series *area = panel_named(p->figure, p->panel, WHIRL_AREA, "shaft", "#B9C6D2", 1.0);
     whirl_series *edge = panel_series(p->figure, p->panel, WHIRL_LINE, "#303030", 0.5);
@@ -265,7 +136,7 @@ static void draw_shafts(const pen *p) {
 
 /// Discs and masses, with a hole for the shaft that they sit on.
 static void draw_masses(const pen *p) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     whirl_series *discs = NULL;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
@@ -275,8 +146,8 @@ static void draw_masses(const pen *p) {
             discs = panel_named(p->figure, p->panel, WHIRL_BOXES, l->to_scale ? "discs and masses" : "masses",
                                 "#7D93A8", 0.4);
         if (on_shaft) {
-            const double radius = fmax(disc_radius(own), l->radius[s] + 0.3 * l->symbol);
-            const double half = fmax(0.5 * disc_width(own), 0.12 * l->symbol);
+            const double radius = fmax(layout_disc_radius(own), l->radius[s] + 0.3 * l->symbol);
+            const double half = fmax(0.5 * layout_disc_width(own), 0.12 * l->symbol);
             pen_box(p, discs, l->x[s], half, l->y[s] + l->radius[s], l->y[s] + radius);
             pen_box(p, discs, l->x[s], half, l->y[s] - radius, l->y[s] - l->radius[s]);
         } else {
@@ -306,21 +177,22 @@ static const symbol symbols[] = {
 };
 
 static void draw_symbol(const pen *p, const symbol *what) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     whirl_series *blocks = NULL, *ground = NULL;
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
-        if (e->role != what->role || !is_station(l, e->station[0])) continue;
+        if (e->role != what->role || !layout_has_station(l, e->station[0])) continue;
         const double x = l->x[e->station[0]], y = l->y[e->station[0]], u = l->symbol;
         // A stator is around the disc, all else around the shaft.
-        const double r = what->role == WHIRL_ROLE_STATOR ? rim_radius(l, e->station[0]) : l->radius[e->station[0]];
+        const double r =
+            what->role == WHIRL_ROLE_STATOR ? layout_rim_radius(l, e->station[0]) : l->radius[e->station[0]];
         if (!blocks) {
             blocks = panel_named(p->figure, p->panel, WHIRL_BOXES, what->name, what->colour, 0.4);
             ground = panel_series(p->figure, p->panel, WHIRL_LINE, "#404040", 0.5);
         }
         pen_box(p, blocks, x, what->half * u, y + r + what->from * u, y + r + what->to * u);
         pen_box(p, blocks, x, what->half * u, y - r - what->to * u, y - r - what->from * u);
-        if (is_station(l, e->station[1]))
+        if (layout_has_station(l, e->station[1]))
             pen_line(p, ground, x, y - r - what->to * u, l->x[e->station[1]], l->y[e->station[1]]);
         else if (what->role == WHIRL_ROLE_BEARING)
             draw_ground(p, ground, x, y - r - what->to * u);
@@ -338,12 +210,12 @@ static void draw_spring(const pen *p, whirl_series *to, double x, double high, d
 }
 
 static void draw_supports(const pen *p) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     whirl_series *springs = NULL;
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
-        const size_t station = is_station(l, e->station[0]) ? e->station[0] : e->station[1];
-        if (e->role != WHIRL_ROLE_SUPPORT || !is_station(l, station)) continue;
+        const size_t station = layout_has_station(l, e->station[0]) ? e->station[0] : e->station[1];
+        if (e->role != WHIRL_ROLE_SUPPORT || !layout_has_station(l, station)) continue;
         const double x = l->x[station], y = l->y[station] - l->radius[station], u = l->symbol;
         if (!springs) springs = panel_named(p->figure, p->panel, WHIRL_LINE, "supports", "#404040", 0.7);
         draw_spring(p, springs, x, y, y - 1.6 * u);
@@ -353,11 +225,13 @@ static void draw_supports(const pen *p) {
 
 /// Elements between two stations: a bar between places along the axis, a spring between places below one another.
 static void draw_links(const pen *p) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     whirl_series *bars = NULL;
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
-        if (e->role != WHIRL_ROLE_LINK || !is_station(l, e->station[0]) || !is_station(l, e->station[1])) continue;
+        if (e->role != WHIRL_ROLE_LINK || !layout_has_station(l, e->station[0]) ||
+            !layout_has_station(l, e->station[1]))
+            continue;
         const size_t a = e->station[0], b = e->station[1];
         if (!bars)
             bars = panel_named(p->figure, p->panel, WHIRL_LINE,
@@ -382,12 +256,13 @@ static bool has_probe(const whirl_result *result, size_t station) {
 
 /// Marks above stations: planes of unbalance, and probes.
 static void draw_marks(const pen *p) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     whirl_series *planes = NULL, *seen = NULL;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
-        const double radius =
-            own->shaft < l->model.shaft_count && own->mass > 0.0 ? fmax(disc_radius(own), l->radius[s]) : l->radius[s];
+        const double radius = own->shaft < l->model.shaft_count && own->mass > 0.0
+                                  ? fmax(layout_disc_radius(own), l->radius[s])
+                                  : l->radius[s];
         if (own->unbalanced) {
             if (!planes) planes = panel_named(p->figure, p->panel, WHIRL_DOTS, "unbalance", "#CC79A7", 3.4);
             if (planes) planes->mark = WHIRL_DISC;
@@ -395,7 +270,7 @@ static void draw_marks(const pen *p) {
         }
         if (has_probe(l->result, s)) {
             if (!seen) seen = panel_named(p->figure, p->panel, WHIRL_DOTS, "probes", "#E69F00", 3.8);
-            if (seen) seen->mark = WHIRL_DOWN;
+            if (seen) seen->mark = p->upright != 0.0 ? WHIRL_DIAMOND : WHIRL_DOWN;
             pen_point(p, seen, l->x[s], l->y[s] + radius + 2.2 * l->symbol);
         }
     }
@@ -432,7 +307,7 @@ static void spread_labels(label *labels, size_t count, double step) {
 /// Names of the stations of one axis above all that is drawn there, apart from each other, with strokes to their
 /// places; `step` is the least distance, `high` the top of the axis' parts.
 static void name_axis(const pen *p, double axis, double high, double step) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     label labels[WHIRL_MAX_PROBES];
     size_t count = 0;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
@@ -442,18 +317,17 @@ static void name_axis(const pen *p, double axis, double high, double step) {
     spread_labels(labels, count, step);
     whirl_series *names = panel_series(p->figure, p->panel, WHIRL_TEXTS, "#303030", 1.0);
     whirl_series *strokes = panel_series(p->figure, p->panel, WHIRL_LINE, "#A0A0A0", 0.35);
-    if (names) names->side = WHIRL_SLANTED;
+    if (names) names->side = p->upright != 0.0 ? WHIRL_BESIDE : WHIRL_SLANTED;
     for (size_t i = 0; i < count; i++) {
         const size_t s = labels[i].station;
         pen_line(p, strokes, l->x[s], l->y[s] + l->radius[s], labels[i].x, high);
-        series_add_text(p->figure, names, labels[i].x / p->unit, high / p->unit, l->result->stations[s].name);
+        pen_text(p, names, labels[i].x, high, l->result->stations[s].name);
     }
 }
 
 /// Names at stations of housings, which lie below the others.
 static void name_housings(const pen *p) {
-    layout *l = p->l;
-    const double cm = (l->along.high - l->along.low) / (p->figure->width - 1.2);
+    machine_layout *l = p->l;
     whirl_series *names = panel_series(p->figure, p->panel, WHIRL_TEXTS, "#303030", 1.0);
     if (names) names->side = WHIRL_BESIDE;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
@@ -461,17 +335,39 @@ static void name_housings(const pen *p) {
         for (size_t k = 0; k < l->model.shaft_count; k++) on_axis = on_axis || l->y[s] == l->axis[k];
         if (on_axis) continue;
         const char *name = l->result->stations[s].name;
-        const double beside = l->x[s] + l->radius[s];
-        series_add_text(p->figure, names, beside / p->unit, l->y[s] / p->unit, name);
-        span_widen(&l->along, beside + (figure_text_width(p->figure, strlen(name)) + 0.2) * cm);
+        const double beside = l->x[s] + l->radius[s], side = l->y[s] - l->radius[s];
+        const double width = (figure_text_width(p->figure, strlen(name)) + 0.2) * p->cm;
+        if (p->upright != 0.0) {
+            pen_text(p, names, l->x[s], side - width, name);
+            l->bottom = fmin(l->bottom, side - width);
+            continue;
+        }
+        pen_text(p, names, beside, l->y[s], name);
+        span_widen(&l->along, beside + width);
     }
 }
 
-static size_t longest_name(const whirl_result *result) {
-    size_t longest = 0;
-    for (size_t s = 0; s < result->station_count; s++)
-        longest = strlen(result->stations[s].name) > longest ? strlen(result->stations[s].name) : longest;
-    return longest;
+/// Half of the width along the axis that stands for a station: its parts, up to half-way to its neighbours.
+static double spot_half(const machine_layout *l, size_t station) {
+    double half = 1.5 * l->symbol;
+    if (l->model.stations[station].mass > 0.0 && l->to_scale)
+        half = fmax(half, 0.5 * layout_disc_width(&l->model.stations[station]));
+    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
+        if (s != station && l->y[s] == l->y[station] && l->x[s] != l->x[station])
+            half = fmin(half, 0.5 * fabs(l->x[s] - l->x[station]));
+    return half;
+}
+
+/// Parts of the drawing that stand for stations, from their names down to as far below the axis.
+static void add_spots(const pen *p) {
+    const machine_layout *l = p->l;
+    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
+        const double half = spot_half(l, s), reach = layout_rim_radius(l, s) + 2.9 * l->symbol;
+        const double x[] = {pen_x(p, l->x[s] - half, l->y[s] - reach), pen_x(p, l->x[s] + half, l->y[s] + reach)};
+        const double y[] = {pen_y(p, l->x[s] - half, l->y[s] - reach), pen_y(p, l->x[s] + half, l->y[s] + reach)};
+        panel_spot(p->figure, p->panel, l->result->stations[s].name, (span){fmin(x[0], x[1]), fmax(x[0], x[1])},
+                   (span){fmin(y[0], y[1]), fmax(y[0], y[1])});
+    }
 }
 
 // ---------------------------------------------------------------- the figure
@@ -481,24 +377,50 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (of->machine && of->result->station_count > 0) list_figure(to, &place, "rotor", "The machine");
 }
 
+/// cm that names take above a machine that lies.
+static double names_height(const pen *p) {
+    return 0.87 * figure_text_width(p->figure, layout_longest_name(p->l->result)) + 0.25;
+}
+
 /// The range of the panel, of one scale both ways, and its height in cm.
-static void fit_panel(const pen *p) {
-    const layout *l = p->l;
+static void fit_lying(const pen *p) {
+    const machine_layout *l = p->l;
     const double across = p->figure->width - 1.2, margin = 0.03 * (l->along.high - l->along.low);
     const double width = l->along.high - l->along.low + 2.0 * margin;
-    const double names = 0.87 * figure_text_width(p->figure, longest_name(l->result)) + 0.25;
     const double cm = width / across; // m a cm
-    const double low = l->bottom - margin, high = l->top + names * cm;
+    const double low = l->bottom - margin, high = l->top + names_height(p) * cm;
     p->panel->height = fmin(fmax((high - low) / cm, 2.5), 14.0);
     axis_show(&p->panel->x, (span){(l->along.low - margin) / p->unit, (l->along.high + margin) / p->unit});
     axis_show(&p->panel->y, (span){low / p->unit, high / p->unit});
-    p->panel->equal = true;
     p->panel->y.shown = false;
     p->panel->x.shown = l->to_scale;
 }
 
+/// The same of a machine that stands, whose names stand to the right of it; the figure is as wide as that takes.
+static void fit_standing(const pen *p) {
+    enum { HEIGHT = 14, WIDTH = 15 }; // cm, at most
+    const machine_layout *l = p->l;
+    const double margin = 0.03 * (l->along.high - l->along.low);
+    const double up = p->upright * (p->upright > 0.0 ? l->along.low - margin : l->along.high + margin);
+    const double length = l->along.high - l->along.low + 2.0 * margin, wide = l->top - l->bottom + 2.0 * margin;
+    const double names = figure_text_width(p->figure, layout_longest_name(l->result)) + 0.3, numbers = 2.2;
+    const double cm = fmax(length / HEIGHT, wide / (WIDTH - names - numbers)); // m a cm
+    p->panel->height = length / cm;
+    p->figure->width = fmax(wide / cm + names + numbers, 7.0);
+    axis_show(&p->panel->x, (span){(l->bottom - margin) / p->unit, (l->top + margin + names * cm) / p->unit});
+    axis_show(&p->panel->y, (span){up / p->unit, (up + length) / p->unit});
+    const double step = tick_step(length / p->unit, 8), first = ceil((l->along.low - margin) / p->unit / step);
+    for (int k = 0; k < 24 && step * (first + k) <= (l->along.high + margin) / p->unit && l->to_scale; k++) {
+        char text[32];
+        snprintf(text, sizeof text, "%g", step * (first + k) + 0.0);
+        axis_tick(p->figure, &p->panel->y, p->upright * step * (first + k), text);
+    }
+    p->panel->x.shown = false;
+    p->panel->y.shown = l->to_scale;
+}
+
 static void draw(const pen *p) {
-    layout *l = p->l;
+    machine_layout *l = p->l;
     if (l->to_scale) draw_shafts(p);
     draw_links(p);
     draw_masses(p);
@@ -506,16 +428,16 @@ static void draw(const pen *p) {
     draw_supports(p);
     draw_marks(p);
     // Names of every axis stand above its own parts.
-    const double step = 0.42 * (l->along.high - l->along.low) / (p->figure->width - 1.2);
+    const double step = 0.42 * p->cm;
     double done = HUGE_VAL;
     for (size_t s = 0; s < (l->to_scale ? l->model.shaft_count : 1); s++) {
         const double axis = l->to_scale ? l->axis[s] : 0.0;
         double high = axis;
         if (axis >= done) continue;
         for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
-            if (l->y[k] == axis) high = fmax(high, axis + rim_radius(l, k));
+            if (l->y[k] == axis) high = fmax(high, axis + layout_rim_radius(l, k));
         for (size_t k = 0; k < l->model.shaft_count; k++)
-            if (l->axis[k] == axis) high = fmax(high, axis + largest_radius(l, k));
+            if (l->axis[k] == axis) high = fmax(high, axis + layout_largest_radius(l, k));
         name_axis(p, axis, high + 2.9 * l->symbol, step);
         done = axis;
     }
@@ -524,38 +446,36 @@ static void draw(const pen *p) {
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     (void)place;
-    layout *l = calloc(1, sizeof *l);
+    machine_layout *l = layout_new(of);
     whirl_panel *panel = figure_panel(figure, "machine", 1.0, 4.0);
-    figure->failed = figure->failed || !l;
     if (!l || !panel) {
-        free(l);
+        layout_free(l);
         return;
     }
-    l->result = of->result;
-    const bool made = whirl_case_model(of->machine, &l->model).code == WHIRL_OK;
-    l->to_scale = l->model.section_count > 0;
     const bool inches = strcmp(of->units->length_name, "mil") == 0 || strcmp(of->units->length_name, "in") == 0;
-    const pen p = {figure, panel, l, l->to_scale ? (inches ? 0.0254 : 1e-3) : 1.0};
+    const double length = l->along.high - l->along.low;
+    pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? (inches ? 0.0254 : 1e-3) : 1.0};
     figure->font = 6.5;
     figure->width = 16.0;
-    if (made) {
-        size_stations(l);
-        place_shafts(l);
-        measure(l);
-        place_stations(l);
-        draw(&p);
-        fit_panel(&p);
-    }
-    snprintf(panel->x.label, sizeof panel->x.label, inches ? "$z$ (in)" : "$z$ (mm)");
+    if (l->model.stands) p.upright = l->model.rises ? 1.0 : -1.0;
+    p.cm = p.upright != 0.0 ? length / 12.0 : length / (figure->width - 1.2);
+    draw(&p);
+    if (p.upright != 0.0)
+        fit_standing(&p);
+    else
+        fit_lying(&p);
+    add_spots(&p);
+    panel->equal = true;
+    whirl_axis *along = p.upright != 0.0 ? &panel->y : &panel->x;
+    snprintf(along->label, sizeof along->label, inches ? "$z$ (in)" : "$z$ (mm)");
     snprintf(figure->caption, sizeof figure->caption, "%s%s",
              l->to_scale
                  ? "The machine: shafts of finite elements to scale, along and across; discs and masses as discs of "
                    "steel of the same mass and polar inertia; symbols of what acts on stations, not to scale."
                  : "The machine: stations in their order, as large as the cube root of their masses; lines and springs "
                    "join them. It has no shaft of finite elements, so nothing is to scale.",
-             weight_stands(of->result) ? " The machine stands and is drawn lying." : "");
-    whirl_model_free(&l->model);
-    free(l);
+             l->model.stands ? " It stands, as it is drawn." : "");
+    layout_free(l);
 }
 
 const figure_kind rotor_figure = {.list = list, .describe = describe, .whole = true};

@@ -71,6 +71,19 @@ static json_t *series_object(bool *well, const whirl_series *series) {
     return object;
 }
 
+static json_t *spots_array(bool *well, const whirl_panel *panel) {
+    json_t *array = json_array();
+    for (size_t i = 0; i < panel->spot_count && *well; i++) {
+        const whirl_spot *own = &panel->spots[i];
+        const double box[] = {own->x, own->x_to, own->y, own->y_to};
+        json_t *object = json_object();
+        put_text(well, object, "station", own->station);
+        put_numbers(well, object, "box", box, 4);
+        document_append(well, array, object);
+    }
+    return array;
+}
+
 static json_t *panel_object(bool *well, const whirl_panel *panel) {
     json_t *object = json_object(), *series = json_array();
     const char letter[2] = {panel->letter, '\0'};
@@ -86,6 +99,7 @@ static json_t *panel_object(bool *well, const whirl_panel *panel) {
     for (size_t s = 0; s < panel->count && *well; s++)
         document_append(well, series, series_object(well, panel->series[s]));
     document_put(well, object, "series", series);
+    if (panel->spot_count > 0) document_put(well, object, "spots", spots_array(well, panel));
     return object;
 }
 

@@ -232,7 +232,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
 }
 
 whirl_status building_finish(building *b) {
-    whirl_status status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions);
+    whirl_status status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions, NULL);
     if (b->keyphasor) b->state_count++; // the shaft's phase
     if (status.code == WHIRL_OK && !assembly_finish(&b->assembly))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a rotor of %zu elements", b->design->element_count);

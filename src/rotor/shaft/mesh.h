@@ -5,6 +5,7 @@
 #include "design.h"
 #include "element.h"
 #include "shafts.h"
+#include "whirl/engine/line.h"
 
 typedef struct mesh_node {
     size_t shaft;
@@ -60,15 +61,31 @@ typedef struct reduction {
 } reduction;
 
 /// Reduces the shafts of the assembly that are to be, before assembly_finish: renumbers coordinates, transforms all
-/// that is linear, and renames the ports and states of the elements. out [mesh->shaft_count], or NULL. WHIRL_BAD_INPUT
-/// where a shaft's stiffness is not positive; WHIRL_NO_MEMORY.
-whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out);
+/// that is linear, and renames the ports and states of the elements. out [mesh->shaft_count], or NULL. *follow, unless
+/// NULL is handed in: [coordinates before][coordinates after] m or rad of each by one m or rad of the new ones, freed
+/// by the caller; NULL where nothing is reduced. WHIRL_BAD_INPUT where a shaft's stiffness is not positive;
+/// WHIRL_NO_MEMORY.
+whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out,
+                            double **follow);
 
 /// The coordinates of one plane (x, tilt_x) of a shaft's nodes that the assembly has, at most 2 a node; how many.
 size_t reduction_nodes(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate);
 
 /// Stiffness and mass [count][count] of shafts between these coordinates, mass with what stations bring.
 void reduction_matrices(const assembly *of, size_t count, const size_t *coordinate, double *stiffness, double *mass);
+
+// ---------------------------------------------------------------- line
+// What shafts look like between their nodes (whirl/engine/line.h).
+
+/// A place on a piece: the node to its left, and how far it moves by displacement and slope of that and of the next.
+typedef struct line_place {
+    size_t node;
+    double moved[4];
+} line_place;
+
+/// Adds the sag to a line that has these places. Errors as whirl_design_statics.
+whirl_status statics_line(const whirl_design *design, const char *couplings, const line_place *places,
+                          whirl_shaft_line *out);
 
 // ---------------------------------------------------------------- between
 // What lies between the stations of shafts: how it follows them where nothing else is said of it.

@@ -100,6 +100,11 @@ static void model_add_element(const design_element *own, whirl_model *out) {
     whirl_model_element *next = &out->elements[out->element_count];
     if (strcmp(own->type->group.name, "segment") == 0) return;
     next->kind = own->type->group.name;
+    const bool weight = strcmp(next->kind, "gravity") == 0;
+    if (weight && building_value(own, "axis")->choice != 0) {
+        out->stands = true;
+        out->rises = building_value(own, "top")->choice != 0;
+    }
     model_stations(own, next->station);
     next->role = model_role(own, next->station);
     out->element_count++;

@@ -428,7 +428,17 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     return status;
 }
 
-whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out) {
+/// The old coordinates [old_degrees] by the new ones.
+static whirl_status tell_blends(const reducing *r, size_t old_degrees, double **follow) {
+    *follow = calloc(old_degrees * r->degrees + 1, sizeof **follow);
+    if (!*follow) return no_memory();
+    for (size_t d = 0; d < old_degrees; d++)
+        for (size_t k = 0; k < r->old[d].count; k++) (*follow)[d * r->degrees + r->old[d].of[k]] = r->old[d].weight[k];
+    return whirl_ok();
+}
+
+whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out,
+                            double **follow) {
     const size_t degrees = of->degrees;
     reduction ignored[WHIRL_MAX_SHAFTS];
     if (!wants_reduction(from) || of->no_memory || of->body.no_memory) return whirl_ok();
@@ -437,8 +447,9 @@ whirl_status reduction_make(const mesh *from, assembly *of, element *elements, s
     r.old = calloc(degrees + 1, sizeof *r.old);
     r.inertia = calloc(2 * degrees + 1, sizeof *r.inertia);
     r.unit = r.inertia + degrees;
-    const whirl_status status =
+    whirl_status status =
         r.kept && r.old && r.inertia ? reduce(&r, elements, element_count, out ? out : ignored) : no_memory();
+    if (status.code == WHIRL_OK && follow) status = tell_blends(&r, degrees, follow);
     for (size_t d = 0; d < degrees && r.old; d++) {
         free(r.old[d].of);
         free(r.old[d].weight);

@@ -52,6 +52,9 @@ typedef struct piece_matrices {
 
 void piece_fill(const shaft_piece *piece, piece_matrices *out);
 
+/// Displacement `at` of its length from its left end, by one of each coordinate, in the plane of the larger stiffness.
+void piece_shape(const shaft_piece *piece, double at, double moved[4]);
+
 /// Mass of the piece a metre, kg/m, and its smaller bending stiffness, N m2, `at` of its length from its left end.
 double piece_line_mass(const shaft_piece *piece, double at);
 double piece_bending(const shaft_piece *piece, double at);

@@ -17,10 +17,12 @@ typedef struct beam {
     size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
     size_t first;                            ///< of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
-    double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
-    double solved;      ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
-    double *matrix;     ///< [unknowns][unknowns]
-    double *all;        ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    double gravity, up;       ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
+    double solved;            ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
+    double *matrix;           ///< [unknowns][unknowns]
+    double *all;              ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    const line_place *places; ///< of a line, NULL: none
+    whirl_shaft_line *line;   ///< whose sag is asked for
 } beam;
 
 static whirl_status no_memory(void) {
@@ -235,6 +237,15 @@ static void fill_station(const beam *of, size_t node, whirl_station_statics *out
     }
 }
 
+static void fill_line(const beam *of) {
+    for (size_t p = 0; p < of->line->count; p++) {
+        const line_place *at = &of->places[p];
+        if (of->line->shaft[p] != of->shaft + 1) continue;
+        const double *node = of->all + 2 * (at->node - of->first);
+        for (size_t k = 0; k < 4; k++) of->line->sag[p] += scale_of(of) * at->moved[k] * node[k];
+    }
+}
+
 static void fill_stations(const beam *of, const double *elevation, whirl_station_statics *out, double *influence) {
     const size_t stations = of->b->design->station_count;
     const shaft_thrust *thrust = &of->b->thrust[of->shaft];
@@ -249,6 +260,7 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
             influence[at * stations + node_of(of, of->support[k])->station] =
                 of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
     }
+    if (of->line) fill_line(of);
     if (!thrust->held) return;
     out[thrust->station].thrust = thrust->load;
     out[thrust->station].thrust_mass = thrust->mass;
@@ -337,8 +349,14 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
                       *count, *count == 1 ? "" : "s");
 }
 
-static whirl_status fill(const building *b, const char *couplings, size_t *support, whirl_station_statics *out,
-                         double *influence) {
+/// What a line is to be laid over: NULL and NULL, none.
+typedef struct asked_line {
+    const line_place *places;
+    whirl_shaft_line *out;
+} asked_line;
+
+static whirl_status fill(const building *b, const char *couplings, size_t *support, asked_line line,
+                         whirl_station_statics *out, double *influence) {
     const whirl_weight weight = whirl_design_weight(b->design);
     whirl_status status = whirl_ok();
     if (b->mesh.shaft_count == 0)
@@ -348,6 +366,8 @@ static whirl_status fill(const building *b, const char *couplings, size_t *suppo
         beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};
         of.gravity = weight.across;
         of.up = weight.up;
+        of.places = line.places;
+        of.line = line.out;
         status = find_supports(&of, support, &of.supports);
         if (status.code == WHIRL_OK) status = take_shaft(&of, couplings, out, influence);
     }
@@ -368,8 +388,8 @@ static whirl_status check_couplings(const building *b, const char *list) {
     return whirl_ok();
 }
 
-whirl_status whirl_design_statics(const whirl_design *design, const char *couplings, whirl_station_statics *out,
-                                  double *influence) {
+static whirl_status statics_make(const whirl_design *design, const char *couplings, asked_line line,
+                                 whirl_station_statics *out, double *influence) {
     building b = {0};
     const double none = NAN;
     size_t *support = calloc(design->station_count + 1, sizeof *support);
@@ -388,8 +408,27 @@ whirl_status whirl_design_statics(const whirl_design *design, const char *coupli
     memset(influence, 0, design->station_count * design->station_count * sizeof *influence);
     whirl_status status = support ? building_assemble(&b, design, NULL) : no_memory();
     if (status.code == WHIRL_OK) status = check_couplings(&b, couplings);
-    if (status.code == WHIRL_OK) status = fill(&b, couplings, support, out, influence);
+    if (status.code == WHIRL_OK) status = fill(&b, couplings, support, line, out, influence);
     free(support);
     building_end(&b);
+    return status;
+}
+
+whirl_status whirl_design_statics(const whirl_design *design, const char *couplings, whirl_station_statics *out,
+                                  double *influence) {
+    return statics_make(design, couplings, (asked_line){NULL, NULL}, out, influence);
+}
+
+whirl_status statics_line(const whirl_design *design, const char *couplings, const line_place *places,
+                          whirl_shaft_line *out) {
+    const size_t stations = design->station_count;
+    whirl_station_statics *at = calloc(stations + 1, sizeof *at);
+    double *influence = calloc(stations * stations + 1, sizeof *influence);
+    out->sag = calloc(out->count + 1, sizeof *out->sag);
+    const whirl_status status = at && influence && out->sag
+                                    ? statics_make(design, couplings, (asked_line){places, out}, at, influence)
+                                    : no_memory();
+    free(at);
+    free(influence);
     return status;
 }

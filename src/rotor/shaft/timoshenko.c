@@ -174,3 +174,10 @@ void piece_fill(const shaft_piece *piece, piece_matrices *out) {
     }
     for (int i = 0; i < NODES; i++) add_slice(piece, &m[0], piece->length * node[i], piece->length * weight[i], out);
 }
+
+void piece_shape(const shaft_piece *piece, double at, double moved[4]) {
+    double turned[4], leant[4];
+    const compliance whole = compliance_to(piece, 0, piece->length), to = compliance_to(piece, 0, at * piece->length);
+    const moments m = moments_of(&whole, piece->length);
+    shapes_at(&m, &to, at * piece->length, moved, turned, leant);
+}

@@ -150,11 +150,33 @@ static void an_axial_force_pulls_it_straight(void **state) {
     near(-3e4 * 0.25 / 30.0, m.axial.at[1][3], 1e-9);
 }
 
+/// A cantilever bent by a force at its end: w = P (3 L z^2 - z^3)/(6 EI) + P z/(kappa G A), and its section turns by
+/// P (L z - z^2/2)/EI. Without mass on it that is what the piece does between its ends.
+static void it_bends_between_its_ends_as_a_cantilever(void **state) {
+    const shaft_piece piece = cylinder();
+    const double l = piece.length, second = pi / 64.0 * pow(0.05, 4.0), area = pi / 4.0 * 0.05 * 0.05, force = 1e3;
+    const double nu = 211.0 / (2.0 * 81.2) - 1.0, factor = 6.0 * (1.0 + nu) / (7.0 + 6.0 * nu); // Cowper 1966
+    const double bend = force / (211e9 * second), slip = force / (factor * 81.2e9 * area);
+    const double end[4] = {0.0, 0.0, bend * l * l * l / 3.0 + slip * l, bend * l * l / 2.0};
+    (void)state;
+    for (int i = 0; i <= 10; i++) {
+        const double z = 0.1 * i * l;
+        double moved[4], sum = 0.0;
+        piece_shape(&piece, 0.1 * i, moved);
+        for (int k = 0; k < 4; k++) sum += moved[k] * end[k];
+        near(bend * (3.0 * l * z * z - z * z * z) / 6.0 + slip * z, sum, 1e-12 * end[2]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ross_has_the_same_matrices),         cmocka_unit_test(a_slender_one_is_that_of_euler),
-        cmocka_unit_test(shear_makes_it_softer_as_it_should), cmocka_unit_test(a_cone_is_a_cone),
-        cmocka_unit_test(flats_take_away_what_they_cut),      cmocka_unit_test(an_axial_force_pulls_it_straight),
+        cmocka_unit_test(it_bends_between_its_ends_as_a_cantilever),
+        cmocka_unit_test(ross_has_the_same_matrices),
+        cmocka_unit_test(a_slender_one_is_that_of_euler),
+        cmocka_unit_test(shear_makes_it_softer_as_it_should),
+        cmocka_unit_test(a_cone_is_a_cone),
+        cmocka_unit_test(flats_take_away_what_they_cut),
+        cmocka_unit_test(an_axial_force_pulls_it_straight),
     };
     return cmocka_run_group_tests_name("timoshenko", tests, NULL, NULL);
 }

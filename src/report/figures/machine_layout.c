@@ -1,0 +1,208 @@
+// Where the parts of a machine lie in drawings: shafts along one axis or below one another, stations on and beside
+// them.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "figure_kinds.h"
+
+/// Density by which masses and inertias become discs, kg/m3: steel.
+static const double steel = 7850.0;
+
+static const double pi = 3.14159265358979323846;
+
+bool layout_has_station(const machine_layout *l, size_t station) {
+    return station < l->model.station_count && station < WHIRL_MAX_PROBES;
+}
+
+/// Outer radius of a shaft at a place along it, the larger one where it steps; 0 beyond its ends.
+static double layout_shaft_radius(const machine_layout *l, size_t shaft, double at) {
+    double radius = 0.0;
+    for (size_t i = 0; i < l->model.section_count; i++) {
+        const whirl_model_section *s = &l->model.sections[i];
+        const double slack = 1e-9 * (s->to - s->from);
+        if (s->shaft != shaft || at < s->from - slack || at > s->to + slack) continue;
+        const double share = (at - s->from) / (s->to - s->from);
+        radius = fmax(radius, 0.5 * (s->outer[0] + share * (s->outer[1] - s->outer[0])));
+    }
+    return radius;
+}
+
+double layout_largest_radius(const machine_layout *l, size_t shaft) {
+    double radius = 0.0;
+    for (size_t i = 0; i < l->model.section_count; i++)
+        if (l->model.sections[i].shaft == shaft)
+            radius = fmax(radius, 0.5 * fmax(l->model.sections[i].outer[0], l->model.sections[i].outer[1]));
+    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
+        if (l->model.stations[s].shaft == shaft) radius = fmax(radius, layout_rim_radius(l, s));
+    return radius;
+}
+
+/// Puts a shaft on the axis of another one, if an element joins them: their stations there have one place.
+static bool layout_align_shaft(machine_layout *l, size_t shaft) {
+    for (size_t i = 0; i < l->model.element_count; i++) {
+        const whirl_model_element *e = &l->model.elements[i];
+        for (int end = 0; end < 2; end++) {
+            if (!layout_has_station(l, e->station[0]) || !layout_has_station(l, e->station[1])) continue;
+            const whirl_model_mass *own = &l->model.stations[e->station[end]];
+            const whirl_model_mass *other = &l->model.stations[e->station[1 - end]];
+            if (own->shaft != shaft || other->shaft >= l->model.shaft_count || !l->placed_shaft[other->shaft]) continue;
+            l->offset[shaft] = l->offset[other->shaft] + other->position - own->position;
+            l->axis[shaft] = l->axis[other->shaft];
+            return l->placed_shaft[shaft] = true;
+        }
+    }
+    return false;
+}
+
+size_t layout_longest_name(const whirl_result *result) {
+    size_t longest = 0;
+    for (size_t s = 0; s < result->station_count; s++)
+        longest = strlen(result->stations[s].name) > longest ? strlen(result->stations[s].name) : longest;
+    return longest;
+}
+
+/// Room for the names of stations beside a shaft, m, where the longest shaft is some 14 cm long in the figure.
+static double layout_names(const machine_layout *l) {
+    double length = 0.0;
+    for (size_t i = 0; i < l->model.section_count; i++) length = fmax(length, l->model.sections[i].to);
+    return (0.12 * (double)layout_longest_name(l->result) + 0.25) * length / 14.0;
+}
+
+/// Shafts that an element joins lie on one axis, the others below one another.
+static void layout_place_shafts(machine_layout *l) {
+    double axis = 0.0;
+    size_t left = l->model.shaft_count;
+    while (left > 0) {
+        bool any = false;
+        for (size_t s = 0; s < l->model.shaft_count; s++)
+            if (!l->placed_shaft[s] && layout_align_shaft(l, s)) left--, any = true;
+        if (any || left == 0) continue;
+        size_t next = 0;
+        while (l->placed_shaft[next]) next++;
+        if (next > 0)
+            axis -=
+                layout_largest_radius(l, next - 1) + layout_largest_radius(l, next) + 6.5 * l->symbol + layout_names(l);
+        l->axis[next] = axis;
+        l->placed_shaft[next] = true;
+        left--;
+    }
+}
+
+/// The radius of a steel disc of a station's mass and polar inertia; of a mass without one that of a cube.
+double layout_disc_radius(const whirl_model_mass *of) {
+    if (!(of->mass > 0.0)) return 0.0;
+    return of->polar > 0.0 ? sqrt(2.0 * of->polar / of->mass) : 0.5 * cbrt(of->mass / steel);
+}
+
+double layout_disc_width(const whirl_model_mass *of) {
+    const double r = layout_disc_radius(of);
+    return of->polar > 0.0 ? of->mass / (steel * pi * r * r) : 2.0 * r;
+}
+
+/// The radius of a station's disc, or of its shaft where that is larger.
+double layout_rim_radius(const machine_layout *l, size_t station) {
+    const whirl_model_mass *own = &l->model.stations[station];
+    return own->shaft < l->model.shaft_count ? fmax(layout_disc_radius(own), l->radius[station]) : l->radius[station];
+}
+
+/// A station that lies on no shaft stands below what an element joins it to.
+static bool layout_hang_station(machine_layout *l, size_t station) {
+    for (size_t i = 0; i < l->model.element_count; i++) {
+        const whirl_model_element *e = &l->model.elements[i];
+        for (int end = 0; end < 2; end++) {
+            const size_t other = e->station[1 - end];
+            if (e->station[end] != station || !layout_has_station(l, other) || !l->placed[other]) continue;
+            l->x[station] = l->x[other];
+            l->y[station] = l->y[other] - l->radius[other] - 3.2 * l->symbol;
+            return l->placed[station] = true;
+        }
+    }
+    return false;
+}
+
+/// Whether a station is the housing or the support of another one: the second end of a bearing, stator or support.
+static bool layout_is_housing(const machine_layout *l, size_t station) {
+    for (size_t i = 0; i < l->model.element_count; i++) {
+        const whirl_model_element *e = &l->model.elements[i];
+        if (e->station[1] == station && e->station[0] != WHIRL_MODEL_NONE && e->role != WHIRL_ROLE_LINK) return true;
+    }
+    return false;
+}
+
+static void layout_place_stations(machine_layout *l) {
+    const size_t count = l->model.station_count < WHIRL_MAX_PROBES ? l->model.station_count : WHIRL_MAX_PROBES;
+    double beside = l->to_scale ? l->along.high + 4.0 * l->symbol : 0.0;
+    for (size_t s = 0; s < count; s++) {
+        const whirl_model_mass *own = &l->model.stations[s];
+        if (own->shaft >= l->model.shaft_count) continue;
+        l->x[s] = l->offset[own->shaft] + own->position;
+        l->y[s] = l->axis[own->shaft];
+        l->placed[s] = true;
+    }
+    for (size_t s = 0; s < count && !l->to_scale; s++) {
+        if (layout_is_housing(l, s)) continue;
+        l->x[s] = beside;
+        beside += 1.0;
+        l->placed[s] = true;
+    }
+    for (bool any = true; any;) {
+        any = false;
+        for (size_t s = 0; s < count; s++)
+            if (!l->placed[s] && layout_hang_station(l, s)) any = true;
+    }
+    for (size_t s = 0; s < count; s++) {
+        if (l->placed[s]) continue;
+        l->x[s] = beside;
+        beside += l->to_scale ? 4.0 * l->symbol : 1.0;
+        l->placed[s] = true;
+    }
+}
+
+/// Sizes of symbols, and of stations: those of a machine that is not to scale by the cube root of their masses.
+static void layout_size_stations(machine_layout *l) {
+    double length = 0.0, thick = 0.0, heaviest = 0.0;
+    for (size_t i = 0; i < l->model.section_count; i++) {
+        length = fmax(length, l->model.sections[i].to);
+        thick = fmax(thick, fmax(l->model.sections[i].outer[0], l->model.sections[i].outer[1]));
+    }
+    for (size_t s = 0; s < l->model.station_count; s++) heaviest = fmax(heaviest, l->model.stations[s].mass);
+    l->symbol = l->to_scale ? fmax(0.018 * length, 0.12 * thick) : 0.1;
+    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
+        const whirl_model_mass *own = &l->model.stations[s];
+        const double shaft =
+            own->shaft < l->model.shaft_count ? layout_shaft_radius(l, own->shaft, own->position) : 0.0;
+        l->radius[s] = !l->to_scale  ? 0.06 + (heaviest > 0.0 ? 0.16 * cbrt(own->mass / heaviest) : 0.0)
+                       : shaft > 0.0 ? shaft
+                                     : l->symbol;
+    }
+}
+
+static void layout_measure(machine_layout *l) {
+    l->along = span_empty();
+    for (size_t i = 0; i < l->model.section_count; i++) {
+        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].from);
+        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].to);
+    }
+}
+
+machine_layout *layout_new(const drawing *of) {
+    machine_layout *l = of->machine ? calloc(1, sizeof *l) : NULL;
+    if (!l) return NULL;
+    l->result = of->result;
+    if (whirl_case_model(of->machine, &l->model).code != WHIRL_OK) {
+        free(l);
+        return NULL;
+    }
+    l->to_scale = l->model.section_count > 0;
+    layout_size_stations(l);
+    layout_place_shafts(l);
+    layout_measure(l);
+    layout_place_stations(l);
+    return l;
+}
+
+void layout_free(machine_layout *layout) {
+    if (layout) whirl_model_free(&layout->model);
+    free(layout);
+}
