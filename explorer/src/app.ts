@@ -51,7 +51,7 @@ export class App {
       map: this.mapListener(),
       settings: this.settingsListener(),
       pane: this.paneListener(),
-      document: { part: (id) => this.toPart(id) },
+      document: { part: (id) => this.toPart(id), station: (name) => this.change({ station: name }) },
     });
     this.watches = new Watches(this.session, {
       playing: (name, on) => this.page.panes[name].setPlaying(on),

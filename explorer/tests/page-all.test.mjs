@@ -178,6 +178,39 @@ test('the numbers of a sheet are saved with all digits', async () => {
   await close();
 });
 
+test('the drawing is a map: a click or a key on a station selects it in all views', async () => {
+  const { page, complaints, close } = await opened();
+  const drawing = page.locator('[data-figure="rotor"]');
+  const spot = (name) => drawing.getByRole('button', { name: `Select station ${name}`, exact: true });
+  const pressed = () =>
+    drawing.locator('[aria-pressed="true"]').evaluateAll((all) => all.map((each) => each.dataset.station));
+  assert.deepEqual(await drawing.locator('.spot').evaluateAll((all) => all.map((each) => each.dataset.station)), [
+    'left',
+    'disc',
+    'right',
+  ]);
+  assert.deepEqual(await pressed(), ['right']); // the first with a probe
+  await spot('disc').click();
+  await page.waitForFunction(() => /st=disc/.test(location.hash));
+  assert.deepEqual(await pressed(), ['disc']);
+  await spot('left').focus();
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => /st=left/.test(location.hash));
+  assert.deepEqual(await pressed(), ['left']);
+  await page.click(`${PARTS}:has-text("unbalance_high")`);
+  await page.waitForSelector('.rest .numbers tbody tr');
+  assert.equal(
+    await page.$eval('.rest .map-card:not([hidden]) select', (list) => list.selectedOptions[0].textContent),
+    'left',
+  );
+  // What is saved is the drawing alone.
+  await page.click(`${PARTS} >> nth=0`);
+  const svg = (await saved(page, '[data-figure="rotor"]', 'svg')).bytes.toString('utf8');
+  assert.ok(svg.includes('<svg') && !svg.includes('spot'), 'no button in the file');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('marks at the ends of a sweep are drawn whole', async () => {
   const { page, close } = await opened('#part=modes_low');
   // In figures: no mark is within what is cut at the frame.

@@ -32,6 +32,13 @@ interface DescribedAxis {
   readonly tick_texts?: readonly string[];
 }
 
+/// A part of a panel that shows a station.
+interface DescribedSpot {
+  readonly station: string;
+  /// Left, right, bottom and top in numbers of the axes.
+  readonly box: readonly [number, number, number, number];
+}
+
 interface DescribedPanel {
   readonly name: string;
   readonly title: string;
@@ -41,6 +48,7 @@ interface DescribedPanel {
   readonly x: DescribedAxis;
   readonly y: DescribedAxis;
   readonly series: readonly DescribedSeries[];
+  readonly spots?: readonly DescribedSpot[];
 }
 
 interface DescribedScale {
@@ -359,8 +367,26 @@ function drawScale(figure: Described, scale: DescribedScale, font: number): stri
   return out + textAt(x, y, scale.label, font, `text-anchor="middle" transform="rotate(-90 ${short(x)} ${short(y)})"`);
 }
 
-/// The picture of a figure, on white as on paper.
-export function pictureOfDescribed(figure: Described): Picture {
+/// What is clicked on in a panel, or reached by the keyboard: one button a station.
+function drawSpots(place: Place, { spots = [] }: DescribedPanel): string {
+  return spots
+    .map(({ station, box: [left, right, bottom, top] }) => {
+      const [x, y] = [place.x(left), place.y(top)];
+      const name = escaped(station);
+      const look = `class="spot" role="button" tabindex="0" aria-pressed="false" data-station="${name}"`;
+      const [width, height] = [place.x(right) - x, place.y(bottom) - y].map(short);
+      return (
+        `<rect x="${short(x)}" y="${short(y)}" width="${width}" height="${height}" rx="3" ${look} ` +
+        `aria-label="Select station ${name}"><title>${name}</title></rect>`
+      );
+    })
+    .join('');
+}
+
+export const hasSpots = ({ panels }: Described) => panels.some(({ spots }) => spots && spots.length > 0);
+
+/// The picture of a figure, on white as on paper; to be touched with its spots.
+export function pictureOfDescribed(figure: Described, touched = false): Picture {
   const [width, height, font] = [figure.width_cm * CM, figure.height_cm * CM, figure.font_pt * PT];
   const clips = figure.panels.map((panel, i) => {
     const { left, top, width, height } = new Place(figure, panel);
@@ -385,12 +411,14 @@ export function pictureOfDescribed(figure: Described): Picture {
       ? `<g transform="translate(${short(place.left + 0.3 * font)} 0)">` +
         `${drawLegend(inside, place.width, place.top + 2, 0.9 * font)}</g>`
       : '';
-    return drawn(rest) + drawn(texts) + drawAxes(place, panel, font) + legend;
+    return (
+      drawn(rest) + drawn(texts) + drawAxes(place, panel, font) + legend + (touched ? drawSpots(place, panel) : '')
+    );
   });
   const outside = named(figure.panels.filter((panel) => !panel.legend_inside));
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}" height="${short(height)}" ` +
-    `viewBox="0 0 ${short(width)} ${short(height)}" role="img" font-family="${escaped(FONT)}">` +
+    `viewBox="0 0 ${short(width)} ${short(height)}" role="${touched ? 'group' : 'img'}" font-family="${escaped(FONT)}">` +
     `<title>${escaped(figure.title)}</title>${rectangle(0, 0, width, height, 'fill="#fff"')}` +
     `<defs>${clips.join('')}</defs>` +
     panels.join('\n') +

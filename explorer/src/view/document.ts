@@ -1,20 +1,44 @@
 // Statements, sheets and figures of a part of a result, none of them known by its name, and the list of contents.
 import { headingOf, piecesOf, type Part, type Sheet, type Statement } from '../data/contents';
 import { button, download, el } from '../dom';
-import { pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
+import { hasSpots, pictureOfDescribed, tableOfDescribed, type Described } from '../figure/described';
 import { numbersTable } from './numbers';
 import { csvOf, fileName, saveMenu } from './panel';
 
 export interface DocumentListener {
   part(id: string): void;
+  /// A station was chosen in a drawing.
+  station(name: string): void;
+}
+
+/// The station of a drawing's part that an event is at.
+function stationAt({ target }: Event): string | undefined {
+  return target instanceof Element ? target.closest<SVGElement>('[data-station]')?.dataset['station'] : undefined;
+}
+
+/// Parts of a drawing that show stations are buttons.
+function listen(frame: HTMLElement, chosen: (station: string) => void): void {
+  frame.addEventListener('click', (event) => {
+    const station = stationAt(event);
+    if (station !== undefined) chosen(station);
+  });
+  frame.addEventListener('keydown', (event) => {
+    const station = event.key === 'Enter' || event.key === ' ' ? stationAt(event) : undefined;
+    if (station === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    chosen(station);
+  });
 }
 
 /// A card with the picture, its caption, and what can be taken away.
-function figureCard(figure: Described): HTMLElement {
+function figureCard(figure: Described, chosen: (station: string) => void): HTMLElement {
   const picture = pictureOfDescribed(figure);
-  const drawn = new DOMParser().parseFromString(picture.svg, 'image/svg+xml').documentElement;
+  const seen = hasSpots(figure) ? pictureOfDescribed(figure, true) : picture;
+  const drawn = new DOMParser().parseFromString(seen.svg, 'image/svg+xml').documentElement;
   const frame = el('figure', { class: 'described', role: 'group', tabindex: 0, 'aria-label': figure.title });
   frame.append(document.importNode(drawn, true));
+  listen(frame, chosen);
   const whole = { root: frame, redraw: () => undefined, picture: () => picture };
   return card(
     figure.title,
@@ -114,7 +138,7 @@ export class DocumentView {
       statementList(one),
     ]);
     const told = found.length > 0 ? [card(FOUND, [], statements)] : [];
-    const figures = part.figures.map(figureCard);
+    const figures = part.figures.map((figure) => figureCard(figure, (station) => this.listener.station(station)));
     // A drawing comes before what was found of it.
     const cards = machine ? [...figures, ...told] : [...told, ...part.sheets.map(sheetCard), ...figures];
     this.root.classList.toggle('of-machine', machine);
@@ -138,6 +162,12 @@ export class DocumentView {
     );
     // The list is made anew under the finger that chose a part.
     if (had) this.contents.querySelector<HTMLElement>('[aria-current]')?.focus({ preventScroll: true });
+  }
+
+  /// Marks the station that is looked at in drawings.
+  mark(station: string): void {
+    for (const spot of this.root.querySelectorAll<SVGElement>('[data-station]'))
+      spot.setAttribute('aria-pressed', String(spot.dataset['station'] === station));
   }
 
   private goal({ id, title }: Part, current: boolean): HTMLElement {

@@ -97,6 +97,7 @@ export class Page {
     this.motions.hidden = this.footer.hidden = !moves; // nothing is computed elsewhere
     this.rest.root.hidden = atRest === undefined;
     this.document.show(parts, part);
+    this.document.mark(this.session.stations[this.session.station]?.name ?? '');
     if (!moves) {
       this.showTop();
       if (atRest) this.rest.show(this.session, atRest);
