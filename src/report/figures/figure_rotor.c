@@ -325,6 +325,16 @@ static void name_axis(const pen *p, double axis, double high, double step) {
     }
 }
 
+/// Where names begin above an axis, over all of its parts.
+static double axis_top(const machine_layout *l, double axis) {
+    double high = axis;
+    for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
+        if (l->y[k] == axis) high = fmax(high, axis + layout_rim_radius(l, k));
+    for (size_t k = 0; k < l->model.shaft_count; k++)
+        if (l->axis[k] == axis) high = fmax(high, axis + layout_largest_radius(l, k));
+    return high + 2.9 * l->symbol;
+}
+
 /// Names at stations of housings, which lie below the others.
 static void name_housings(const pen *p) {
     machine_layout *l = p->l;
@@ -358,13 +368,15 @@ static double spot_half(const machine_layout *l, size_t station) {
     return half;
 }
 
-/// Parts of the drawing that stand for stations, from their names down to as far below the axis.
+/// Parts of the drawing that stand for stations, from their names down to their lower edges.
 static void add_spots(const pen *p) {
     const machine_layout *l = p->l;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
-        const double half = spot_half(l, s), reach = layout_rim_radius(l, s) + 2.9 * l->symbol;
-        const double x[] = {pen_x(p, l->x[s] - half, l->y[s] - reach), pen_x(p, l->x[s] + half, l->y[s] + reach)};
-        const double y[] = {pen_y(p, l->x[s] - half, l->y[s] - reach), pen_y(p, l->x[s] + half, l->y[s] + reach)};
+        const double half = spot_half(l, s), low = l->y[s] - layout_rim_radius(l, s) - l->symbol;
+        const bool on_axis = l->model.stations[s].shaft < l->model.shaft_count || (!l->to_scale && l->y[s] == 0.0);
+        const double high = on_axis ? axis_top(l, l->y[s]) : 2.0 * l->y[s] - low;
+        const double x[] = {pen_x(p, l->x[s] - half, low), pen_x(p, l->x[s] + half, high)};
+        const double y[] = {pen_y(p, l->x[s] - half, low), pen_y(p, l->x[s] + half, high)};
         panel_spot(p->figure, p->panel, l->result->stations[s].name, (span){fmin(x[0], x[1]), fmax(x[0], x[1])},
                    (span){fmin(y[0], y[1]), fmax(y[0], y[1])});
     }
@@ -432,13 +444,8 @@ static void draw(const pen *p) {
     double done = HUGE_VAL;
     for (size_t s = 0; s < (l->to_scale ? l->model.shaft_count : 1); s++) {
         const double axis = l->to_scale ? l->axis[s] : 0.0;
-        double high = axis;
         if (axis >= done) continue;
-        for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
-            if (l->y[k] == axis) high = fmax(high, axis + layout_rim_radius(l, k));
-        for (size_t k = 0; k < l->model.shaft_count; k++)
-            if (l->axis[k] == axis) high = fmax(high, axis + layout_largest_radius(l, k));
-        name_axis(p, axis, high + 2.9 * l->symbol, step);
+        name_axis(p, axis, axis_top(l, axis), step);
         done = axis;
     }
     name_housings(p);

@@ -147,7 +147,7 @@ static void *hold(void *table) {
 /// What is asked to stop makes no table, whoever comes next does; threads that make one together make that of one.
 static void test_together(void **state) {
     const pad_film film = pad_table_film(&cheap);
-    const bool stop = true;
+    const whirl_stop stop = true;
     char folder[64];
     pthread_t threads[3];
     pad_workspace *work;
