@@ -4,15 +4,18 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "found.h"
 #include "whirl/engine/balance.h"
 
 typedef struct balance_arguments {
     const char *path;
     bool json;
+    found_arguments found;
 } balance_arguments;
 
 static const struct argp_option options[] = {
     {.name = "json", .key = 'j', .doc = "Print all numbers as JSON, in SI and radians, in the file's conventions"},
+    FOUND_OPTIONS,
     {0}};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -27,10 +30,27 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         return 0;
     case ARGP_KEY_END:
         require_option(state, arguments->path, "FILE.yaml");
+        found_check(&arguments->found, state);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return found_take(key, argument, state, &arguments->found) ? 0 : ARGP_ERR_UNKNOWN;
     }
+}
+
+static int print(const balance_arguments *arguments, const whirl_balance *of, const whirl_balance_model *model,
+                 const whirl_correction *found) {
+    const char *const units = arguments->found.units;
+    whirl_findings *findings;
+    whirl_status status = whirl_ok();
+    if (arguments->json) {
+        status = whirl_balance_write_json(of, model, found, units, stdout);
+        return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
+    }
+    status = whirl_balance_findings(of, model, found, units, &findings);
+    if (status.code != WHIRL_OK) return complain_of(&status);
+    const int outcome = found_print(findings, of->title, &arguments->found);
+    whirl_findings_free(findings);
+    return outcome;
 }
 
 static int balance(const balance_arguments *arguments, const whirl_balance *of) {
@@ -41,12 +61,10 @@ static int balance(const balance_arguments *arguments, const whirl_balance *of) 
     if (status.code != WHIRL_OK) return complain_of_problems(&problems, &status);
     whirl_problems_free(&problems);
     status = whirl_balance_solve(of, model, &found);
-    if (status.code == WHIRL_OK)
-        status = arguments->json ? whirl_balance_write_json(of, model, found, stdout)
-                                 : whirl_balance_write_summary(of, model, found, stdout);
+    const int outcome = status.code == WHIRL_OK ? print(arguments, of, model, found) : complain_of(&status);
     whirl_correction_free(found);
     whirl_balance_model_free(model);
-    return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
+    return outcome;
 }
 
 static int run(int argc, char **argv) {

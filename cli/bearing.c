@@ -8,6 +8,7 @@
 #include "case_arguments.h"
 #include "console.h"
 #include "files.h"
+#include "found.h"
 #include "output.h"
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
@@ -18,10 +19,12 @@ typedef struct bearing_arguments {
     const char *path, *csv, *table, *station, *output, *figure, *gnuplot;
     int threads;
     bool json, force, quiet, over_frequency;
+    found_arguments found;
 } bearing_arguments;
 
 static const struct argp_option options[] = {
     {.name = "json", .key = 'j', .doc = "Print all numbers as JSON, in SI and radians"},
+    FOUND_OPTIONS,
     {.name = "csv", .key = KEY_CSV, .arg = "FILE", .doc = "Write the table as CSV, in SI and radians"},
     {.name = "table",
      .key = KEY_TABLE,
@@ -85,9 +88,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         if (arguments->over_frequency && !arguments->table)
             bad_argument(state, "--over-frequency needs --table, the file of the element");
         if (arguments->figure && !arguments->output) bad_argument(state, "--figure needs -o, the file of the figure");
+        found_check(&arguments->found, state);
         return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return found_take(key, argument, state, &arguments->found) ? 0 : ARGP_ERR_UNKNOWN;
     }
 }
 
@@ -119,7 +123,7 @@ static int write_file(const whirl_bearing_table *table, const char *path, const 
 
 static int write_figure(const whirl_bearing_table *table, const bearing_arguments *arguments) {
     whirl_figure *figure;
-    whirl_status status = whirl_bearing_figure(table, arguments->figure, &figure);
+    whirl_status status = whirl_bearing_figure(table, arguments->figure, arguments->found.units, &figure);
     if (status.code != WHIRL_OK) return complain_of(&status);
     guard_output(arguments->output);
     status = whirl_figure_write(figure, arguments->output, arguments->gnuplot);
@@ -127,12 +131,23 @@ static int write_figure(const whirl_bearing_table *table, const bearing_argument
     return complain_of(&status);
 }
 
-static int write_all(const whirl_bearing_table *table, const bearing_arguments *arguments) {
-    int outcome = EXIT_DONE;
-    const whirl_status status =
-        arguments->json ? whirl_bearing_write_json(table, stdout) : whirl_bearing_write_summary(table, stdout);
+static int print(const whirl_bearing_table *table, const bearing_arguments *arguments) {
+    const char *const units = arguments->found.units;
+    whirl_findings *findings;
+    whirl_status status = whirl_ok();
+    if (arguments->json) {
+        status = whirl_bearing_write_json(table, units, stdout);
+        return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
+    }
+    status = whirl_bearing_findings(table, units, &findings);
     if (status.code != WHIRL_OK) return complain_of(&status);
-    outcome = finish_output();
+    const int outcome = found_print(findings, table->bearing->title, &arguments->found);
+    whirl_findings_free(findings);
+    return outcome;
+}
+
+static int write_all(const whirl_bearing_table *table, const bearing_arguments *arguments) {
+    int outcome = print(table, arguments);
     if (outcome == EXIT_DONE && arguments->csv) outcome = write_file(table, arguments->csv, NULL, false);
     if (outcome == EXIT_DONE && arguments->table)
         outcome = write_file(table, arguments->table, arguments->station ? arguments->station : "journal",

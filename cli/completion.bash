@@ -85,8 +85,8 @@ _whirl_options() {
     show) echo '--json --json=full --help' ;;
     export) echo '--csv= --mat= --force --help' ;;
     check) echo '--set= --figure= --force --help' ;;
-    balance) echo '--json --help' ;;
-    bearing) echo '-o --output= --json --csv= --table= --over-frequency --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
+    balance) echo '--json --units= --sheet= --format= --help' ;;
+    bearing) echo '-o --output= --json --units= --sheet= --format= --csv= --table= --over-frequency --at= --figure= --gnuplot= --threads= --force --quiet --help' ;;
     describe | help) echo '--help' ;;
     *) echo '--help --version' ;;
     esac
@@ -122,9 +122,9 @@ _whirl() {
     --method | integrate.method) _whirl_words "$word" "$(_whirl_names "$whirl" 'methods of integration')"; return ;;
     --threads) _whirl_words "$word" "$(seq "$(nproc 2>/dev/null || echo 1)")"; return ;;
     *.*) [ "$of_key" ] && { _whirl_words "$word" "$(_whirl_choices "$whirl" "$before")"; return; } ;;
-    --format) [ "$command" = table ] && _whirl_words "$word" 'text csv latex json'; return ;;
+    --format) [[ $command == @(table|balance|bearing) ]] && _whirl_words "$word" 'text csv latex json'; return ;;
     --figure) _whirl_words "$word" 'curves sommerfeld locus'; return ;;
-    --at | --points | --revolutions | --refine | --shard | --max-time | --units) return ;;
+    --at | --points | --revolutions | --refine | --shard | --max-time | --units | --sheet) return ;;
     esac
     [ "$of_key" ] && return # a number
     if [[ $word == -* ]]; then

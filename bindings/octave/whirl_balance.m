@@ -5,7 +5,9 @@ function found = whirl_balance(file)
 %
 %   FOUND is the document of `whirl balance --json`: correction (a struct a plane: moment in kg m, angle in rad, holes),
 %   vibration (before and after, influence), sets (of modes), proposals (trial weights by the model, with sentences),
-%   unbalance, grade, allowed, warnings. Names of planes that are none of Octave's are changed as jsondecode does.
+%   unbalance, grade, allowed, warnings. Its statements and
+%   sheets are what the command prints, in the units of the field units ('US'). Names of planes that are none of
+%   Octave's are changed as jsondecode does.
 %
 %   Errors: whirl:badInput for a file that is wrong, with its line and key; whirl:noCommand.
 %

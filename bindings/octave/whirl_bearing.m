@@ -5,7 +5,8 @@ function found = whirl_bearing(file)
 %
 %   FOUND is the document of `whirl bearing --json`: points (a struct a point: speed, load, sommerfeld,
 %   eccentricity_ratio, attitude, film, pressure, flow, power, stiffness and damping [2][2], error, warnings), and of
-%   tilting pads reduced (a struct a whirl ratio), full and pads of every point.
+%   tilting pads reduced (a struct a whirl ratio), full and pads of every point. Its statements and sheets are what the
+%   command prints, in the units of the field units ('US').
 %
 %   Errors: whirl:badInput for a file that is wrong, with its line and key; whirl:noCommand.
 %

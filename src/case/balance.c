@@ -24,6 +24,7 @@ static const double two_pi = 6.283185307179586476925;
 static const whirl_key file_keys[] = {
     WHOLE_KEY("balance", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
+    UNITS_KEY,
     CHOICE_KEY("angles", REQUIRED, "with|against",
                "how angles on the rotor are told, from its mark: with the rotation or against it"),
     CHOICE_KEY("phases", REQUIRED, "lag|lead",
@@ -478,6 +479,7 @@ static void check_runs(case_reader *reader, const setting_list *file, const whir
 static void fill(case_reader *reader, const setting_list *file, void *into) {
     whirl_balance *out = into;
     settings_text(reader, file, "title", out->title, sizeof out->title);
+    settings_units(reader, file, out->units, sizeof out->units);
     out->against = strcmp(settings_word(file, "angles"), "against") == 0;
     out->leads = strcmp(settings_word(file, "phases"), "lead") == 0;
     snprintf(out->counted, sizeof out->counted, "%s", settings_word(file, "amplitudes"));

@@ -16,6 +16,7 @@ enum { VERSION = 1 };
 static const whirl_key file_keys[] = {
     WHOLE_KEY("bearing", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what bearing it is, in one line"),
+    UNITS_KEY,
     CITED_CHOICE_KEY("kind", OPTIONAL, KINDS, "a usual bearing, as it stands under a load along -y; this or pads",
                      "Lund, Thomsen 1978; Lund 1964"),
     CHOICE_KEY("pads", OPTIONAL, "", "a list of pads"),
@@ -344,6 +345,7 @@ static void read_ratios(case_reader *reader, const setting_list *file, whirl_bea
 static void fill(case_reader *reader, const setting_list *file, void *into) {
     whirl_bearing *out = into;
     settings_text(reader, file, "title", out->title, sizeof out->title);
+    settings_units(reader, file, out->units, sizeof out->units);
     read_shape(reader, file, out);
     read_size(reader, file, out);
     bearing_oil_read(reader, file, out);

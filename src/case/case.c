@@ -233,15 +233,6 @@ static bool is_known_version(case_reader *reader, const setting_list *file) {
     return false;
 }
 
-/// The units of figures; what they mean is the report's affair.
-static void read_units(case_reader *reader, const setting_list *study, case_content *content) {
-    unit_choice choice;
-    settings_text(reader, study, "units", content->units, sizeof content->units);
-    const whirl_status status = unit_choice_read(content->units, &choice);
-    if (status.code != WHIRL_OK)
-        problem_at(reader->problems, settings_find(study, "units")->place, "%s", status.message);
-}
-
 /// Whether the study is of a shaft that stands still, too: motions are counted in revolutions.
 static bool may_stand_still(const setting *study) {
     if (!study || study->place->kind != NODE_MAPPING) return false;
@@ -281,7 +272,7 @@ static void read_content(case_reader *reader, const file_node *root, void *into)
     if (rotor && !reader->no_memory) machine_read(reader, rotor->place, may_stand_still(study), &content->machine);
     if (study && !reader->no_memory) plan_read_parts(reader, study->place, &content->machine, &parts, &content->plan);
     if (study && !reader->no_memory) resting_read(reader, &content->machine, &parts);
-    if (study && !reader->no_memory) read_units(reader, &parts.study, content);
+    if (study && !reader->no_memory) settings_units(reader, &parts.study, content->units, sizeof content->units);
     if (reader->no_memory) return;
     if (reader->problems->count == 0)
         check_with_values(reader, content, &parts);

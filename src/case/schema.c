@@ -92,8 +92,8 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY("units", OPTIONAL, "",
                "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed "
                "(rad/s, rpm), a frequency (order, Hz, cpm), a way to count amplitudes (0-p, p-p, rms), a force, mass, "
-               "stiffness, damping, moment, inertia, unbalance or density (lbf, lbm, lbf/in, ...), or all of a system "
-               "(US, SI); absent: as the case writes them"),
+               "stiffness, damping, moment, inertia, unbalance, density, pressure, viscosity and so on (lbf, lbm, "
+               "lbf/in, psi, ...), or all of a system (US, SI); absent: as the case writes them"),
 };
 
 // Of points along a parameter.

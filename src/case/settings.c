@@ -433,6 +433,15 @@ void settings_take(valuation *v, const setting_list *settings, const whirl_membe
     }
 }
 
+void settings_units(case_reader *reader, const setting_list *settings, char *text, size_t size) {
+    unit_choice choice;
+    settings_text(reader, settings, "units", text, size);
+    const whirl_status status = unit_choice_read(text, &choice);
+    if (status.code == WHIRL_OK) return;
+    problem_at(reader->problems, settings_find(settings, "units")->place, "%s", status.message);
+    text[0] = '\0';
+}
+
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size) {
     char shown[SHOWN_SIZE];
     text[0] = '\0';

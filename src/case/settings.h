@@ -81,6 +81,15 @@ void settings_take(valuation *v, const setting_list *settings, const whirl_membe
 /// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
 void settings_text(case_reader *reader, const setting_list *settings, const char *key, char *text, size_t size);
 
+/// The units in which numbers are shown, words of base/words/unit_words.c; a problem and "" otherwise.
+void settings_units(case_reader *reader, const setting_list *settings, char *text, size_t size);
+
+/// The key of files of one subject that settings_units reads.
+#define UNITS_KEY                                                                                                      \
+    CHOICE_KEY("units", OPTIONAL, "",                                                                                  \
+               "units of what is printed, such as mil, psi, lbf, or all of a system (US, SI), as `units` of a study; " \
+               "absent: um, rpm, N and the like")
+
 /// "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.
 void describe_names(const char *word, const char *const *names, size_t count, char text[WHY_SIZE]);
 

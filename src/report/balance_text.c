@@ -13,7 +13,7 @@ typedef struct answer {
 
 static whirl_status write_answer(const void *of, FILE *stream) {
     const answer *own = of;
-    return whirl_balance_write_json(own->balance, own->model, own->found, stream);
+    return whirl_balance_write_json(own->balance, own->model, own->found, NULL, stream);
 }
 
 static whirl_status write_all(const whirl_balance *balance, const whirl_balance_model *model, char **json) {

@@ -1,107 +1,307 @@
-// What was computed of a bearing, for people.
+// What was found of a bearing by itself: what it is, where its journal rests, coefficients, errors and warnings.
 #include "whirl/engine/bearing_table.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6,
-                    zero_degrees = 273.15;
+#include "findings_build.h"
+#include "numerics.h"
+#include "report_parts.h"
 
-/// What bearings need not have.
-static void print_more(const whirl_bearing *of, FILE *out) {
-    static const char *const laws[] = {"", "Ng and Pan", "Constantinescu"};
-    if (of->pads.turbulence != WHIRL_LAMINAR) fprintf(out, "turbulent, factors of %s\n", laws[of->pads.turbulence]);
-    if (of->supply_pressure > 0.0)
-        fprintf(out, "oil in the grooves at %.4g bar over %.3g of the length\n", 1e-5 * of->supply_pressure,
-                of->pads.groove);
-    if (of->pivot_stiffness > 0.0) fprintf(out, "pivots of %.4g MN/m along the radius\n", 1e-6 * of->pivot_stiffness);
-    if (of->heated)
-        fprintf(out,
-                "the film is as warm as the mean of the oil that comes in and that which leaves, with %.3g %% of "
-                "the power\n",
-                100.0 * of->heat_share);
-}
+static const double degree = 3.14159265358979323846 / 180.0;
 
-static void print_bearing(const whirl_bearing *of, FILE *out) {
-    double least = INFINITY, most = -INFINITY;
-    for (size_t i = 0; i < of->pads.count; i++) {
-        least = fmin(least, of->pads.pads[i].preload);
-        most = fmax(most, of->pads.pads[i].preload);
-    }
-    if (*of->title) fprintf(out, "%s\n", of->title);
-    fprintf(out, "%s: %zu %s pad%s, D %.6g mm, L %.6g mm (L/D %.4g), radial clearance %.6g um of the pads", of->kind,
-            of->pads.count, of->pads.tilting ? "tilting" : "fixed", of->pads.count > 1 ? "s" : "", 2e3 * of->radius,
-            1e3 * of->length, of->pads.ratio, of->pad_clearance / um);
-    if (most != 0.0) fprintf(out, ", %.6g um of the bearing", of->clearance / um);
-    if (least != most) fprintf(out, " (preloads %.4g to %.4g)", least, most);
-    if (least == most && most != 0.0) fprintf(out, " (preload %.4g)", most);
-    fprintf(out, "\nviscosity %.5g mPa s", 1e3 * of->viscosity);
-    if (of->oil_count > 0)
-        fprintf(out, " at %.4g degC%s", of->temperature - zero_degrees, of->heated ? ", where oil comes in" : "");
-    fprintf(out, ", %s; load at %.5g deg from x towards y\n",
-            of->pads.gumbel ? "pressures below 0 left out (Guembel)" : "film breaks without a slope (Reynolds)",
-            of->load_angle / degree);
-    print_more(of, out);
-}
-
-/// What rounding leaves of 0 has no sign.
+/// Degrees; what rounding leaves of 0 has no sign.
 static double degrees_of(double angle) {
     return fabs(angle) < 1e-9 ? 0.0 : angle / degree;
 }
 
-static void print_place(const whirl_bearing_point *point, FILE *out) {
-    fprintf(out, "%10.6g %10.6g", point->speed / rpm, point->load);
+// ---------------------------------------------------------------- warnings
+
+/// "pads 2, 3" that carry nothing at a point; returns how many.
+static size_t name_idle_pads(const whirl_bearing *of, const whirl_bearing_point *point, char *text, size_t size) {
+    size_t idle = 0;
+    *text = '\0';
+    for (size_t i = 0; i < of->pads.count; i++) {
+        if (!whirl_bearing_pad_idle(point, i)) continue;
+        snprintf(text + strlen(text), size - strlen(text), "%s%zu", idle++ ? ", " : "pad", i + 1);
+    }
+    return idle;
 }
 
-static void print_states(const whirl_bearing_table *table, FILE *out) {
-    const whirl_bearing *of = table->bearing;
-    fputs("S = mu N D L (R/c)^2/W and e/c with the clearance of the pads; attitude from the load to the journal, with "
-          "the rotation\n",
-          out);
-    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s%s\n", "speed", "load", "S", "e/c", "attitude", "film",
-            "pressure", "flow", "power", of->pads.tilting ? "" : "  crit. mass   whirl",
-            of->heated ? "      film" : "");
-    fprintf(out, "%10s %10s %9s %8s %9s %8s %9s %9s %9s%s%s\n", "rpm", "N", "1", "1", "deg", "um", "MPa", "l/min", "kW",
-            of->pads.tilting ? "" : "          kg       1", of->heated ? "      degC" : "");
+/// How much warmer something is: in K, or in the degrees of another scale.
+static void phrase_warming(const finder *of, whirl_phrase *phrase, double kelvins) {
+    const whirl_unit *scale = &of->units->of[WHIRL_QUANTITY_TEMPERATURE];
+    whirl_unit unit = {"K", scale->size};
+    if (scale->size != 1.0) unit = *scale;
+    phrase_unit(of, phrase, &unit, 3, kelvins);
+}
+
+static void phrase_flow(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
+                        whirl_bearing_remark remark, whirl_phrase *phrase) {
+    const double taylor = whirl_bearing_taylor(bearing, point), first = FIRST_VORTICES;
+    if (remark == WHIRL_FILM_NOT_LAMINAR)
+        phrase_text(of, phrase,
+                    "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); what is told "
+                    "here is of a laminar one: add turbulence: ng-pan",
+                    taylor, first, point->reynolds);
+    else if (remark == WHIRL_FILM_LAMINAR)
+        phrase_text(of, phrase,
+                    "the film is laminar: Taylor's number is %.3g, below %.3g, and the factors of turbulence count all "
+                    "the same: leave them out",
+                    taylor, first);
+    else if (remark == WHIRL_FILM_BETWEEN)
+        phrase_text(of, phrase,
+                    "the film is between laminar and turbulent: Taylor's number is %.3g, between %.3g and twice that, "
+                    "where factors of turbulence are uncertain by a tenth",
+                    taylor, first);
+    else
+        phrase_text(of, phrase, "the Reynolds number is %.3g, and factors of turbulence are for up to %.3g",
+                    point->reynolds, WHIRL_MOST_REYNOLDS);
+}
+
+static void phrase_oil(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
+                       whirl_phrase *phrase) {
+    phrase_text(of, phrase, "the film is at ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_TEMPERATURE, 4, point->temperature);
+    phrase_text(of, phrase, ", and the viscosity of its oil is known from ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_TEMPERATURE, 4, bearing->oil_temperatures[0]);
+    phrase_text(of, phrase, " to ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_TEMPERATURE, 4, bearing->oil_temperatures[bearing->oil_count - 1]);
+}
+
+static void phrase_idle(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
+                        whirl_phrase *phrase) {
+    char pads[100];
+    const bool several = name_idle_pads(bearing, point, pads, sizeof pads) > 1;
+    const char *const names = pads + strlen("pad");
+    if (bearing->pads.tilting)
+        phrase_text(of, phrase, "no film holds pad%s %s: free to flutter, told with a tilt of 0 and no stiffness",
+                    several ? "s" : "", names);
+    else
+        phrase_text(of, phrase, "pad%s %s carr%s nothing", several ? "s" : "", names, several ? "y" : "ies");
+}
+
+/// Words a warning of a point, or of the bearing as a whole (point NULL).
+static void phrase_remark(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,
+                          whirl_bearing_remark remark, whirl_phrase *phrase) {
+    switch (remark) {
+    case WHIRL_FILM_THIN:
+        phrase_text(of, phrase, "the film is ");
+        phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 3, point->film);
+        phrase_text(of, phrase, " thin, below ");
+        phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 3, bearing->least_film);
+        return;
+    case WHIRL_OIL_WARMS:
+        phrase_text(of, phrase, "the power would warm the leaving oil by ");
+        phrase_warming(of, phrase, point->heating);
+        phrase_text(of, phrase, ": is the viscosity that of the warm film?");
+        return;
+    case WHIRL_OIL_UNKNOWN:
+        phrase_oil(of, bearing, point, phrase);
+        return;
+    case WHIRL_MESH_COARSE:
+        phrase_text(of, phrase, "coefficients differ by %.2g %% on a mesh half as fine",
+                    100.0 * fmax(point->error_stiffness, point->error_damping));
+        return;
+    case WHIRL_PADS_IDLE:
+        phrase_idle(of, bearing, point, phrase);
+        return;
+    case WHIRL_LENGTH_UNUSUAL:
+        phrase_text(of, phrase, "length over diameter is %.3g, and bearings have 0.1 to 2 of it", bearing->pads.ratio);
+        return;
+    case WHIRL_CLEARANCE_UNUSUAL:
+        phrase_text(of, phrase,
+                    "the radial clearance of the pads is %.3g times the radius, and bearings have 0.0003 to 0.005 of "
+                    "it: is it radial, and in the right unit?",
+                    bearing->pad_clearance / bearing->radius);
+        return;
+    default:
+        phrase_flow(of, bearing, point, remark, phrase);
+    }
+}
+
+static void phrase_place(const finder *of, whirl_phrase *phrase, const whirl_bearing_point *point) {
+    phrase_number(of, phrase, WHIRL_QUANTITY_SPEED, 6, point->speed);
+    phrase_text(of, phrase, ", ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_FORCE, 6, point->load);
+}
+
+static void find_warnings(const finder *of, const whirl_bearing_table *table) {
+    for (size_t k = 0; k < table->remark_count; k++)
+        phrase_remark(of, table->bearing, NULL, table->remarks[k], &find_statement(of, "warning")->found);
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];
-        print_place(point, out);
-        if (!point->found) {
-            fprintf(out, "  not found: %s\n", point->failure);
-            continue;
+        for (size_t k = 0; k < point->remark_count; k++) {
+            whirl_statement *own = find_statement(of, "warning");
+            phrase_place(of, &own->at, point);
+            phrase_remark(of, table->bearing, point, point->remarks[k], &own->found);
         }
-        fprintf(out, " %9.4g %8.4f %9.2f %8.4g %9.4g %9.4g %9.4g", point->sommerfeld,
-                point->eccentricity / of->pad_clearance, degrees_of(point->attitude), point->film / um,
-                1e-6 * point->pressure, 6e4 * point->flow, 1e-3 * point->power);
-        if (!of->pads.tilting && isfinite(point->critical_mass))
-            fprintf(out, "  %10.5g  %6.4f", point->critical_mass, point->whirl);
-        else if (!of->pads.tilting)
-            fputs("        none       -", out);
-        if (of->heated) fprintf(out, " %9.2f", point->temperature - zero_degrees);
-        fputc('\n', out);
     }
 }
 
-static void print_coefficients(const whirl_bearing_table *table, size_t ratio, FILE *out) {
-    static const char *const names[] = {"Kxx", "Kxy", "Kyx", "Kyy", "Cxx", "Cxy", "Cyx", "Cyy"};
-    const whirl_bearing *of = table->bearing;
-    fputs("stiffness (MN/m) and damping (kN s/m)", out);
-    if (of->pads.tilting) fprintf(out, ", pads following at whirl ratio %.4g", of->ratios[ratio]);
-    fprintf(out, ":\n%10s %10s", "rpm", "N");
-    for (int k = 0; k < 8; k++) fprintf(out, " %9s", names[k]);
-    fputc('\n', out);
+// ---------------------------------------------------------------- the bearing
+
+static void find_shape(const finder *of, const whirl_bearing *bearing) {
+    double least = INFINITY, most = -INFINITY;
+    for (size_t i = 0; i < bearing->pads.count; i++) {
+        least = fmin(least, bearing->pads.pads[i].preload);
+        most = fmax(most, bearing->pads.pads[i].preload);
+    }
+    whirl_phrase *phrase = &find_statement(of, "bearing")->found;
+    phrase_text(of, phrase, "%s: %zu %s pad%s, D ", bearing->kind, bearing->pads.count,
+                bearing->pads.tilting ? "tilting" : "fixed", bearing->pads.count > 1 ? "s" : "");
+    phrase_number(of, phrase, WHIRL_QUANTITY_DIAMETER, 6, 2.0 * bearing->radius);
+    phrase_text(of, phrase, ", L ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_DIAMETER, 6, bearing->length);
+    phrase_text(of, phrase, " (L/D %.4g), radial clearance ", bearing->pads.ratio);
+    phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->pad_clearance);
+    phrase_text(of, phrase, " of the pads");
+    if (most != 0.0) {
+        phrase_text(of, phrase, ", ");
+        phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 6, bearing->clearance);
+        phrase_text(of, phrase, " of the bearing");
+    }
+    if (least != most) phrase_text(of, phrase, " (preloads %.4g to %.4g)", least, most);
+    if (least == most && most != 0.0) phrase_text(of, phrase, " (preload %.4g)", most);
+    phrase_text(of, phrase, "; load at %.5g deg from x towards y", degrees_of(bearing->load_angle));
+}
+
+static void find_oil(const finder *of, const whirl_bearing *bearing) {
+    static const char *const laws[] = {"", "Ng and Pan", "Constantinescu"};
+    whirl_phrase *phrase = &find_statement(of, "oil")->found;
+    phrase_text(of, phrase, "viscosity ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_VISCOSITY, 5, bearing->viscosity);
+    if (bearing->oil_count > 0) {
+        phrase_text(of, phrase, " at ");
+        phrase_number(of, phrase, WHIRL_QUANTITY_TEMPERATURE, 4, bearing->temperature);
+        if (bearing->heated) phrase_text(of, phrase, ", where oil comes in");
+    }
+    if (bearing->supply_pressure > 0.0) {
+        phrase = &find_statement(of, "grooves")->found;
+        phrase_text(of, phrase, "oil at ");
+        phrase_number(of, phrase, WHIRL_QUANTITY_PRESSURE, 4, bearing->supply_pressure);
+        phrase_text(of, phrase, " over %.3g of the length", bearing->pads.groove);
+    }
+    phrase = &find_statement(of, "film")->found;
+    phrase_text(of, phrase,
+                bearing->pads.gumbel ? "pressures below 0 left out (Guembel)" : "breaks without a slope (Reynolds)");
+    if (bearing->pads.turbulence != WHIRL_LAMINAR)
+        phrase_text(of, phrase, "; turbulent, factors of %s", laws[bearing->pads.turbulence]);
+    if (bearing->heated)
+        phrase_text(of, phrase,
+                    "; as warm as the mean of the oil that comes in and that which leaves, with %.3g %% of the power",
+                    100.0 * bearing->heat_share);
+    if (bearing->pivot_stiffness > 0.0) {
+        phrase = &find_statement(of, "pivots")->found;
+        phrase_number(of, phrase, WHIRL_QUANTITY_STIFFNESS, 4, bearing->pivot_stiffness);
+        phrase_text(of, phrase, " along the radius");
+    }
+}
+
+static void find_pads(const finder *of, const whirl_bearing *bearing) {
+    whirl_sheet *sheet = find_sheet(of, "pads", "Pads");
+    sheet_column(of, sheet, "pad", "pad", WHIRL_QUANTITY_NUMBER, 3);
+    sheet_column(of, sheet, "pivot", "pivot", WHIRL_QUANTITY_DEGREES, 5);
+    sheet_column(of, sheet, "arc", "arc", WHIRL_QUANTITY_DEGREES, 5);
+    sheet_column(of, sheet, "offset", "share of the arc before the pivot", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_column(of, sheet, "preload", "preload", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t i = 0; i < bearing->pads.count; i++) {
+        const whirl_pad *pad = &bearing->pads.pads[i];
+        sheet_row(of, sheet);
+        cell_number(of, sheet, (double)i + 1.0);
+        cell_number(of, sheet, degrees_of(pad->pivot));
+        cell_number(of, sheet, degrees_of(pad->arc));
+        cell_number(of, sheet, pad->offset);
+        cell_number(of, sheet, pad->preload);
+    }
+    find_sheet_end(of);
+}
+
+// ---------------------------------------------------------------- over load and speed
+
+static void sheet_place(const finder *of, whirl_sheet *sheet) {
+    sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
+    sheet_column(of, sheet, "load", "load", WHIRL_QUANTITY_FORCE, 6);
+}
+
+static void cells_place(const finder *of, whirl_sheet *sheet, const whirl_bearing_point *point) {
+    sheet_row(of, sheet);
+    cell_number(of, sheet, point->speed);
+    cell_number(of, sheet, point->load);
+}
+
+static void find_rest(const finder *of, const whirl_bearing_table *table) {
+    const whirl_bearing *bearing = table->bearing;
+    whirl_sheet *sheet = find_sheet(of, "rest", "Where the journal rests");
+    sheet->about = "S = mu N D L (R/c)^2/W and e/c with the clearance of the pads; attitude from the load to the "
+                   "journal, with the rotation; above the critical mass a rigid rotor whirls by itself.";
+    sheet_place(of, sheet);
+    sheet_column(of, sheet, "sommerfeld", "S", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_column(of, sheet, "eccentricity_ratio", "e/c", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_column(of, sheet, "attitude", "attitude", WHIRL_QUANTITY_DEGREES, 4);
+    sheet_column(of, sheet, "film", "film", WHIRL_QUANTITY_LENGTH, 4);
+    sheet_column(of, sheet, "pressure", "pressure", WHIRL_QUANTITY_PRESSURE, 4);
+    sheet_column(of, sheet, "flow", "flow", WHIRL_QUANTITY_FLOW, 4);
+    sheet_column(of, sheet, "power", "power", WHIRL_QUANTITY_POWER, 4);
+    sheet_column(of, sheet, "critical_mass", "critical mass", WHIRL_QUANTITY_MASS, 5);
+    sheet_column(of, sheet, "critical_whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_column(of, sheet, "temperature", "film at", WHIRL_QUANTITY_TEMPERATURE, 4);
+    sheet_texts(of, sheet, "failure", "not found");
     for (size_t i = 0; i < table->count; i++) {
         const whirl_bearing_point *point = &table->points[i];
-        if (!point->found) continue;
-        print_place(point, out);
-        for (int k = 0; k < 8; k++)
-            fprintf(out, " %9.4g", point->reduced[ratio][k / 4][k / 2 % 2][k % 2] * (k < 4 ? 1e-6 : 1e-3));
-        fputc('\n', out);
+        const double mass = bearing->pads.tilting ? (double)NAN : point->critical_mass;
+        cells_place(of, sheet, point);
+        cell_number(of, sheet, point->sommerfeld);
+        cell_number(of, sheet, point->eccentricity / bearing->pad_clearance);
+        cell_number(of, sheet, degrees_of(point->attitude));
+        cell_number(of, sheet, point->film);
+        cell_number(of, sheet, point->pressure);
+        cell_number(of, sheet, point->flow);
+        cell_number(of, sheet, point->power);
+        cell_number(of, sheet, mass);
+        cell_number(of, sheet, isfinite(mass) ? point->whirl : (double)NAN);
+        cell_number(of, sheet, bearing->heated ? point->temperature : (double)NAN);
+        cell_text(of, sheet, find_text(of->findings, "%s", point->failure));
     }
+    find_sheet_end(of);
 }
 
-static void print_errors(const whirl_bearing_table *table, FILE *out) {
+static void find_coefficients(const finder *of, const whirl_bearing_table *table) {
+    static const char *const names[] = {"Kxx", "Kxy", "Kyx", "Kyy", "Cxx", "Cxy", "Cyx", "Cyy"};
+    static const char *const keys[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
+    const whirl_bearing *bearing = table->bearing;
+    const size_t ratios = bearing->pads.tilting ? bearing->ratio_count : 1;
+    whirl_sheet *sheet = find_sheet(of, "coefficients", "Stiffness and damping");
+    if (bearing->pads.tilting) sheet->about = "Of tilting pads, which follow at the whirl ratio.";
+    sheet_place(of, sheet);
+    if (bearing->pads.tilting) sheet_column(of, sheet, "whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
+    for (size_t k = 0; k < 8; k++)
+        sheet_column(of, sheet, keys[k], names[k], k < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, 4);
+    for (size_t r = 0; r < ratios; r++)
+        for (size_t i = 0; i < table->count; i++) {
+            const whirl_bearing_point *point = &table->points[i];
+            if (!point->found) continue;
+            cells_place(of, sheet, point);
+            if (bearing->pads.tilting) cell_number(of, sheet, bearing->ratios[r]);
+            for (size_t k = 0; k < 8; k++) cell_number(of, sheet, point->reduced[r][k / 4][k / 2 % 2][k % 2]);
+        }
+    find_sheet_end(of);
+}
+
+/// Points at which a rigid rotor of any mass is stable, which a sheet has no critical mass of.
+static void find_stable(const finder *of, const whirl_bearing_table *table) {
+    size_t found = 0, stable = 0;
+    for (size_t i = 0; i < table->count; i++) {
+        found += table->points[i].found;
+        stable += table->points[i].found && isinf(table->points[i].critical_mass);
+    }
+    if (!table->bearing->pads.tilting && stable > 0)
+        phrase_text(of, &find_statement(of, "critical mass")->found,
+                    "none at %zu of %zu points: a rigid rotor of any mass is stable there", stable, found);
+}
+
+static void find_errors(const finder *of, const whirl_bearing_table *table) {
     double place = 0.0, stiffness = 0.0, damping = 0.0;
     size_t known = 0;
     for (size_t i = 0; i < table->count; i++) {
@@ -112,34 +312,51 @@ static void print_errors(const whirl_bearing_table *table, FILE *out) {
         stiffness = fmax(stiffness, point->error_stiffness);
         damping = fmax(damping, point->error_damping);
     }
-    if (known)
-        fprintf(
-            out,
-            "error, against a mesh half as fine: place %.2g um, stiffness %.2g %%, damping %.2g %% of the largest\n",
-            place / um, 100.0 * stiffness, 100.0 * damping);
+    if (known == 0) return;
+    whirl_phrase *phrase = &find_statement(of, "error, against a mesh half as fine")->found;
+    phrase_text(of, phrase, "place ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_LENGTH, 2, place);
+    phrase_text(of, phrase, ", stiffness ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_PERCENT, 2, 100.0 * stiffness);
+    phrase_text(of, phrase, ", damping ");
+    phrase_number(of, phrase, WHIRL_QUANTITY_PERCENT, 2, 100.0 * damping);
+    phrase_text(of, phrase, " of the largest");
 }
 
-static void print_warnings(const whirl_bearing_table *table, FILE *out) {
-    enum { MOST = 20 };
-    size_t told = 0, left = 0;
-    for (size_t k = 0; k < table->remark_count; k++) fprintf(out, "warning: %s\n", table->remarks[k]);
-    for (size_t i = 0; i < table->count; i++) {
-        const whirl_bearing_point *point = &table->points[i];
-        for (size_t k = 0; k < point->remark_count; k++)
-            if (told++ < MOST)
-                fprintf(out, "warning at %.6g rpm, %.6g N: %s\n", point->speed / rpm, point->load, point->remarks[k]);
-            else
-                left++;
+// ---------------------------------------------------------------- all
+
+static const whirl_table bearing_alone = {.name = "bearing"};
+
+whirl_status whirl_bearing_findings(const whirl_bearing_table *table, const char *units, whirl_findings **findings) {
+    whirl_shown_units shown;
+    *findings = NULL;
+    const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &shown);
+    if (status.code != WHIRL_OK) return status;
+    const finder of = {find_begin(), &shown, NULL, &bearing_alone};
+    if (of.findings) {
+        find_shape(&of, table->bearing);
+        find_oil(&of, table->bearing);
+        find_stable(&of, table);
+        find_errors(&of, table);
+        find_warnings(&of, table);
+        find_pads(&of, table->bearing);
+        find_rest(&of, table);
+        find_coefficients(&of, table);
     }
-    if (left) fprintf(out, "and %zu warnings more, which --json and --csv tell\n", left);
+    return find_made(of.findings, findings);
 }
 
-whirl_status whirl_bearing_write_summary(const whirl_bearing_table *table, FILE *out) {
-    const whirl_bearing *of = table->bearing;
-    print_bearing(of, out);
-    print_states(table, out);
-    for (size_t k = 0; k < (of->pads.tilting ? of->ratio_count : 1); k++) print_coefficients(table, k, out);
-    print_errors(table, out);
-    print_warnings(table, out);
-    return whirl_ok();
+bool bearing_remark_text(const whirl_bearing *bearing, const whirl_bearing_point *point, whirl_bearing_remark remark,
+                         char text[STATEMENT_SIZE]) {
+    whirl_shown_units shown;
+    whirl_phrase phrase = {0};
+    *text = '\0';
+    whirl_shown_units_alone(NULL, &shown);
+    const finder of = {find_begin(), &shown, NULL, &bearing_alone};
+    if (!of.findings) return false;
+    phrase_remark(&of, bearing, point, remark, &phrase);
+    const bool well = !of.findings->failed;
+    if (well) whirl_phrase_text(&phrase, text, STATEMENT_SIZE);
+    whirl_findings_free(of.findings);
+    return well;
 }

@@ -22,9 +22,15 @@ static json_t *matrix(bool *well, size_t size, size_t row_size, const double *of
     return made;
 }
 
-static json_t *texts(bool *well, const char (*of)[200], size_t count) {
+/// Warnings of a point, or of the table (point NULL).
+static json_t *warnings_of(bool *well, const whirl_bearing *of, const whirl_bearing_point *point,
+                           const whirl_bearing_remark *remarks, size_t count) {
+    char text[STATEMENT_SIZE];
     json_t *made = json_array();
-    for (size_t i = 0; i < count; i++) document_append(well, made, document_text(of[i]));
+    for (size_t i = 0; i < count; i++) {
+        *well = bearing_remark_text(of, point, remarks[i], text) && *well;
+        document_append(well, made, document_text(text));
+    }
     return made;
 }
 
@@ -160,18 +166,24 @@ static json_t *point_of(bool *well, const whirl_bearing *of, const whirl_bearing
     document_put(well, error, "stiffness", document_number(point->error_stiffness));
     document_put(well, error, "damping", document_number(point->error_damping));
     document_put(well, made, "error", error);
-    document_put(well, made, "warnings", texts(well, point->remarks, point->remark_count));
+    document_put(well, made, "warnings", warnings_of(well, of, point, point->remarks, point->remark_count));
     return made;
 }
 
-whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, FILE *out) {
+whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, const char *units, FILE *out) {
     bool well = true;
+    whirl_findings *findings;
+    const whirl_status status = whirl_bearing_findings(table, units, &findings);
+    if (status.code != WHIRL_OK) return status;
     json_t *all = json_object(), *points = json_array();
     put_bearing(&well, all, table->bearing);
     for (size_t i = 0; i < table->count; i++)
         document_append(&well, points, point_of(&well, table->bearing, &table->points[i]));
     document_put(&well, all, "points", points);
-    document_put(&well, all, "warnings", texts(&well, table->remarks, table->remark_count));
+    document_put(&well, all, "warnings", warnings_of(&well, table->bearing, NULL, table->remarks, table->remark_count));
+    document_put(&well, all, "statements", statements_json(&well, findings));
+    document_put(&well, all, "sheets", sheets_json(&well, findings));
+    whirl_findings_free(findings);
     if (document_write(well, all, out) && fputc('\n', out) != EOF) return whirl_ok();
     return whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON, or it cannot be written");
 }
@@ -186,6 +198,7 @@ static void put_number(FILE *out, double value, const char *end) {
 
 whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out) {
     const whirl_bearing *of = table->bearing;
+    char text[STATEMENT_SIZE];
     fputs("speed (rad/s),load (N),sommerfeld,eccentricity ratio,attitude (rad),x (m),y (m),film (m),pressure (Pa),"
           "flow (m3/s),power (W),kxx (N/m),kxy (N/m),kyx (N/m),kyy (N/m),cxx (N s/m),cxy (N s/m),cyx (N s/m),"
           "cyy (N s/m),critical mass (kg),error of place (m),error of stiffness,error of damping,"
@@ -214,7 +227,11 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out
         put_number(out, point->viscosity, ",");
         put_number(out, point->temperature, ",");
         fprintf(out, "\"%s", point->failure);
-        for (size_t k = 0; k < point->remark_count; k++) fprintf(out, "%s%s", k ? "; " : "", point->remarks[k]);
+        for (size_t k = 0; k < point->remark_count; k++) {
+            if (!bearing_remark_text(of, point, point->remarks[k], text))
+                return whirl_fail(WHIRL_NO_MEMORY, "no memory for the warnings of a bearing");
+            fprintf(out, "%s%s", k ? "; " : "", text);
+        }
         fputs("\"\n", out);
     }
     return ferror(out) ? whirl_fail(WHIRL_IO_ERROR, "a table of a bearing cannot be written") : whirl_ok();

@@ -13,7 +13,7 @@ static whirl_status write_figures(const void *table, FILE *stream) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof names / sizeof *names && status.code == WHIRL_OK; i++) {
         whirl_figure *figure;
-        status = whirl_bearing_figure(table, names[i], &figure);
+        status = whirl_bearing_figure(table, names[i], NULL, &figure);
         fputs(i ? "," : "[", stream);
         if (status.code == WHIRL_OK) status = whirl_figure_write_json(figure, stream);
         whirl_figure_free(figure);
@@ -23,7 +23,7 @@ static whirl_status write_figures(const void *table, FILE *stream) {
 }
 
 static whirl_status write_answer(const void *table, FILE *stream) {
-    return whirl_bearing_write_json(table, stream);
+    return whirl_bearing_write_json(table, NULL, stream);
 }
 
 static whirl_status compute(const whirl_bearing *bearing, int threads, char **json, char **figures) {

@@ -3,6 +3,7 @@
 #define REPORT_REPORT_PARTS_H
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/bearing_table.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/descriptor.h"
 #include "whirl/engine/findings.h"
@@ -86,6 +87,11 @@ void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 /// Statements and sheets of a table as text; of sheets whose rows are points at most `points` rows, of others `rows`.
 /// False without memory.
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
+
+/// Words a warning of a point of a bearing, or of the bearing as a whole (point NULL), in um and degC. False without
+/// memory.
+bool bearing_remark_text(const whirl_bearing *bearing, const whirl_bearing_point *point, whirl_bearing_remark remark,
+                         char text[STATEMENT_SIZE]);
 
 /// A sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream);

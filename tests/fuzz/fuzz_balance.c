@@ -7,6 +7,7 @@
 
 #include "whirl/engine/balance.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/findings.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -17,13 +18,16 @@ static void require(int condition) {
 static void solve(const whirl_balance *balance, const whirl_balance_model *model) {
     static FILE *nowhere;
     whirl_correction *found;
+    whirl_findings *findings;
     if (!nowhere) nowhere = fopen("/dev/null", "w");
     const whirl_status status = whirl_balance_solve(balance, model, &found);
     require((status.code == WHIRL_OK) == (found != NULL));
     require(status.code == WHIRL_OK || status.message[0] != '\0');
     if (!found || !nowhere) return;
-    whirl_balance_write_summary(balance, model, found, nowhere);
-    whirl_balance_write_json(balance, model, found, nowhere);
+    if (whirl_balance_findings(balance, model, found, NULL, &findings).code == WHIRL_OK)
+        whirl_findings_write_text(findings, nowhere);
+    whirl_findings_free(findings);
+    whirl_balance_write_json(balance, model, found, NULL, nowhere);
     whirl_correction_free(found);
 }
 

@@ -202,3 +202,16 @@ def test_figures_and_mistakes(tmp_path):
     assert len(raised.value.problems) == 2
     with pytest.raises(whirl.BadInput, match="cannot read"):
         whirl.bearing(tmp_path / "none.yaml")
+
+
+def test_findings_in_the_customers_units():
+    oil = {"grade": 46, "supply_temperature": "45 degC", "load": 5e3, "speed": "9000 rpm", "fineness": 192}
+    case = {key: value for key, value in TWO_GROOVE.items() if key not in ("viscosity", "speed")}
+    found = whirl.bearing({**case, **oil, "units": "US"}, threads=1)
+    rest = found.sheets["rest"]
+    sizes = {"film": 25.4e-6, "pressure": 6894.757, "load": 4.448222, "critical_mass": 0.45359237}  # NIST SP 811
+    for key, size in sizes.items():
+        assert rest[key] == pytest.approx(getattr(found, key) / size, rel=1e-6)
+    assert rest["temperature"] == pytest.approx(found.temperature * 9 / 5 - 459.67, rel=1e-12)
+    assert rest.columns[rest.keys.index("temperature")].title == "film at (degF)"
+    assert any("at 113 degF, where oil comes in" in str(own) for own in found.statements)

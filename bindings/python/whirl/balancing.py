@@ -22,6 +22,7 @@ from ._library import ffi, lib, path_bytes, text
 from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
 from .fields import FIELD
+from .findings import Sheet, Statements, sheets_in, statements_in
 
 if TYPE_CHECKING:
     from .result import Result
@@ -135,6 +136,8 @@ class Balance:
     without: Optional[Without]  #: the correction without the plane that is least needed; None where all are needed
     difference: Optional[float]  #: of the model's coefficients from those of runs, over the largest
     warnings: list[str]  #: what speaks against the proposals
+    statements: Statements = field(repr=False)  #: what was found, in sentences, in the units of the file
+    sheets: dict[str, Sheet] = field(repr=False)  #: tables: correction, vibration, influence, ... in these units
     document: dict = field(repr=False)  #: all of it as ``whirl balance --json`` prints it
 
 
@@ -202,6 +205,8 @@ def _made(of) -> Balance:
         without=_without(of.get("without")),
         difference=of["difference"],
         warnings=of["warnings"],
+        statements=statements_in(of),
+        sheets=sheets_in(of),
         document=of,
     )
 

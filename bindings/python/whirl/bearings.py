@@ -20,6 +20,7 @@ import numpy as np
 from ._library import ffi, lib, path_bytes, text
 from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
+from .findings import Sheet, Statements, sheets_in, statements_in
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -57,6 +58,8 @@ class Bearing:
     critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN of tilting pads and where there is none
     error: np.ndarray  #: [points][3]: m of the place, shares of stiffness and damping, against a mesh half as fine
     warnings: list[str]  #: of the bearing and of its points
+    statements: Statements = field(repr=False)  #: what was found, in sentences, in the units of the file
+    sheets: dict[str, Sheet] = field(repr=False)  #: tables: pads, rest, coefficients, in these units
     document: dict = field(repr=False)  #: all of it as ``whirl bearing --json`` prints it
     figures: dict = field(repr=False)  #: documents of docs/figures.md by the names curves, sommerfeld, locus
 
@@ -104,6 +107,8 @@ def _made(of: dict[str, Any], figures: list) -> Bearing:
         film_viscosity=_array(points, "viscosity"),
         error=np.stack([_array(points, "error", key) for key in ("place", "stiffness", "damping")], axis=-1),
         warnings=_warnings(of),
+        statements=statements_in(of),
+        sheets=sheets_in(of),
         document=of,
         figures={figure["name"].removeprefix("bearing-"): figure for figure in figures},
     )

@@ -61,8 +61,9 @@ class Column:
     key: str  #: "amplification"
     heading: str  #: without its unit
     unit: str  #: in which its numbers are shown, "" of none
-    size: float  #: of that unit, in SI
+    size: float  #: of that unit, in SI: a number over it, less ``zero``, is shown
     digits: int  #: significant ones that documents show; 0 of a column of texts
+    zero: float = 0.0  #: of temperatures: 273.15 of degC, 459.67 of degF
     between: str | None = None  #: what stands between several numbers of a cell; None where each has one
 
     @property
@@ -74,7 +75,9 @@ class Column:
         """A cell in SI in the unit shown."""
         if isinstance(number, (str, type(None))):
             return number
-        return tuple(own / self.size for own in number) if isinstance(number, tuple) else number / self.size
+        if isinstance(number, tuple):
+            return tuple(own / self.size - self.zero for own in number)
+        return number / self.size - self.zero
 
 
 @dataclass(frozen=True)
@@ -192,7 +195,7 @@ def _sheet(of: dict[str, Any]) -> Sheet:
 
 def statements_of(handle, units: str | None) -> Statements:
     """All statements of a result."""
-    return Statements(_statement(own) for own in json.loads(text_of(handle, None, units, "json"))["statements"])
+    return statements_in(json.loads(text_of(handle, None, units, "json")))
 
 
 def sheet_of(handle, name: str, units: str | None) -> Sheet:
@@ -202,6 +205,16 @@ def sheet_of(handle, name: str, units: str | None) -> Sheet:
 
 def sheets_of(handle, units: str | None) -> dict[str, Sheet]:
     """All sheets of a result by their names, with that of their table before it where several tables have one."""
-    sheets = [_sheet(own) for own in json.loads(text_of(handle, None, units, "json"))["sheets"]]
+    return sheets_in(json.loads(text_of(handle, None, units, "json")))
+
+
+def statements_in(document: dict[str, Any]) -> Statements:
+    """The statements of a document."""
+    return Statements(_statement(own) for own in document["statements"])
+
+
+def sheets_in(document: dict[str, Any]) -> dict[str, Sheet]:
+    """The sheets of a document, by names as :func:`sheets_of` has them."""
+    sheets = [_sheet(own) for own in document["sheets"]]
     times = Counter(sheet.name for sheet in sheets)
     return {f"{own.table}/{own.name}" if times[own.name] > 1 else own.name: own for own in sheets}

@@ -17,6 +17,8 @@ export interface Column {
   readonly heading: string;
   readonly unit: string;
   readonly size: number;
+  /// Of temperatures, taken off a number over `size`.
+  readonly zero?: number;
   readonly digits: number;
 }
 

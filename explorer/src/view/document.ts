@@ -73,7 +73,7 @@ function card(
 function csvOfSheet({ columns, rows }: Sheet): string {
   const plain = (cell: Sheet['rows'][number][number], c: number): string =>
     typeof cell === 'number'
-      ? String(cell / columns[c]!.size)
+      ? String(cell / columns[c]!.size - (columns[c]!.zero ?? 0))
       : cell === null || typeof cell === 'string'
         ? (cell ?? '')
         : cell.map((each) => plain(each, c)).join(' ');

@@ -20,6 +20,8 @@ extern "C" {
 
 /// As in whirl/engine/case.h.
 struct whirl_problems;
+/// As in whirl/engine/findings.h.
+struct whirl_findings;
 
 /// Bounds of balancing.
 enum {
@@ -83,6 +85,7 @@ typedef struct whirl_balance_coefficient {
 /// What is known of a rotor that is to be balanced. Arrays are its own.
 typedef struct whirl_balance {
     char title[256];                                  ///< in one line
+    char units[64];                                   ///< in which numbers are shown (whirl/engine/shown.h), or ""
     bool against, leads;                              ///< how the file tells angles on the rotor, and phases
     char counted[8];                                  ///< how its amplitudes are: "0-p", "p-p", "rms"; "" not said
     size_t plane_count, trial_count, vibration_count; ///< of these
@@ -243,15 +246,17 @@ double whirl_balance_allowed(const whirl_balance *balance);
 /// where there are not both.
 double whirl_balance_difference(const whirl_balance *balance, const whirl_correction *correction);
 
-/// Writes what was found in lines of text, each ended by a line feed: influence, correction, vibration before and
-/// after.
-whirl_status whirl_balance_write_summary(const whirl_balance *balance, const whirl_balance_model *model,
-                                         const whirl_correction *correction, FILE *stream);
+/// What was found, in the units that `units` (NULL: the file) says (whirl_shown_units_alone); amplitudes are counted as
+/// the file has them where no unit says how. Borrows nothing. Freed by whirl_findings_free. WHIRL_NO_MEMORY,
+/// WHIRL_BAD_INPUT for words that are no units.
+whirl_status whirl_balance_findings(const whirl_balance *balance, const whirl_balance_model *model,
+                                    const whirl_correction *correction, const char *units,
+                                    struct whirl_findings **findings);
 
-/// Writes it as one JSON object: moments in kg m, amplitudes in m, angles in radians as the file tells them.
-/// WHIRL_NO_MEMORY.
+/// Writes it as one JSON object: moments in kg m, amplitudes in m, angles in radians as the file tells them; and the
+/// findings, in these units. WHIRL_NO_MEMORY, WHIRL_BAD_INPUT.
 whirl_status whirl_balance_write_json(const whirl_balance *balance, const whirl_balance_model *model,
-                                      const whirl_correction *correction, FILE *stream);
+                                      const whirl_correction *correction, const char *units, FILE *stream);
 
 #ifdef __cplusplus
 }

@@ -21,6 +21,7 @@ extern "C" {
 struct whirl_problems;
 struct whirl_progress;
 struct whirl_figure;
+struct whirl_findings;
 
 /// Sizes of such files.
 enum {
@@ -29,9 +30,28 @@ enum {
     WHIRL_MAX_REMARKS = 8             ///< warnings of a point
 };
 
+/// The Reynolds number up to which the factors of turbulence were fitted to 5 %.
+#define WHIRL_MOST_REYNOLDS 30000.0
+
+/// A warning of a point, or of the bearing as a whole; findings word it.
+typedef enum whirl_bearing_remark {
+    WHIRL_FILM_THIN,        ///< thinner than least_film
+    WHIRL_FILM_NOT_LAMINAR, ///< and taken as laminar
+    WHIRL_FILM_LAMINAR,     ///< and taken as turbulent
+    WHIRL_FILM_BETWEEN,     ///< laminar and turbulent
+    WHIRL_FILM_BEYOND,      ///< the range of the factors of turbulence
+    WHIRL_OIL_WARMS,        ///< by much, of a viscosity that is given
+    WHIRL_OIL_UNKNOWN,      ///< at such a temperature
+    WHIRL_MESH_COARSE,      ///< coefficients differ on a mesh half as fine
+    WHIRL_PADS_IDLE,        ///< pads carry nothing
+    WHIRL_LENGTH_UNUSUAL,   ///< of the bearing, over its diameter
+    WHIRL_CLEARANCE_UNUSUAL ///< of the bearing, over its radius
+} whirl_bearing_remark;
+
 /// What a file says.
 typedef struct whirl_bearing {
     char title[256];            ///< in one line
+    char units[64];             ///< in which numbers are shown (whirl/engine/shown.h), or ""
     char kind[WHIRL_NAME_SIZE]; ///< "two-groove", ...; "pads" of pads of its own
     whirl_pads pads;            ///< turned as they stand
     double radius, length;      ///< m, of the journal
@@ -79,21 +99,21 @@ typedef struct whirl_bearing_point {
     double
         critical_mass; ///< kg, of a rigid rotor a bearing, above which it whirls by itself; inf: never; of fixed pads
     double whirl;      ///< whirl ratio there
-    double tilt[WHIRL_MAX_PADS];           ///< rad
-    double yield[WHIRL_MAX_PADS];          ///< m, outwards, of pads on pivots that yield
-    double error_place;                    ///< m, by which the journal's place differs on a mesh half as fine
-    double error_stiffness, error_damping; ///< the same of coefficients, over the largest of them
-    size_t remark_count;                   ///< of warnings
-    char remarks[WHIRL_MAX_REMARKS][200];  ///< [remark_count] one sentence each
+    double tilt[WHIRL_MAX_PADS];                     ///< rad
+    double yield[WHIRL_MAX_PADS];                    ///< m, outwards, of pads on pivots that yield
+    double error_place;                              ///< m, by which the journal's place differs on a mesh half as fine
+    double error_stiffness, error_damping;           ///< the same of coefficients, over the largest of them
+    size_t remark_count;                             ///< of warnings
+    whirl_bearing_remark remarks[WHIRL_MAX_REMARKS]; ///< [remark_count]
 } whirl_bearing_point;
 
 /// A table.
 typedef struct whirl_bearing_table {
-    const whirl_bearing *bearing;         ///< borrowed
-    size_t count;                         ///< of points
-    whirl_bearing_point *points;          ///< [count]
-    size_t remark_count;                  ///< of warnings of the bearing as a whole
-    char remarks[WHIRL_MAX_REMARKS][200]; ///< [remark_count]
+    const whirl_bearing *bearing;                    ///< borrowed
+    size_t count;                                    ///< of points
+    whirl_bearing_point *points;                     ///< [count]
+    size_t remark_count;                             ///< of warnings of the bearing as a whole
+    whirl_bearing_remark remarks[WHIRL_MAX_REMARKS]; ///< [remark_count]
 } whirl_bearing_table;
 
 /// How a table is computed.
@@ -126,11 +146,19 @@ whirl_status whirl_bearing_solve(const whirl_bearing *bearing, const whirl_beari
 /// Frees it; NULL is none.
 void whirl_bearing_table_free(whirl_bearing_table *table);
 
-/// Writes it in lines of text: a row a point, and the warnings.
-whirl_status whirl_bearing_write_summary(const whirl_bearing_table *table, FILE *stream);
+/// What was found, in the units that `units` or else the file says (whirl_shown_units_alone). Borrows the table. Freed
+/// by whirl_findings_free. WHIRL_NO_MEMORY, WHIRL_BAD_INPUT for words that are no units.
+whirl_status whirl_bearing_findings(const whirl_bearing_table *table, const char *units,
+                                    struct whirl_findings **findings);
 
-/// Writes all of it as one JSON object, in SI and radians. WHIRL_NO_MEMORY.
-whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, FILE *stream);
+/// Taylor's number of a point: its Reynolds number by the root of clearance over radius.
+double whirl_bearing_taylor(const whirl_bearing *bearing, const whirl_bearing_point *point);
+
+/// Whether a pad carries nothing at a point.
+bool whirl_bearing_pad_idle(const whirl_bearing_point *point, size_t pad);
+
+/// Writes all of it as one JSON object, in SI and radians, and its findings. WHIRL_NO_MEMORY.
+whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, const char *units, FILE *stream);
 
 /// Writes it as CSV: a heading, a row a point, in SI and radians; coefficients at the first whirl ratio.
 whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *stream);
@@ -149,8 +177,10 @@ void whirl_bearing_reduced(const whirl_bearing *bearing, const whirl_bearing_poi
 
 /// Makes a figure: "curves" over the speed or, where there is one, over the load (NULL stands for it, too),
 /// "sommerfeld", the same without dimensions over the Sommerfeld number, or "locus", the places of the journal in the
-/// clearance. WHIRL_BAD_INPUT for another name. Freed by whirl_figure_free.
-whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *name, struct whirl_figure **figure);
+/// clearance; in the units that `units` or else the file says. WHIRL_BAD_INPUT for another name, and words that are no
+/// units. Freed by whirl_figure_free.
+whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *name, const char *units,
+                                  struct whirl_figure **figure);
 
 #ifdef __cplusplus
 }

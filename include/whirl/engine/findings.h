@@ -31,7 +31,8 @@ typedef struct whirl_piece {
     const char *text; ///< NULL: a number
     double value;     ///< in SI (whirl_quantity)
     const char *unit; ///< in which it is shown, "" of none
-    double size;      ///< of that unit: value / size is shown
+    double size;      ///< of that unit: value / size is shown, less
+    double zero;      ///< of temperatures (whirl_shown_units.zero); else 0
     int digits;       ///< significant ones
 } whirl_piece;
 
@@ -61,7 +62,8 @@ typedef struct whirl_column {
     const char *key;     ///< in JSON and CSV: "amplification"
     const char *heading; ///< without its unit
     const char *unit;    ///< in which its numbers are shown, "" of none
-    double size;         ///< of that unit: number / size is shown
+    double size;         ///< of that unit: number / size is shown, less
+    double zero;         ///< of temperatures (whirl_shown_units.zero); else 0
     int digits;          ///< significant ones; 0: a column of texts
     const char *between; ///< between several numbers of a cell: ", " or " to "; NULL: each cell has one
 } whirl_column;
@@ -132,6 +134,10 @@ typedef enum whirl_sheet_form {
 /// rules of booktabs, or JSON as whirl_findings_write_json has it. Text and LaTeX leave out columns that are empty.
 /// WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream);
+
+/// Writes statements and sheets as lines of text: of statements that say the same of many points ("warning") the first
+/// 20. For findings of one subject, such as a bearing's. WHIRL_NO_MEMORY.
+whirl_status whirl_findings_write_text(const whirl_findings *findings, FILE *stream);
 
 /// Writes statements and sheets as one JSON object: numbers in SI beside what is shown (docs/result-file.md,
 /// "Findings as JSON"). WHIRL_NO_MEMORY, WHIRL_IO_ERROR.

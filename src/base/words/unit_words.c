@@ -8,10 +8,11 @@
 
 enum { LONGEST_WORD = 31 };
 
-/// Pound (0.45359237 kg), inch, and the pound's weight at 9.80665 m/s2 (NIST SP 811, 2008, appendix B).
+/// Pound (0.45359237 kg), inch, the pound's weight at 9.80665 m/s2, and the US gallon (NIST SP 811, 2008, appendix B).
 #define POUND 0.45359237
 #define INCH 25.4e-3
 #define POUND_FORCE (POUND * 9.80665)
+#define GALLON (231.0 * INCH * INCH * INCH)
 
 static const unit_word words[] = {
     {"scale", "", UNIT_LENGTH, 0.0},
@@ -49,6 +50,23 @@ static const unit_word words[] = {
     {"oz in", "oz in", UNIT_UNBALANCE, POUND / 16.0 * INCH},
     {"kg/m3", "kg/m3", UNIT_DENSITY, 1.0},
     {"lbm/ft3", "lbm/ft3", UNIT_DENSITY, POUND / (12.0 * INCH * 12.0 * INCH * 12.0 * INCH)},
+    {"Pa", "Pa", UNIT_PRESSURE, 1.0},
+    {"MPa", "MPa", UNIT_PRESSURE, 1e6},
+    {"bar", "bar", UNIT_PRESSURE, 1e5},
+    {"psi", "psi", UNIT_PRESSURE, POUND_FORCE / (INCH * INCH)},
+    {"l/min", "l/min", UNIT_FLOW, 1e-3 / 60.0},
+    {"gpm", "gpm", UNIT_FLOW, GALLON / 60.0},
+    {"W", "W", UNIT_POWER, 1.0},
+    {"kW", "kW", UNIT_POWER, 1e3},
+    {"hp", "hp", UNIT_POWER, 550.0 * 12.0 * INCH *POUND_FORCE}, // 550 ft lbf/s
+    {"K", "K", UNIT_TEMPERATURE, 1.0},
+    {"degC", "degC", UNIT_TEMPERATURE, 1.0},
+    {"degF", "degF", UNIT_TEMPERATURE, 5.0 / 9.0},
+    {"mPa s", "mPa s", UNIT_VISCOSITY, 1e-3},
+    {"cP", "cP", UNIT_VISCOSITY, 1e-3},
+    {"reyn", "reyn", UNIT_VISCOSITY, POUND_FORCE / (INCH * INCH)}, // lbf s/in2
+    {"g", "g", UNIT_WEIGHT, 1e-3},
+    {"oz", "oz", UNIT_WEIGHT, POUND / 16.0},
     {"SI", "SI", UNIT_SYSTEM, 0.0},
     {"US", "US", UNIT_SYSTEM, 0.0},
     {NULL, NULL, UNIT_KINDS, 0.0},
@@ -60,7 +78,8 @@ static const char *const customary[UNIT_KINDS] = {
     [UNIT_LENGTH] = "mil",    [UNIT_SPEED] = "rpm",       [UNIT_FREQUENCY] = "cpm",    [UNIT_AMPLITUDE] = "p-p",
     [UNIT_FORCE] = "lbf",     [UNIT_MASS] = "lbm",        [UNIT_STIFFNESS] = "lbf/in", [UNIT_DAMPING] = "lbf s/in",
     [UNIT_MOMENT] = "lbf in", [UNIT_INERTIA] = "lbm in2", [UNIT_UNBALANCE] = "oz in",  [UNIT_DENSITY] = "lbm/ft3",
-    [UNIT_SYSTEM] = "in"};
+    [UNIT_PRESSURE] = "psi",  [UNIT_FLOW] = "gpm",        [UNIT_POWER] = "hp",         [UNIT_TEMPERATURE] = "degF",
+    [UNIT_VISCOSITY] = "cP",  [UNIT_WEIGHT] = "oz",       [UNIT_SYSTEM] = "in"};
 
 const unit_word *unit_words(void) {
     return words;
@@ -79,7 +98,7 @@ const unit_word *unit_of_system(const unit_word *system, unit_kind kind) {
 
 static whirl_status unknown(const char *word) {
     const char *names[sizeof words / sizeof *words];
-    char list[320] = "";
+    char list[512] = "";
     size_t count = 0, used = 0;
     for (; words[count].word; count++) {
         names[count] = words[count].word;
@@ -91,9 +110,10 @@ static whirl_status unknown(const char *word) {
 }
 
 static whirl_status add(unit_choice *choice, const char *word) {
-    static const char *const kinds[UNIT_KINDS] = {"lengths",   "speeds",    "frequencies",     "amplitudes", "forces",
-                                                  "masses",    "stiffness", "damping",         "moments",    "inertia",
-                                                  "unbalance", "density",   "systems of units"};
+    static const char *const kinds[UNIT_KINDS] = {
+        "lengths", "speeds",       "frequencies", "amplitudes",        "forces",          "masses",    "stiffness",
+        "damping", "moments",      "inertia",     "unbalance",         "density",         "pressures", "flows",
+        "powers",  "temperatures", "viscosities", "masses of weights", "systems of units"};
     const unit_word *found = find(word);
     if (!found) return unknown(word);
     const unit_word *other = choice->of[found->kind];

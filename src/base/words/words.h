@@ -47,6 +47,12 @@ typedef enum unit_kind {
     UNIT_INERTIA,
     UNIT_UNBALANCE,
     UNIT_DENSITY,
+    UNIT_PRESSURE,
+    UNIT_FLOW,
+    UNIT_POWER,
+    UNIT_TEMPERATURE,
+    UNIT_VISCOSITY,
+    UNIT_WEIGHT, ///< masses of the weights that balance a rotor
     UNIT_SYSTEM, ///< all quantities of which nothing else is said
     UNIT_KINDS
 } unit_kind;
@@ -55,7 +61,7 @@ typedef struct unit_word {
     const char *word, *shown; ///< as it is written, and as it is shown
     unit_kind kind;
     /// In SI; 0 for lengths and frequencies of the case (the length scale, the order of the running speed), and of
-    /// systems; frequencies in Hz; amplitudes over the zero-to-peak one.
+    /// systems; frequencies in Hz; amplitudes over the zero-to-peak one; temperatures: of a degree.
     double size;
 } unit_word;
 

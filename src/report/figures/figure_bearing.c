@@ -8,7 +8,7 @@
 #include "figure_kinds.h"
 #include "whirl/engine/bearing_table.h"
 
-static const double degree = 3.14159265358979323846 / 180.0, rpm = 3.14159265358979323846 / 30.0, um = 1e-6;
+static const double degree = 3.14159265358979323846 / 180.0;
 
 /// What the horizontal axis has.
 typedef enum along { ALONG_SPEED, ALONG_LOAD, ALONG_SOMMERFELD } along;
@@ -19,7 +19,20 @@ typedef struct quantity {
     int index; ///< of coefficients 0 to 7; -1 to -5: eccentricity, attitude, film, power, flow
 } quantity;
 
-static double value_of(const whirl_bearing *of, const whirl_bearing_point *point, int index, along axis) {
+/// Curves of a table, and in which units they are drawn.
+typedef struct curves {
+    const whirl_bearing_table *table;
+    const whirl_shown_units *units;
+    along axis;
+} curves;
+
+static double shown(const curves *of, whirl_quantity of_kind, double value) {
+    return value / of->units->of[of_kind].size;
+}
+
+static double value_of(const curves *drawn, const whirl_bearing_point *point, int index) {
+    const whirl_bearing *of = drawn->table->bearing;
+    const bool bare = drawn->axis == ALONG_SOMMERFELD;
     if (!point->found) return NAN;
     switch (index) {
     case -1:
@@ -27,19 +40,21 @@ static double value_of(const whirl_bearing *of, const whirl_bearing_point *point
     case -2:
         return fabs(point->attitude) < 1e-9 ? 0.0 : point->attitude / degree;
     case -3:
-        return axis == ALONG_SOMMERFELD ? point->film / of->pad_clearance : point->film / um;
+        return bare ? point->film / of->pad_clearance : shown(drawn, WHIRL_QUANTITY_LENGTH, point->film);
     case -4:
-        return 1e-3 * point->power;
+        return shown(drawn, WHIRL_QUANTITY_POWER, point->power);
     default:
         break;
     }
     const double value = point->reduced[0][index / 4][index / 2 % 2][index % 2];
-    if (axis != ALONG_SOMMERFELD) return value * (index < 4 ? 1e-6 : 1e-3);
+    if (!bare) return shown(drawn, index < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, value);
     return value * of->pad_clearance / point->load * (index < 4 ? 1.0 : point->speed);
 }
 
-static double place_of(const whirl_bearing_point *point, along axis) {
-    return axis == ALONG_SPEED ? point->speed / rpm : axis == ALONG_LOAD ? point->load : point->sommerfeld;
+static double place_of(const curves *drawn, const whirl_bearing_point *point) {
+    return drawn->axis == ALONG_SPEED  ? shown(drawn, WHIRL_QUANTITY_SPEED, point->speed)
+           : drawn->axis == ALONG_LOAD ? shown(drawn, WHIRL_QUANTITY_FORCE, point->load)
+                                       : point->sommerfeld;
 }
 
 static bool one_speed(const whirl_bearing_table *table) {
@@ -63,16 +78,17 @@ static const whirl_bearing_point **order(const whirl_bearing_table *table, along
 }
 
 /// Points of one load hang together over the speed, those of the next begin anew.
-static void add_values(whirl_figure *figure, whirl_panel *panel, const whirl_bearing_table *table, along axis,
-                       const quantity *what, const char *colour) {
+static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *drawn, const quantity *what,
+                       const char *colour) {
+    const whirl_bearing_table *table = drawn->table;
     whirl_series *line = panel_named(figure, panel, WHIRL_LINE, what->name, colour, 0.9);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, colour, 2.0);
-    const whirl_bearing_point **points = order(table, axis);
+    const whirl_bearing_point **points = order(table, drawn->axis);
     figure->failed = figure->failed || !points;
     for (size_t i = 0; i < table->count && points; i++) {
-        const double x = place_of(points[i], axis), y = value_of(table->bearing, points[i], what->index, axis);
+        const double x = place_of(drawn, points[i]), y = value_of(drawn, points[i], what->index);
         const bool anew =
-            i > 0 && axis == ALONG_SPEED && !table->bearing->pairs && points[i]->load != points[i - 1]->load;
+            i > 0 && drawn->axis == ALONG_SPEED && !table->bearing->pairs && points[i]->load != points[i - 1]->load;
         if (anew || isnan(y)) series_break(figure, line);
         if (isnan(y)) continue;
         series_add(figure, line, x, y);
@@ -83,35 +99,60 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const whirl_bea
 
 /// Of all points and the `count` quantities from `index` on. One that does not change has room around it, more than its
 /// rounding; above coefficients there is a row for their legend.
-static span range_of(const whirl_bearing_table *table, along axis, int index, int count) {
+static span range_of(const curves *drawn, int index, int count) {
     const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
-    for (size_t i = 0; i < table->count; i++)
-        for (int k = 0; k < count; k++)
-            span_widen(&range, value_of(table->bearing, &table->points[i], index + k, axis));
+    for (size_t i = 0; i < drawn->table->count; i++)
+        for (int k = 0; k < count; k++) span_widen(&range, value_of(drawn, &drawn->table->points[i], index + k));
     const double size = 0.1 * fmax(fabs(range.low), fabs(range.high));
     range = span_with_margin(range, 0.06, index == -2 ? 5.0 : size);
     range.high += legend / (1.0 - legend) * (range.high - range.low);
     return range;
 }
 
-static void draw_curves(whirl_figure *figure, const whirl_bearing_table *table, along axis) {
+/// The label of a panel of a quantity: "film (um)".
+static void label_of(const curves *drawn, const quantity *what, char *label, size_t size) {
+    const whirl_shown_units *units = drawn->units;
+    const bool bare = drawn->axis == ALONG_SOMMERFELD;
+    const char *unit = what->index == -3   ? units->length_name
+                       : what->index == -4 ? units->of[WHIRL_QUANTITY_POWER].name
+                       : what->index == 0  ? units->of[WHIRL_QUANTITY_STIFFNESS].name
+                                           : units->of[WHIRL_QUANTITY_DAMPING].name;
+    if (bare && what->index == 0)
+        snprintf(label, size, "stiffness $K c/W$");
+    else if (bare && what->index == 4)
+        snprintf(label, size, "damping $C c \u03c9/W$");
+    else if (bare && what->index == -3)
+        snprintf(label, size, "film over clearance");
+    else if (what->index == -1 || what->index == -2)
+        snprintf(label, size, "%s", what->label);
+    else
+        snprintf(label, size, "%s (%.60s)", what->label, unit);
+}
+
+static void draw_curves(whirl_figure *figure, const curves *drawn) {
+    const whirl_bearing_table *table = drawn->table;
+    const along axis = drawn->axis;
     static const quantity with_units[] = {
         {"eccentricity", "eccentricity ratio", "", -1},
         {"attitude", "attitude (deg)", "", -2},
-        {"film", "film (\u00b5m)", "", -3},
-        {"power", "power (kW)", "", -4},
-        {"stiffness", "stiffness $K$ (MN/m)", "$K_{xx}$", 0},
+        {"film", "film", "", -3},
+        {"power", "power", "", -4},
+        {"stiffness", "stiffness $K$", "$K_{xx}$", 0},
         {"stiffness", "", "$K_{xy}$", 1},
         {"stiffness", "", "$K_{yx}$", 2},
         {"stiffness", "", "$K_{yy}$", 3},
-        {"damping", "damping $C$ (kN s/m)", "$C_{xx}$", 4},
+        {"damping", "damping $C$", "$C_{xx}$", 4},
         {"damping", "", "$C_{xy}$", 5},
         {"damping", "", "$C_{yx}$", 6},
         {"damping", "", "$C_{yy}$", 7},
     };
-    static const char *const labels[] = {"speed (rpm)", "load (N)", "Sommerfeld number $S$"};
     whirl_panel *panel = NULL;
+    char along_label[2 * WHIRL_NAME_SIZE] = "Sommerfeld number $S$";
+    if (axis == ALONG_SPEED)
+        snprintf(along_label, sizeof along_label, "speed (%.60s)", drawn->units->of[WHIRL_QUANTITY_SPEED].name);
+    if (axis == ALONG_LOAD)
+        snprintf(along_label, sizeof along_label, "load (%.60s)", drawn->units->of[WHIRL_QUANTITY_FORCE].name);
     for (size_t i = 0; i < sizeof with_units / sizeof *with_units; i++) {
         const quantity *what = &with_units[i];
         const bool bare = axis == ALONG_SOMMERFELD;
@@ -119,18 +160,13 @@ static void draw_curves(whirl_figure *figure, const whirl_bearing_table *table, 
         if (*what->label) {
             panel = figure_panel(figure, what->panel, what->index >= 0 ? 1.0 : 0.5, what->index >= 0 ? 4.5 : 3.2);
             if (!panel) return;
-            snprintf(panel->x.label, sizeof panel->x.label, "%s", labels[axis]);
-            const char *label = what->label;
-            if (bare && what->index == 0) label = "stiffness $K c/W$";
-            if (bare && what->index == 4) label = "damping $C c \u03c9/W$";
-            if (bare && what->index == -3) label = "film over clearance";
-            snprintf(panel->y.label, sizeof panel->y.label, "%s", label);
+            snprintf(panel->x.label, sizeof panel->x.label, "%s", along_label);
+            label_of(drawn, what, panel->y.label, sizeof panel->y.label);
             panel->x.logarithmic = bare && table->count > 1;
             panel->keyed = what->index >= 0;
-            axis_show(&panel->y, range_of(table, axis, what->index, what->index >= 0 ? 4 : 1));
+            axis_show(&panel->y, range_of(drawn, what->index, what->index >= 0 ? 4 : 1));
         }
-        add_values(figure, panel, table, axis, what,
-                   what->index < 0 ? "#0072B2" : line_colour((size_t)what->index % 4));
+        add_values(figure, panel, drawn, what, what->index < 0 ? "#0072B2" : line_colour((size_t)what->index % 4));
     }
     snprintf(figure->caption, sizeof figure->caption,
              "%s over %s: eccentricity ratio (clearance of the pads), attitude from the load with the rotation, least "
@@ -187,7 +223,8 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
              of->load_angle / degree);
 }
 
-whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *name, whirl_figure **out) {
+whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *name, const char *units,
+                                  whirl_figure **out) {
     static const char *const names[] = {"curves", "sommerfeld", "locus"};
     size_t which = 0;
     *out = NULL;
@@ -195,6 +232,9 @@ whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *
     if (which == sizeof names / sizeof *names)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "there is no figure '%.100s' of a bearing, expected curves, sommerfeld or locus", name);
+    whirl_shown_units drawn_in;
+    const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &drawn_in);
+    if (status.code != WHIRL_OK) return status;
     whirl_figure *figure = calloc(1, sizeof *figure);
     if (!figure) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure of a bearing");
     figure->width = 12.0;
@@ -208,7 +248,10 @@ whirl_status whirl_bearing_figure(const whirl_bearing_table *table, const char *
     if (which == 2)
         draw_locus(figure, table);
     else
-        draw_curves(figure, table, which == 1 ? ALONG_SOMMERFELD : one_speed(table) ? ALONG_LOAD : ALONG_SPEED);
+        draw_curves(figure, &(curves){table, &drawn_in,
+                                      which == 1         ? ALONG_SOMMERFELD
+                                      : one_speed(table) ? ALONG_LOAD
+                                                         : ALONG_SPEED});
     if (figure->failed) {
         whirl_figure_free(figure);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure of a bearing");

@@ -24,11 +24,8 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
     whirl_findings *all = find_begin();
     for (size_t t = 0; all && t < view->table_count; t++) find_table(&(finder){all, units, view, &view->tables[t]});
     // Peaks, scales and lines of modes are looked for in functions that find none without memory.
-    const bool well = !exhausted(before) && all && !all->failed;
-    *findings = well ? all : NULL;
-    if (well) return whirl_ok();
-    whirl_findings_free(all);
-    return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
+    if (all && exhausted(before)) all->failed = true;
+    return find_made(all, findings);
 }
 
 whirl_status whirl_findings_new(const whirl_result *result, const char *units, whirl_findings **findings) {

@@ -109,7 +109,7 @@ static double unsigned_zero(double number) {
     return number == 0.0 ? 0.0 : number;
 }
 
-static void phrase_quantity(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value) {
+void phrase_unit(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value) {
     *phrase_piece(of, phrase) = (whirl_piece){.value = unsigned_zero(value),
                                               .unit = find_text(of->findings, "%s", unit->name),
                                               .size = unit->size,
@@ -117,12 +117,13 @@ static void phrase_quantity(const finder *of, whirl_phrase *phrase, const whirl_
 }
 
 void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value) {
-    phrase_quantity(of, phrase, &of->units->of[quantity], digits, value);
+    phrase_unit(of, phrase, &of->units->of[quantity], digits, value);
+    if (quantity == WHIRL_QUANTITY_TEMPERATURE) phrase->pieces[phrase->count - 1].zero = of->units->zero;
 }
 
 void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value) {
     const whirl_unit unit = whirl_shown_parameter(of->units, of->table->parameter);
-    phrase_quantity(of, phrase, &unit, digits, value);
+    phrase_unit(of, phrase, &unit, digits, value);
 }
 
 // ---------------------------------------------------------------- sheets
@@ -169,6 +170,13 @@ static void sheet_add_numbers(const finder *of, whirl_sheet *sheet, const char *
 void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                   int digits) {
     sheet_add_numbers(of, sheet, key, heading, &of->units->of[quantity], digits, NULL);
+    if (quantity == WHIRL_QUANTITY_TEMPERATURE && !of->findings->failed)
+        sheet->column[sheet->columns - 1].zero = of->units->zero;
+}
+
+void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, const whirl_unit *unit,
+                 int digits) {
+    sheet_add_numbers(of, sheet, key, heading, unit, digits, NULL);
 }
 
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
@@ -242,6 +250,14 @@ whirl_findings *find_begin(void) {
     }
     all->memory = memory;
     return all;
+}
+
+whirl_status find_made(whirl_findings *made, whirl_findings **findings) {
+    const bool well = made && !made->failed;
+    *findings = well ? made : NULL;
+    if (well) return whirl_ok();
+    whirl_findings_free(made);
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }
 
 void whirl_findings_free(whirl_findings *findings) {

@@ -16,6 +16,9 @@ typedef struct finder {
 /// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.
 whirl_findings *find_begin(void);
 
+/// Hands over findings that are made, or frees them and says WHIRL_NO_MEMORY (NULL, or where memory was lacking).
+whirl_status find_made(whirl_findings *made, whirl_findings **findings);
+
 /// The first and the last point that is done; how many: 0, 1 or 2.
 size_t find_ends(const whirl_table *table, size_t ends[2]);
 
@@ -28,9 +31,10 @@ whirl_statement *find_statement(const finder *of, const char *what);
 /// The same with a verdict, which `told` begins with.
 whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
 
-/// Add to a phrase: a text, a number with its unit, and a value of the table's parameter.
+/// Add to a phrase: a text, a number with its unit, one with a unit of its own, and a value of the table's parameter.
 void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value);
+void phrase_unit(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value);
 void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double value);
 
 /// Begins a sheet; never NULL. It lives until the next one is begun.
@@ -42,6 +46,8 @@ void find_sheet_end(const finder *of);
 /// Add columns before the first row.
 void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                   int digits);
+void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, const whirl_unit *unit,
+                 int digits); ///< in a unit of its own
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                 int digits, const char *between); ///< of several numbers a cell
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< of texts

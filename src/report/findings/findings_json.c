@@ -55,6 +55,7 @@ static json_t *sheet_json(bool *well, const whirl_sheet *sheet) {
         document_put(well, heading, "heading", document_text(column->heading));
         document_put(well, heading, "unit", document_text(column->unit));
         document_put(well, heading, "size", document_number(column->size));
+        if (column->zero != 0.0) document_put(well, heading, "zero", document_number(column->zero));
         document_put(well, heading, "digits", json_integer(column->digits));
         if (column->between) document_put(well, heading, "between", document_text(column->between));
         document_append(well, columns, heading);

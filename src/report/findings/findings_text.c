@@ -29,7 +29,7 @@ void whirl_phrase_text(const whirl_phrase *phrase, char *text, size_t size) {
             APPEND(text, size, "%s", piece->text);
             continue;
         }
-        number_told(piece->value / piece->size, piece->digits, number, sizeof number);
+        number_told(piece->value / piece->size - piece->zero, piece->digits, number, sizeof number);
         APPEND(text, size, "%s%s%s", number, *piece->unit ? " " : "", piece->unit);
     }
 }
@@ -45,7 +45,7 @@ static void cell_told(const whirl_column *column, const whirl_cell *cell, int di
     if (cell->text) snprintf(text, size, "%s", cell->text);
     for (size_t i = 0; i < cell->count; i++) {
         const double number = cell->numbers ? cell->numbers[i] : cell->number;
-        number_told(number / column->size, digits, shown, sizeof shown);
+        number_told(number / column->size - column->zero, digits, shown, sizeof shown);
         APPEND(text, size, "%s%s", i ? column->between : "", shown);
     }
 }

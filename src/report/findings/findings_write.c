@@ -29,6 +29,33 @@ bool findings_write_table(FILE *stream, const whirl_findings *findings, const ch
     return well;
 }
 
+/// Statements that say the same of many points are cut here: other forms have them all.
+enum { MOST_ALIKE = 20 };
+
+/// Of how many statements up to `end` `what` is.
+static size_t statements_alike(const whirl_findings *findings, size_t end, const char *what) {
+    size_t count = 0;
+    for (size_t i = 0; i < end; i++) count += strcmp(findings->statements[i].what, what) == 0;
+    return count;
+}
+
+whirl_status whirl_findings_write_text(const whirl_findings *findings, FILE *stream) {
+    char text[STATEMENT_SIZE];
+    bool well = true;
+    for (size_t i = 0; i < findings->statement_count; i++) {
+        const whirl_statement *own = &findings->statements[i];
+        const size_t before = statements_alike(findings, i, own->what);
+        const size_t all = before == MOST_ALIKE ? statements_alike(findings, findings->statement_count, own->what) : 0;
+        if (before == MOST_ALIKE) fprintf(stream, "  %s: %zu more, which JSON has\n", own->what, all - before);
+        if (before >= MOST_ALIKE) continue;
+        statement_text(own, text, sizeof text);
+        fprintf(stream, "  %s\n", text);
+    }
+    for (size_t i = 0; i < findings->sheet_count && well; i++)
+        well = sheet_write_text(stream, &findings->sheets[i], SIZE_MAX);
+    return well ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
+}
+
 // ---------------------------------------------------------------- all of a result
 
 /// What is written: a sheet, or all findings of a result.

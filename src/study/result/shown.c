@@ -102,6 +102,13 @@ static const struct {
     [WHIRL_QUANTITY_CROSS] = {"N/m", 1.0, UNIT_STIFFNESS},
     [WHIRL_QUANTITY_DAMPING] = {"kN s/m", 1e3, UNIT_DAMPING},
     [WHIRL_QUANTITY_DENSITY] = {"kg/m3", 1.0, UNIT_DENSITY},
+    [WHIRL_QUANTITY_PRESSURE] = {"MPa", 1e6, UNIT_PRESSURE},
+    [WHIRL_QUANTITY_FLOW] = {"l/min", 1e-3 / 60.0, UNIT_FLOW},
+    [WHIRL_QUANTITY_POWER] = {"kW", 1e3, UNIT_POWER},
+    [WHIRL_QUANTITY_TEMPERATURE] = {"degC", 1.0, UNIT_TEMPERATURE},
+    [WHIRL_QUANTITY_VISCOSITY] = {"mPa s", 1e-3, UNIT_VISCOSITY},
+    [WHIRL_QUANTITY_WEIGHT] = {"g", 1e-3, UNIT_WEIGHT},
+    [WHIRL_QUANTITY_RESIDUAL] = {"g mm", 1e-6, UNIT_UNBALANCE},
 };
 
 /// Fills in the unit of every quantity.
@@ -115,11 +122,14 @@ static void choose_quantities(whirl_shown_units *units, const unit_choice *choic
         whirl_unit *unit = &units->of[quantity];
         unit->size = shown_quantities[quantity].size;
         snprintf(unit->name, sizeof unit->name, "%s", shown_quantities[quantity].name);
-        if (word && word->size > 0.0) {
+        units->chosen[quantity] = word && word->size > 0.0;
+        if (units->chosen[quantity]) {
             unit->size = word->size * (kind == UNIT_FREQUENCY ? shown_quantities[quantity].size : 1.0);
             snprintf(unit->name, sizeof unit->name, quantity == WHIRL_QUANTITY_SPAN ? "%s p-p" : "%s", word->shown);
         }
     }
+    const char *const degrees = units->of[WHIRL_QUANTITY_TEMPERATURE].name;
+    units->zero = strcmp(degrees, "degC") == 0 ? 273.15 : strcmp(degrees, "degF") == 0 ? 459.67 : 0.0;
     units->of[WHIRL_QUANTITY_LENGTH] = length;
     units->of[WHIRL_QUANTITY_SIZE].size = length.size / units->amplitude;
     snprintf(units->of[WHIRL_QUANTITY_SIZE].name, sizeof units->of->name, "%.40s %s", length.name,
@@ -151,6 +161,11 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
     return status;
 }
 
+whirl_status whirl_shown_units_alone(const char *asked, whirl_shown_units *units) {
+    static const whirl_result none = {.length_scale = 1e-6};
+    return whirl_result_shown_units(&none, asked, units);
+}
+
 const char *whirl_shown_counted(const whirl_shown_units *units, whirl_counting counting) {
     return counting == WHIRL_AMPLITUDE ? units->amplitude_name : counting == WHIRL_ZERO_TO_PEAK ? "0-p" : "";
 }
@@ -165,9 +180,18 @@ double whirl_shown_length(const whirl_shown_units *units, const whirl_table *tab
 }
 
 whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name) {
+    static const struct {
+        const char *si;
+        whirl_quantity quantity;
+    } kinds[] = {{"N", WHIRL_QUANTITY_FORCE},       {"N m", WHIRL_QUANTITY_MOMENT},     {"kg", WHIRL_QUANTITY_MASS},
+                 {"kg m2", WHIRL_QUANTITY_INERTIA}, {"kg m", WHIRL_QUANTITY_UNBALANCE}, {"N/m", WHIRL_QUANTITY_CROSS},
+                 {"N s/m", WHIRL_QUANTITY_DAMPING}, {"kg/m3", WHIRL_QUANTITY_DENSITY},  {"Pa", WHIRL_QUANTITY_PRESSURE},
+                 {"m3/s", WHIRL_QUANTITY_FLOW},     {"Pa s", WHIRL_QUANTITY_VISCOSITY}, {"W", WHIRL_QUANTITY_POWER}};
     const char *si = whirl_result_parameter_unit(units->result, name);
     const whirl_unit *own = strcmp(si, "rad/s") == 0 ? &units->speed : strcmp(si, "m") == 0 ? &units->size : NULL;
     if (own && own->size > 0.0) return *own;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        if (strcmp(si, kinds[i].si) == 0 && units->chosen[kinds[i].quantity]) return units->of[kinds[i].quantity];
     whirl_unit unit = whirl_result_unit(units->result, name);
     if (strcmp(unit.name, "um") == 0) snprintf(unit.name, sizeof unit.name, "%s", shown_name("um"));
     return unit;

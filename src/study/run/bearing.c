@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <omp.h>
-#include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,11 +13,7 @@
 #include "numerics.h"
 #include "whirl/engine/study.h"
 
-static const double pi = 3.14159265358979323846, um = 1e-6, zero_degrees = 273.15;
-
-/// Taylor's number, at which vortices begin, and at twice of which films count as turbulent; and the Reynolds number up
-/// to which factors of turbulence were fitted to 5 %.
-static const double first_vortices = FIRST_VORTICES, most_reynolds = 30000.0;
+static const double pi = 3.14159265358979323846, zero_degrees = 273.15;
 
 static void fill_nan(double *out, size_t count) {
     for (size_t i = 0; i < count; i++) out[i] = NAN;
@@ -26,92 +21,60 @@ static void fill_nan(double *out, size_t count) {
 
 // ---------------------------------------------------------------- warnings
 
-static void __attribute__((format(printf, 3, 4))) remark(char (*to)[200], size_t *count, const char *format, ...) {
-    if (*count >= WHIRL_MAX_REMARKS) return;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(to[(*count)++], 200, format, arguments);
-    va_end(arguments);
+static void remark(whirl_bearing_remark *to, size_t *count, whirl_bearing_remark one) {
+    to[(*count)++] = one;
 }
 
-static void remark_idle_pads(const whirl_bearing *of, whirl_bearing_point *point) {
-    char names[100] = "";
-    size_t idle = 0;
+static bool has_idle_pads(const whirl_bearing *of, const whirl_bearing_point *point) {
     for (size_t i = 0; i < of->pads.count; i++)
-        if (!point->state.loaded[i] || point->state.load[i] == 0.0) {
-            const size_t used = strlen(names);
-            snprintf(names + used, sizeof names - used, "%s%zu", idle++ ? ", " : "", i + 1);
-        }
-    if (idle && of->pads.tilting)
-        remark(point->remarks, &point->remark_count,
-               "no film holds pad%s %s: free to flutter, told with a tilt of 0 and no stiffness", idle > 1 ? "s" : "",
-               names);
-    else if (idle)
-        remark(point->remarks, &point->remark_count, "pad%s %s carr%s nothing", idle > 1 ? "s" : "", names,
-               idle > 1 ? "y" : "ies");
+        if (whirl_bearing_pad_idle(point, i)) return true;
+    return false;
 }
 
 static void remark_flow(const whirl_bearing *of, whirl_bearing_point *point) {
-    const double taylor = point->reynolds * sqrt(of->pad_clearance / of->radius);
-    char(*to)[200] = point->remarks;
+    const double taylor = whirl_bearing_taylor(of, point);
+    whirl_bearing_remark *to = point->remarks;
     size_t *count = &point->remark_count;
-    if (of->pads.turbulence == WHIRL_LAMINAR && taylor > first_vortices)
-        remark(to, count,
-               "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); what is told here "
-               "is of a laminar one: add turbulence: ng-pan",
-               taylor, first_vortices, point->reynolds);
-    if (of->pads.turbulence == WHIRL_LAMINAR) return;
-    if (taylor < first_vortices)
-        remark(to, count,
-               "the film is laminar: Taylor's number is %.3g, below %.3g, and the factors of turbulence count all the "
-               "same: leave them out",
-               taylor, first_vortices);
-    else if (taylor < 2.0 * first_vortices)
-        remark(to, count,
-               "the film is between laminar and turbulent: Taylor's number is %.3g, between %.3g and twice that, where "
-               "factors of turbulence are uncertain by a tenth",
-               taylor, first_vortices);
-    if (point->reynolds > most_reynolds)
-        remark(to, count, "the Reynolds number is %.3g, and factors of turbulence are for up to %.3g", point->reynolds,
-               most_reynolds);
+    if (of->pads.turbulence == WHIRL_LAMINAR) {
+        if (taylor > FIRST_VORTICES) remark(to, count, WHIRL_FILM_NOT_LAMINAR);
+        return;
+    }
+    if (taylor < FIRST_VORTICES)
+        remark(to, count, WHIRL_FILM_LAMINAR);
+    else if (taylor < 2.0 * FIRST_VORTICES)
+        remark(to, count, WHIRL_FILM_BETWEEN);
+    if (point->reynolds > WHIRL_MOST_REYNOLDS) remark(to, count, WHIRL_FILM_BEYOND);
 }
 
 static void remark_oil(const whirl_bearing *of, whirl_bearing_point *point) {
     const double first = of->oil_temperatures[0],
                  last = of->oil_temperatures[of->oil_count > 0 ? of->oil_count - 1 : 0];
-    if (!of->heated && point->heating > 20.0)
-        remark(point->remarks, &point->remark_count,
-               "the power would warm the leaving oil by %.3g K: is the viscosity that of the warm film?",
-               point->heating);
+    if (!of->heated && point->heating > 20.0) remark(point->remarks, &point->remark_count, WHIRL_OIL_WARMS);
     if (of->oil_count > 0 && (point->temperature < first - 30.0 || point->temperature > last + 30.0))
-        remark(point->remarks, &point->remark_count,
-               "the film is at %.4g degC, and the viscosity of its oil is known from %.4g to %.4g",
-               point->temperature - zero_degrees, first - zero_degrees, last - zero_degrees);
+        remark(point->remarks, &point->remark_count, WHIRL_OIL_UNKNOWN);
 }
 
 static void remark_point(const whirl_bearing *of, whirl_bearing_point *point) {
     const double error = fmax(point->error_stiffness, point->error_damping);
-    if (point->film < of->least_film)
-        remark(point->remarks, &point->remark_count, "the film is %.3g um thin, below %.3g um", point->film / um,
-               of->least_film / um);
+    if (point->film < of->least_film) remark(point->remarks, &point->remark_count, WHIRL_FILM_THIN);
     remark_flow(of, point);
     remark_oil(of, point);
-    if (!(error <= 0.01))
-        remark(point->remarks, &point->remark_count, "coefficients differ by %.2g %% on a mesh half as fine",
-               100.0 * error);
-    remark_idle_pads(of, point);
+    if (!(error <= 0.01)) remark(point->remarks, &point->remark_count, WHIRL_MESH_COARSE);
+    if (has_idle_pads(of, point)) remark(point->remarks, &point->remark_count, WHIRL_PADS_IDLE);
 }
 
 static void remark_bearing(const whirl_bearing *of, whirl_bearing_table *table) {
     const double share = of->pad_clearance / of->radius, ratio = of->pads.ratio;
-    if (ratio < 0.1 || ratio > 2.0)
-        remark(table->remarks, &table->remark_count, "length over diameter is %.3g, and bearings have 0.1 to 2 of it",
-               ratio);
-    if (share < 3e-4 || share > 5e-3)
-        remark(table->remarks, &table->remark_count,
-               "the radial clearance of the pads is %.3g times the radius, and bearings have 0.0003 to 0.005 of it: is "
-               "it radial, and in the right unit?",
-               share);
+    if (ratio < 0.1 || ratio > 2.0) remark(table->remarks, &table->remark_count, WHIRL_LENGTH_UNUSUAL);
+    if (share < 3e-4 || share > 5e-3) remark(table->remarks, &table->remark_count, WHIRL_CLEARANCE_UNUSUAL);
+}
+
+double whirl_bearing_taylor(const whirl_bearing *of, const whirl_bearing_point *point) {
+    return point->reynolds * sqrt(of->pad_clearance / of->radius);
+}
+
+bool whirl_bearing_pad_idle(const whirl_bearing_point *point, size_t pad) {
+    return !point->state.loaded[pad] || point->state.load[pad] == 0.0;
 }
 
 // ---------------------------------------------------------------- a point

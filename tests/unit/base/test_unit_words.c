@@ -35,7 +35,8 @@ static void mistakes_are_named(void **state) {
          "'furlong' is no unit of figures, expected some of scale, m, mm, um, in, mil, rad/s, rpm, order, Hz, "
          "cpm, 0-p, p-p, rms, N, kN, lbf, kg, lbm, N/m, N/mm, MN/m, lbf/in, N s/m, kN s/m, lbf s/in, N m, lbf in, kg "
          "m2, "
-         "lbm in2, kg mm, g mm, oz in, kg/m3, lbm/ft3, SI, US"},
+         "lbm in2, kg mm, g mm, oz in, kg/m3, lbm/ft3, Pa, MPa, bar, psi, l/min, gpm, W, kW, hp, K, degC, degF, mPa s, "
+         "cP, reyn, g, oz, SI, US"},
         {"um, mil", "um and mil are both for lengths, expected one of them"},
         {"US, SI", "US and SI are both for systems of units, expected one of them"},
     };

@@ -91,6 +91,51 @@ static void parameters(void **state) {
     whirl_result_free(result);
 }
 
+/// A parameter is shown in the unit that is chosen for its kind, by the factors of NIST SP 811; where none is, and of
+/// temperatures, which no factor shows, as the case writes it.
+static void parameters_in_chosen_units(void **state) {
+    static const struct {
+        const char *si, *written, *unit;
+        double shown; ///< of 1 in SI
+    } kinds[] = {{"N/m", "1 N/m", "lbf/in", 1.0 / 175.1268},
+                 {"N s/m", "1 N s/m", "lbf s/in", 1.0 / 175.1268},
+                 {"kg", "1 kg", "lbm", 1.0 / 0.45359237},
+                 {"N", "1 N", "lbf", 1.0 / 4.448222},
+                 {"N m", "1 N m", "lbf in", 1.0 / 0.1129848},
+                 {"kg m", "1 kg m", "oz in", 1.0 / 7.200778e-4},
+                 {"kg m2", "1 kg m2", "lbm in2", 1.0 / 2.926397e-4},
+                 {"Pa", "1 Pa", "psi", 1.0 / 6894.757},
+                 {"Pa s", "1 Pa s", "cP", 1000.0},
+                 {"kg/m3", "1 kg/m3", "lbm/ft3", 1.0 / 16.01846},
+                 {"rad/s", "1 rad/s", "rpm", 9.549297},
+                 {"m", "1 m", "mil", 1.0 / 25.4e-6},
+                 {"K", "300 K", "K", 1.0},
+                 {"rad", "1 rad", "rad", 1.0}};
+    (void)state;
+    whirl_result *result = sample_result();
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        whirl_parameter *own = &result->parameters[0];
+        *own = (whirl_parameter){"omega", "", "", 1.0};
+        snprintf(own->unit, sizeof own->unit, "%s", kinds[i].si);
+        snprintf(own->text, sizeof own->text, "%s", kinds[i].written);
+        whirl_shown_units units = units_for(result, "US");
+        whirl_unit unit = whirl_shown_parameter(&units, "omega");
+        assert_string_equal(unit.name, kinds[i].unit);
+        assert_true(fabs(1.0 / unit.size - kinds[i].shown) < 4e-7 * kinds[i].shown);
+        units = units_for(result, "");
+        unit = whirl_shown_parameter(&units, "omega");
+        assert_string_equal(unit.name, kinds[i].si);
+    }
+    // A word for another kind chooses nothing of it; units of their own have none.
+    snprintf(result->parameters[0].unit, sizeof result->parameters[0].unit, "N/m");
+    snprintf(result->parameters[0].text, sizeof result->parameters[0].text, "1 N/m");
+    whirl_shown_units units = units_for(result, "lbf, psi");
+    assert_string_equal(whirl_shown_parameter(&units, "omega").name, "N/m");
+    units = units_for(result, "N/mm");
+    assert_string_equal(whirl_shown_parameter(&units, "omega").name, "N/mm");
+    whirl_result_free(result);
+}
+
 /// Points that vary the scale have lengths of their own; a parameter that varies without it is not the scale.
 static void points_have_scales(void **state) {
     (void)state;
@@ -209,6 +254,7 @@ int main(void) {
         cmocka_unit_test(lengths),
         cmocka_unit_test(who_asks),
         cmocka_unit_test(parameters),
+        cmocka_unit_test(parameters_in_chosen_units),
         cmocka_unit_test(points_have_scales),
         cmocka_unit_test(walls),
         cmocka_unit_test(speeds),

@@ -1,0 +1,35 @@
+/// Findings of one subject, a bearing or weights that balance a rotor, as a command prints them.
+#ifndef CLI_FOUND_H
+#define CLI_FOUND_H
+
+#include "whirl/engine/findings.h"
+
+/// What of them is printed, and how.
+typedef struct found_arguments {
+    const char *units, *sheet, *format; ///< NULL: the file's units; all; text
+} found_arguments;
+
+/// Keys of the options below; a command's own are others.
+enum { KEY_FOUND_UNITS = 0x200, KEY_FOUND_SHEET, KEY_FOUND_FORMAT };
+
+/// The options of a command that prints findings.
+#define FOUND_OPTIONS                                                                                                  \
+    {.name = "units",                                                                                                  \
+     .key = KEY_FOUND_UNITS,                                                                                           \
+     .arg = "UNITS",                                                                                                   \
+     .doc = "Units of numbers, such as 'mil, psi' or US; default: those of FILE"},                                     \
+        {.name = "sheet", .key = KEY_FOUND_SHEET, .arg = "NAME", .doc = "Print this table alone"}, {                   \
+        .name = "format", .key = KEY_FOUND_FORMAT, .arg = "FORMAT",                                                    \
+        .doc = "Of such a table: text (default), csv, latex or json"                                                   \
+    }
+
+/// Takes one of these options; false for a key that is none.
+bool found_take(int key, char *argument, const struct argp_state *state, found_arguments *arguments);
+
+/// Complains where options do not go together.
+void found_check(const found_arguments *arguments, const struct argp_state *state);
+
+/// Prints the title, statements and sheets, or the sheet that is asked for. Gives the exit status.
+int found_print(const whirl_findings *findings, const char *title, const found_arguments *arguments);
+
+#endif

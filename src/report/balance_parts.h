@@ -1,0 +1,39 @@
+// What tells people and programs of balancing have in common.
+#ifndef REPORT_BALANCE_PARTS_H
+#define REPORT_BALANCE_PARTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "report_parts.h"
+#include "whirl/engine/balance.h"
+
+/// How long a vector is.
+double balance_size(const double vector[2]);
+
+/// From 0 to 360 degrees, of `way` (1, -1) times the angle.
+double balance_degrees(const double vector[2], double way);
+
+/// The ways in which the file tells angles on the rotor, and phases: 1 or -1.
+double balance_way_of_angles(const whirl_balance *of);
+double balance_way_of_phases(const whirl_balance *of);
+
+/// The static part and the couple about the middle of two planes, half of the difference in each; 0 where that is
+/// rounding.
+void balance_static(const whirl_correction *found, double sum[2], double half[2]);
+
+/// kg m in all planes together.
+double balance_sum(const whirl_balance *of, const whirl_correction *found);
+
+/// Names the plane or set of an unknown.
+void balance_name(const whirl_balance *of, size_t n, char *text, size_t size);
+
+/// Says why a trial weight is as large as it is, and what it does, in um, rpm and N. False without memory.
+bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
+                         size_t n, char text[STATEMENT_SIZE]);
+
+/// A warning by its index in um and rpm, "" past the last. False without memory.
+bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, size_t index,
+                          char text[STATEMENT_SIZE]);
+
+#endif
