@@ -1,8 +1,11 @@
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "report_parts.h"
+
+static const double two_pi = 6.283185307179586476925;
 
 whirl_case *machine_of(const whirl_result *result) {
     whirl_case *machine;
@@ -56,6 +59,42 @@ machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *re
     const machine_walls walls = {probe->clearance, probe->gap};
     if (made) own.release(own.owner);
     return walls;
+}
+
+/// Moves the journal of a station into every direction, all else in the middle; false where a wall is not known.
+static bool find_wall(const whirl_system *system, size_t station, double clearance, double *radius) {
+    const whirl_probe *probe = &system->probes[station];
+    whirl_film_gap gap;
+    double *x = system->film ? calloc(system->dimension + 1, sizeof *x) : NULL;
+    bool found = x != NULL && probe->x != probe->y;
+    for (size_t k = 0; k < WALL_ANGLES && found; k++) {
+        const double angle = two_pi * (double)k / WALL_ANGLES;
+        x[probe->x] = 0.5 * clearance * cos(angle);
+        x[probe->y] = 0.5 * clearance * sin(angle);
+        found = system->film(system->model, x, station, &gap) && gap.wall > 0.0 && isfinite(gap.wall);
+        if (found) radius[k] = gap.wall;
+    }
+    free(x);
+    return found;
+}
+
+void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t point, size_t station,
+                     double clearance, machine_wall *out) {
+    static const double rounding = 1e-9;
+    whirl_machine own;
+    const bool made = clearance > 0.0 && machine_at(machine, table, point, &own);
+    const bool found = made && find_wall(own.system, station, clearance, out->radius);
+    if (made) own.release(own.owner);
+    for (size_t k = 0; k < WALL_ANGLES && !found; k++) out->radius[k] = clearance;
+    out->round = true;
+    for (size_t k = 0; k < WALL_ANGLES; k++)
+        out->round = out->round && fabs(out->radius[k] - clearance) <= rounding * clearance;
+}
+
+double machine_wall_radius(const machine_wall *wall, double angle) {
+    const double at = (angle / two_pi - floor(angle / two_pi)) * WALL_ANGLES;
+    const size_t k = (size_t)at % WALL_ANGLES, next = (k + 1) % WALL_ANGLES;
+    return wall->radius[k] + (at - floor(at)) * (wall->radius[next] - wall->radius[k]);
 }
 
 // ---------------------------------------------------------------- named_lines

@@ -128,6 +128,22 @@ typedef struct machine_walls {
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
                                size_t point, size_t station);
 
+/// The wall of the bearing or seal around a station: how far the middle of the journal can go in directions from the
+/// x axis on, WALL_ANGLES of them, in length scales of the point; all the same where it is round.
+enum { WALL_ANGLES = 720 };
+typedef struct machine_wall {
+    bool round;
+    double radius[WALL_ANGLES];
+} machine_wall;
+
+/// Finds it by the geometry of the bearing itself: lobes, offset halves, pivots of pads that tilt; a circle of
+/// `clearance` where the machine cannot be made, or pads have no wall.
+void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t point, size_t station,
+                     double clearance, machine_wall *out);
+
+/// Its radius in a direction, rad, between those known by a straight line.
+double machine_wall_radius(const machine_wall *wall, double angle);
+
 // ---------------------------------------------------------------- motions_told
 // What motions in the real films do beside a lateral analysis, in one paragraph: whether they come back, what they take
 // of clearances, where they touch and how hard, and what else stands beside them.

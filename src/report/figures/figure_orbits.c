@@ -6,6 +6,7 @@
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "point_panels.h"
 #include "quantities.h"
 #include "report_parts.h"
 
@@ -60,14 +61,27 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     list_figure(to, &place, name, "Orbits within their clearances: %.60s", table->name);
 }
 
-static void add_circle(whirl_figure *figure, whirl_panel *panel, double radius, bool gap) {
+static void add_stator(whirl_figure *figure, whirl_panel *panel, double radius) {
     if (!(radius > 0.0)) return;
-    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, gap ? "#707070" : "#9A9A9A", gap ? 0.53 : 0.9);
-    if (line) line->dashed = gap;
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#707070", 0.53);
+    if (line) line->dashed = true;
     for (int k = 0; k <= STEPS; k++) {
         const double angle = 2.0 * 3.14159265358979323846 * k / STEPS;
         series_add(figure, line, radius * cos(angle), radius * sin(angle));
     }
+}
+
+/// The wall of a bearing or seal; gives how far it is away at most.
+static double add_wall(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale) {
+    whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.9);
+    double most = 0.0;
+    for (size_t k = 0; k <= WALL_ANGLES; k += 2) {
+        const double angle = 2.0 * 3.14159265358979323846 * (double)k / WALL_ANGLES;
+        const double radius = scale * wall->radius[k % WALL_ANGLES];
+        series_add(figure, line, radius * cos(angle), radius * sin(angle));
+        most = fmax(most, radius);
+    }
+    return most;
 }
 
 /// The walls around a station, all that motions have: a parameter may be the clearance. In the unit that is shown;
@@ -85,9 +99,13 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
             film = film && fabs(clearances[i] - clearances[k]) > 1e-9 * clearances[k];
             stator = stator && fabs(gaps[i] - gaps[k]) > 1e-9 * gaps[k];
         }
-        if (film) add_circle(figure, panel, clearances[k], false);
-        if (stator) add_circle(figure, panel, gaps[k], true);
         widest = fmax(widest, fmax(clearances[k], gaps[k]));
+        if (film && walls.clearance > 0.0) {
+            machine_wall wall;
+            machine_wall_at(of->machine, table, motions[k], station, walls.clearance, &wall);
+            widest = fmax(widest, add_wall(figure, panel, &wall, scale));
+        }
+        if (stator) add_stator(figure, panel, gaps[k]);
     }
     return widest;
 }
@@ -105,6 +123,8 @@ static void add_station(whirl_figure *figure, const drawing *of, const whirl_tab
     axis_show(&panel->y, (span){-size, size});
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", panel->x.label, sizeof panel->x.label);
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$y$", panel->y.label, sizeof panel->y.label);
+    const int all = whirl_record_samples(&table->record, table->integrate.steps_per_revolution);
+    const size_t turn = all > 0 ? (size_t)all : 1;
     for (size_t k = 0; k < count; k++) {
         const numbers samples = point_waveform(table, motions[k], station);
         const double length = whirl_shown_length(of->units, table, motions[k]);
@@ -113,6 +133,7 @@ static void add_station(whirl_figure *figure, const drawing *of, const whirl_tab
         whirl_series *line = panel_named(figure, panel, WHIRL_LINE, label, line_colour(k), 0.7);
         for (size_t i = 0; i < samples.rows; i++)
             series_add(figure, line, length * samples.at[2 * i], length * samples.at[2 * i + 1]);
+        orbit_marks(figure, panel, &samples, turn, length, 0.06 * size, line_colour(k), 1.7);
     }
 }
 
@@ -121,10 +142,12 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     size_t motions[MOST_MOTIONS], stations[MOST_STATIONS];
     const size_t count = motions_of(table, motions), used = stations_of(of, table, motions, count, stations);
     for (size_t i = 0; i < used; i++) add_station(figure, of, table, stations[i], motions, count);
-    snprintf(figure->caption, sizeof figure->caption,
-             "Orbits of the last revolutions in time, about the middle of every clearance%s: full circles are walls of "
-             "films and seals, dashed ones stators that may be touched.",
-             used == MOST_STATIONS ? ", of the stations that come nearest to a wall" : "");
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Orbits of the last revolutions in time, about the middle of every clearance%s: full grey lines are the "
+        "walls of films and seals, as far as the middle of the journal can go, dashed ones stators that may be "
+        "touched; dots where an orbit is once a revolution, when the mark is at the x axis, arrows the way it goes.",
+        used == MOST_STATIONS ? ", of the stations that come nearest to a wall" : "");
 }
 
 const figure_kind orbits_figure = {.list = list, .describe = describe};

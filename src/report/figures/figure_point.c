@@ -32,6 +32,7 @@ static subject subject_of(const drawing *to, const whirl_table *table, size_t po
     of.amplitude = of.length * units->amplitude;
     of.order = units_order(units, machine_clock(to->machine, to->result, table, point));
     of.walls = machine_walls_at(to->machine, to->result, table, point, station);
+    machine_wall_at(to->machine, table, point, station, of.walls.clearance, &of.wall);
     of.waveform = point_waveform(table, point, station);
     of.section = point_section(table, point, station);
     of.spectrum = point_spectrum(table, point, station);
@@ -70,13 +71,14 @@ static bool circle_shows(const window *in, double radius) {
 /// The window holds the orbit and, where the orbit comes near a circle, the nearest part of that too.
 static window orbit_window(const subject *of) {
     span x = of->x, y = of->y;
-    const double circles[] = {of->length * of->walls.clearance, of->length * of->walls.gap};
     size_t far = 0;
     double most = 0.0;
     for (size_t k = 0; k < of->waveform.rows; k++) {
         const double r = of->length * hypot(of->waveform.at[2 * k], of->waveform.at[2 * k + 1]);
         if (r > most) far = k, most = r;
     }
+    const double way = most > 0.0 ? atan2(of->waveform.at[2 * far + 1], of->waveform.at[2 * far]) : 0.0;
+    const double circles[] = {of->length * machine_wall_radius(&of->wall, way), of->length * of->walls.gap};
     for (int i = 0; i < 2 && most > 0.0; i++) {
         const double r = circles[i];
         if (r <= 0.0 || fabs(r - most) > NEAR * of->size) continue;
@@ -91,7 +93,7 @@ static window orbit_window(const subject *of) {
 /// Which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
 static unsigned shown_circles(const subject *of) {
     const window in = orbit_window(of);
-    return (unsigned)circle_shows(&in, of->length * of->walls.clearance) |
+    return (unsigned)circle_shows(&in, of->length * machine_wall_radius(&of->wall, atan2(in.y, in.x))) |
            (unsigned)circle_shows(&in, of->length * of->walls.gap) << 1;
 }
 
@@ -166,24 +168,66 @@ static double mark_size(const subject *of) {
     return is_periodic(of) ? 2.2 : 1.1;
 }
 
+/// The head of an arrow at a place of an orbit, along the chord between the places around it.
+static void add_arrow(whirl_figure *figure, whirl_panel *panel, const double *before, const double *at,
+                      const double *after, double length, double size, const char *colour) {
+    const double chord = hypot(after[0] - before[0], after[1] - before[1]), slim = 0.42;
+    if (!(chord > 0.0)) return;
+    const double along[] = {(after[0] - before[0]) / chord, (after[1] - before[1]) / chord};
+    const double tip[] = {length * at[0], length * at[1]};
+    whirl_series *head = panel_series(figure, panel, WHIRL_LINE, colour, 0.9);
+    for (int side = 1; side >= -1; side--) {
+        if (side == 0) {
+            series_add(figure, head, tip[0], tip[1]);
+            continue;
+        }
+        series_add(figure, head, tip[0] - size * (along[0] - side * slim * along[1]),
+                   tip[1] - size * (along[1] + side * slim * along[0]));
+    }
+}
+
+void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *samples, size_t turn, double length,
+                 double size, const char *colour, double dot) {
+    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, colour, dot);
+    const double *at = samples->at;
+    for (size_t k = 0; k < samples->rows; k++)
+        if ((samples->rows - 1 - k) % turn == 0) series_add(figure, marks, length * at[2 * k], length * at[2 * k + 1]);
+    if (samples->rows <= turn || turn < 4) return;
+    span x = span_empty(), y = span_empty();
+    for (size_t k = samples->rows - turn; k < samples->rows; k++) {
+        span_widen(&x, length * at[2 * k]);
+        span_widen(&y, length * at[2 * k + 1]);
+    }
+    const double own = 0.3 * fmax(x.high - x.low, y.high - y.low);
+    const size_t k = samples->rows - 1 - turn + turn / 2;
+    add_arrow(figure, panel, at + 2 * (k - 1), at + 2 * k, at + 2 * (k + 1), length, fmin(size, own), colour);
+}
+
+/// The part of the bearing's wall that falls into a window, and some more.
+static void add_wall(whirl_figure *figure, whirl_series *line, const window *in, const subject *of) {
+    if (of->wall.round) {
+        add_circle(figure, line, in, of->length * of->walls.clearance);
+        return;
+    }
+    for (size_t k = 0; k <= WALL_ANGLES; k++) {
+        const double angle = 2.0 * acos(-1.0) * (double)k / WALL_ANGLES;
+        const double radius = of->length * of->wall.radius[k % WALL_ANGLES];
+        series_add(figure, line, radius * cos(angle), radius * sin(angle));
+    }
+}
+
 static void add_orbit(whirl_figure *figure, whirl_panel *panel, const subject *of) {
     const window in = orbit_window(of);
     const unsigned circles = shown_circles(of);
     show_window(panel, of, &in);
-    if (circles & 1u)
-        add_circle(figure, panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.9), &in,
-                   of->length * of->walls.clearance);
+    if (circles & 1u) add_wall(figure, panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.9), &in, of);
     whirl_series *gap = circles & 2u ? panel_series(figure, panel, WHIRL_LINE, "#707070", 0.53) : NULL;
     if (gap) gap->dashed = true;
     if (gap) add_circle(figure, gap, &in, of->length * of->walls.gap);
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(0), 0.38);
-    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(1), mark_size(of));
-    for (size_t k = 0; k < of->waveform.rows; k++) {
-        const double *at = &of->waveform.at[2 * k];
-        series_add(figure, line, of->length * at[0], of->length * at[1]);
-        if ((of->waveform.rows - 1 - k) % of->turn == 0)
-            series_add(figure, marks, of->length * at[0], of->length * at[1]);
-    }
+    for (size_t k = 0; k < of->waveform.rows; k++)
+        series_add(figure, line, of->length * of->waveform.at[2 * k], of->length * of->waveform.at[2 * k + 1]);
+    orbit_marks(figure, panel, &of->waveform, of->turn, of->length, 0.05 * in.side, line_colour(1), mark_size(of));
 }
 
 /// The window follows the section, but never below a fifth of the motion: rounding noise of a fixed point is no
@@ -222,10 +266,10 @@ static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = 
 /// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
 static void name_panels(const subject *of, char *text, size_t size) {
     const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
-    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
-                        : circles == 1u ? "orbit (grey: bearing)"
-                        : circles == 2u ? "orbit (dashed: stator)"
-                                        : "orbit";
+    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator; dots: once a revolution)"
+                        : circles == 1u ? "orbit (grey: bearing; dots: once a revolution)"
+                        : circles == 2u ? "orbit (dashed: stator; dots: once a revolution)"
+                                        : "orbit (dots: once a revolution)";
     const char *const names[] = {"waveform",
                                  orbit,
                                  "spectrum",

@@ -14,6 +14,7 @@ typedef struct subject {
     size_t point, station;
     numbers waveform, section, spectrum, lines;
     machine_walls walls; ///< around the station
+    machine_wall wall;   ///< of its bearing
     size_t turn;         ///< samples of the waveform a revolution
     span x, y;           ///< of the orbit, or of the section where there is no waveform; as shown
     double size;         ///< of the motion: the larger side of its box; as shown
@@ -22,6 +23,12 @@ typedef struct subject {
     /// orders).
     double length, amplitude, order;
 } subject;
+
+/// Where an orbit is once a revolution, the last instants of `samples` with `turn` a revolution (the keyphasor's dots:
+/// the shaft's mark is at the x axis), and an arrow head half a revolution before the last of them, the way it goes;
+/// `length`: of one unit of the samples as shown, `size` of the arrow, which is smaller on a small orbit.
+void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *samples, size_t turn, double length,
+                 double size, const char *colour, double dot);
 
 /// Spectra of x and y over the orders, and of x + iy, whose backward lines stand on the left; the largest of these
 /// lines alone, where no whole spectrum was kept.
