@@ -17,6 +17,7 @@ typedef struct search {
     double share;
     double *load;     ///< [count] f(start)
     double *weight;   ///< [count] by which residuals count
+    double *idle;     ///< [count] 1 of those that are idle at the start, else 0
     double *f;        ///< [count] at x
     double *step;     ///< [count]
     double *jacobian; ///< [count][count]
@@ -228,20 +229,54 @@ static bool fall(search *s, const double *start, double *at) {
     return false;
 }
 
+/// The number of coordinates that are idle now and were held at the start; with `unsaid` they become NaN in x.
+static size_t count_lost(const search *s, double *x, bool unsaid) {
+    const mean_system *m = s->mean;
+    size_t count = 0;
+    for (size_t i = 0; i < m->count; i++) {
+        if (m->settled[m->kept[i]] != WHIRL_IDLE || s->idle[i] != 0.0) continue;
+        if (unsaid) x[m->kept[i]] = (double)NAN;
+        count++;
+    }
+    return count;
+}
+
+/// Takes another place of rest for x where pads have films that lost them on the way to x. A pad with a spring may
+/// have two balances, and a search that follows its tilt does not come back to the film. at [dimension] is workspace.
+static void regain_films(search *s, double *x, double *at) {
+    const size_t d = s->mean->system->dimension;
+    s->share = 1.0;
+    memcpy(at, x, d * sizeof *at);
+    mean_settle(s->mean, at);
+    for (size_t lost = count_lost(s, at, true), left; lost > 0; lost = left) {
+        if (!mean_settle(s->mean, at) || count_lost(s, at, false) >= lost || !solve(s, at)) return;
+        mean_settle(s->mean, at);
+        if (count_lost(s, at, false) >= lost) return;
+        memcpy(x, at, d * sizeof *x);
+        left = count_lost(s, at, true);
+    }
+}
+
 /// rest_find, and the share of the load that the place of rest was followed up to.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
-    double *block = calloc(4 * n + n * n + 3 * d + 1, sizeof *block);
+    double *block = calloc(5 * n + n * n + 3 * d + 1, sizeof *block);
     if (!block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the equilibrium of %zu coordinates", d);
     search s = {.mean = m,
                 .load = block,
                 .f = block + n,
                 .step = block + 2 * n,
                 .weight = block + 3 * n,
-                .jacobian = block + 4 * n,
-                .trial = block + 4 * n + n * n};
+                .idle = block + 4 * n,
+                .jacobian = block + 5 * n,
+                .trial = block + 5 * n + n * n};
     double *at = s.trial + d, *start = at + d;
-    for (size_t i = 0; i < n; i++) s.weight[i] = 1.0;
+    memcpy(at, x, d * sizeof *x);
+    mean_settle(m, at);
+    for (size_t i = 0; i < n; i++) {
+        s.weight[i] = 1.0;
+        s.idle[i] = m->settled[m->kept[i]] == WHIRL_IDLE;
+    }
     mean_slope(m, x, s.load);
     leave_centres(m, s.load, x);
     bool starts = mean_settle(m, x);
@@ -261,6 +296,7 @@ static whirl_status rest_follow(mean_system *m, double *x, double *share) {
         found = fall(&s, start, at);
         if (found) memcpy(x, at, d * sizeof *x);
     }
+    if (found) regain_films(&s, x, at);
     free(block);
     if (found) return whirl_ok();
     if (!starts)

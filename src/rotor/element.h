@@ -147,8 +147,9 @@ typedef struct whirl_element_type {
     void (*begin)(const element *own, double *states);
 
     /// Optional: sets its states [own->states] to where they balance while the places of its ports, q [MAX_PORTS], are
-    /// held, in a way that no small motion of the states alone leaves. idle [own->states]: nothing holds them, and they
-    /// act on nothing. False where there is no such balance (a wall is touched). Idle ones may stay where they are.
+    /// held, in a way that no small motion of the states alone leaves; of several balances as whirl_system.settle says.
+    /// idle [own->states]: nothing holds them, and they act on nothing. False where there is no such balance (a wall is
+    /// touched). Idle ones may stay where they are.
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
     /// Optional: sees to it that what its kernels read beside its numbers is there until `release`; gives up where

@@ -297,10 +297,96 @@ static void preloaded(void **unused) {
     }
 }
 
+// ---------------------------------------------------------------- pads on springs
+
+/// 220 kg in five pads on springs of 2 kN m/rad at 8000 rpm, pushed across by a seal of q, N/m. Above the journal a pad
+/// on its spring balances with a film and without one.
+static whirl_rotor *make_pushed(double q, double way, double scale) {
+    const double across = way * q;
+    const whirl_setting pads[] = {{"at", 0, "j"},
+                                  {"shape", 0, "tilting-5"},
+                                  {"preload", 0.3, NULL},
+                                  {"clearance", 144.78e-6, NULL},
+                                  {"radius", 57.15e-3, NULL},
+                                  {"length", 57.15e-3, NULL},
+                                  {"viscosity", 11e-3, NULL},
+                                  {"tilt_stiffness", 2000.0, NULL}};
+    const whirl_setting seal[] = {{"at", 0, "j"}, {"role", 0, "seal"}, {"kxy", across, NULL}, {"kyx", -across, NULL}};
+    whirl_design *design;
+    whirl_rotor *rotor;
+    require_ok(whirl_design_new(way * 8000.0 * pi / 30.0, scale, &design));
+    require_ok(whirl_design_station(design, "j", &(whirl_setting){"mass", 220.0, NULL}, 1));
+    require_ok(whirl_design_element(design, "tilting_pad", pads, sizeof pads / sizeof *pads));
+    require_ok(whirl_design_element(design, "bearing", seal, sizeof seal / sizeof *seal));
+    require_ok(whirl_design_element(design, "gravity", NULL, 0));
+    require_ok(whirl_rotor_new(design, &rotor));
+    whirl_design_free(design);
+    return rotor;
+}
+
+/// Carries x, which begins beside where the machine rests, for 30 revolutions, and tells how far from there it ends.
+static void check_comes_back(const whirl_system *system, const double *rest, double *x, double q, const char *from) {
+    carry(system, x, 30, 400);
+    check_within("Pads at rest", words("pads on springs, %g MN/m: place after 30 revolutions from %s", 1e-6 * q, from),
+                 0.0, hypot(x[0] - rest[0], x[1] - rest[1]), 1e-5);
+}
+
+/// Machines that no place was found of while tilts jumped from one balance to the other: where motions settle, the same
+/// for the mirror image and in any unit of length. From 8 MN/m on there are two places of rest, and motions from the
+/// middle settle at the other one.
+static void springs(void **unused) {
+    enum { PUSHES = 14 };
+    (void)unused;
+    for (size_t i = 0; i < PUSHES; i++) {
+        const double q = 1e6 * (4.0 + 0.5 * (double)i), unit_of[] = {144.78e-6, 144.78e-6, 1e-3}, way[] = {1, -1, 1};
+        double place[3][2];
+        for (size_t k = 0; k < 3; k++) {
+            whirl_rotor *rotor = make_pushed(q, way[k], unit_of[k]);
+            const whirl_system *system = whirl_rotor_system(rotor);
+            double start[64] = {0.0}, rest[64];
+            whirl_modes *modes;
+            whirl_rotor_complete(rotor, start);
+            require_ok(whirl_modes_new(system, start, &modes));
+            assert_true(modes->growth < 0.0);
+            memcpy(rest, modes->rest, system->dimension * sizeof *rest);
+            whirl_modes_free(modes);
+            for (size_t c = 0; c < 2; c++) place[k][c] = rest[c] * unit_of[k] / unit_of[0];
+            if (k == 0 && q < 8e6) check_comes_back(system, rest, start, q, "the middle");
+            memcpy(start, rest, sizeof start);
+            start[0] += 1e-3;
+            if (k == 0 && q >= 8e6) check_comes_back(system, rest, start, q, "beside it");
+            whirl_rotor_free(rotor);
+        }
+        check_within("Pads at rest", "pads on springs, mirror image", 0.0,
+                     hypot(place[0][0] + place[1][0], place[0][1] - place[1][1]), 1e-9);
+        check_within("Pads at rest", "pads on springs, another unit of length", 0.0,
+                     hypot(place[0][0] - place[2][0], place[0][1] - place[2][1]), 1e-9);
+    }
+}
+
+/// A machine with two places of rest keeps that which it is near: a motion from the middle that settles without the
+/// film of a pad that has one where `springs` rests.
+static void kept(void **unused) {
+    (void)unused;
+    whirl_rotor *rotor = make_pushed(8e6, 1.0, 144.78e-6);
+    const whirl_system *system = whirl_rotor_system(rotor);
+    double x[64] = {0.0}, rest[64] = {0.0}, other[64] = {0.0};
+    whirl_rotor_complete(rotor, x);
+    memcpy(other, x, sizeof other);
+    carry(system, x, 40, 400);
+    memcpy(rest, x, sizeof rest);
+    require_ok(whirl_equilibrium(system, rest));
+    require_ok(whirl_equilibrium(system, other));
+    check_within("Pads at rest", "pads on springs, place from where a motion has settled", 0.0,
+                 hypot(rest[0] - x[0], rest[1] - x[1]), 1e-6);
+    assert_true(hypot(rest[0] - other[0], rest[1] - other[1]) > 0.03);
+    whirl_rotor_free(rotor);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(grid),    cmocka_unit_test(condensed), cmocka_unit_test(least_film),
-        cmocka_unit_test(dropped), cmocka_unit_test(preloaded),
+        cmocka_unit_test(grid),    cmocka_unit_test(condensed), cmocka_unit_test(least_film), cmocka_unit_test(dropped),
+        cmocka_unit_test(springs), cmocka_unit_test(kept),      cmocka_unit_test(preloaded),
     };
     return cmocka_run_group_tests_name("pads at rest", tests, NULL, NULL);
 }

@@ -214,8 +214,9 @@ typedef struct whirl_system {
     bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
 
     /// Optional: sets coordinates that have a balance of their own (the tilts of pads) to it, those that they depend on
-    /// held as they are in x [dimension], and says of all in kinds [dimension] which these are. False where there is
-    /// no such balance. Searches for equilibria then go through the other coordinates alone.
+    /// held as they are in x [dimension], and says of all in kinds [dimension] which these are. Of several balances it
+    /// takes that to which they go from where they are in x, or where x has NaN, one that is not idle. False where
+    /// there is no such balance. Searches for equilibria then go through the other coordinates alone.
     bool (*settle)(const void *model, double *x, whirl_settled *kinds);
 
     /// Optional: the film at a probe that has a clearance, with the machine at rest at x: of several the thinnest.

@@ -3,7 +3,8 @@
 ///
 /// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it stays where M
 /// goes from below 0 to above. Of several such tilts, as `whirl bearing` does (pads/pads.c), the first is taken where a
-/// film holds the pad. On a pivot that yields by u the thrust of the film is spring u besides, which grows with u.
+/// film holds the pad, or that to which a pad with a spring goes from the tilt that it has. On a pivot that yields by u
+/// the thrust of the film is spring u besides, which grows with u.
 #ifndef ROTOR_PADS_SETTLE_H
 #define ROTOR_PADS_SETTLE_H
 
@@ -24,6 +25,7 @@ typedef struct pads_rest {
     const kernel_view *view;
     const double *pad;
     double journal[4];          ///< place, and velocity 0, in the pads' clearance, as the pads see them
+    double begin;               ///< the tilt that it is followed from; NaN: from none
     double yield[2];            ///< how far its pivot has moved outwards, and 0
     double tilt, film[2], size; ///< the tilt that was looked at last, its film's force, and how large that is
 } pads_rest;
@@ -80,13 +82,34 @@ static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bra
     return false;
 }
 
-/// Where the tilt of the pad rests, as at->tilt with its film's force. *idle: no film holds it there. False where it
-/// touches, however it tilts.
+/// The tilts side by side between which a pad rests that begins at at->begin and goes where its moment turns it. False
+/// where it goes until it touches.
+static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found) {
+    const double width = ends[1] - ends[0];
+    double here = fmin(fmax(at->begin, ends[0]), ends[1]), moment = pads_moment_at(at, here), step = width / 4096.0;
+    const double side = moment < 0.0 ? 1.0 : -1.0, end = ends[moment < 0.0];
+    *found = bracket_between(here, moment, here, moment);
+    while (moment * side < 0.0) {
+        if (here == end) return false;
+        const double last = here, before = moment;
+        here = step < fabs(end - here) ? here + side * step : end;
+        moment = pads_moment_at(at, here);
+        *found = bracket_between(last, before, here, moment);
+        step = fmin(2.0 * step, width / 64.0);
+    }
+    return true;
+}
+
+/// Where the tilt of the pad rests, as at->tilt with its film's force. A spring holds a pad at tilts without a film,
+/// too: such a pad is followed from where it is, so that its tilt does not jump while the journal moves. *idle: no film
+/// holds it there. False where it touches, however it tilts.
 static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     double ends[2];
     bracket between;
     if (!pads_free_tilts(at, ends)) return false;
-    const bool found = pads_bracket_tilt(at, ends, false, &between) || pads_bracket_tilt(at, ends, true, &between);
+    const bool follows = at->view->number[PADS_TILT_SPRING] != 0.0 && isfinite(at->begin);
+    const bool found = (follows && pads_follow_tilt(at, ends, &between)) ||
+                       pads_bracket_tilt(at, ends, false, &between) || pads_bracket_tilt(at, ends, true, &between);
     for (int k = 0; k < 200 && found; k++) {
         const double tilt = bracket_next(&between), moment = pads_moment_at(at, tilt);
         if (moment == 0.0 || !(tilt > fmin(between.a, between.b) && tilt < fmax(between.a, between.b))) break;
@@ -160,7 +183,7 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
     bool settled = true;
     for (size_t p = 0; p < (size_t)own->law && settled; p++) {
         const size_t tilt = pads_tilt_state(own, p), yield = pads_yield_state(own, p);
-        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS};
+        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS, .begin = states[tilt]};
         bool alone = false;
         pads_journal(own, q, at.journal);
         settled = pads_settle_pad(&at, &alone);
