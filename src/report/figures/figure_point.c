@@ -266,10 +266,10 @@ static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = 
 /// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
 static void name_panels(const subject *of, char *text, size_t size) {
     const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
-    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator; dots: once a revolution)"
-                        : circles == 1u ? "orbit (grey: bearing; dots: once a revolution)"
-                        : circles == 2u ? "orbit (dashed: stator; dots: once a revolution)"
-                                        : "orbit (dots: once a revolution)";
+    const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
+                        : circles == 1u ? "orbit (grey: bearing)"
+                        : circles == 2u ? "orbit (dashed: stator)"
+                                        : "orbit";
     const char *const names[] = {"waveform",
                                  orbit,
                                  "spectrum",
@@ -419,7 +419,8 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     name_panels(&of, panels, sizeof panels);
     snprintf(figure->caption, sizeof figure->caption, "%.120s, %.60s%.102s.%s.%s", point,
              of.result->stations[of.station].name, verdict_text, panels,
-             of.waveform.at ? "" : " No waveform was kept.");
+             of.waveform.at ? " Dots of the orbit: once a revolution; arrow: the way it goes."
+                            : " No waveform was kept.");
 }
 
 const figure_kind point_figure = {.list = list, .describe = describe, .find = find};
