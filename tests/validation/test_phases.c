@@ -264,6 +264,55 @@ static void sections_by_another_phase(void **unused) {
                  cabs(x[0] + I * x[1] - expected) / cabs(expected), 1e-9);
 }
 
+/// A force and an unbalance of 31 Hz on a shaft that turns ever more slowly: machines at rest are what they are without
+/// them; motions are refused, but for those by sections of the force.
+static void slow_shafts(void **unused) {
+    static const double speeds[] = {0.0, 1e-9, 1e-3, 0.1, 1.0, 100.0};
+    const double hertz = 31.0, nu = two_pi * hertz, half = 0.5 * damping / mass;
+    (void)unused;
+    for (size_t i = 0; i < COUNT_OF(speeds); i++) {
+        whirl_design *design = begin_disc_by(speeds[i]);
+        add_force(design, "axis", "frequency", hertz);
+        add_unbalance(design, "speed", -nu);
+        whirl_rotor *rotor = finish(design);
+        const double start[8] = {0}, clock = whirl_rotor_clock(rotor);
+        whirl_modes *modes;
+        require_ok(whirl_modes_new(whirl_rotor_system(rotor), start, &modes));
+        assert_int_equal(modes->count, 2);
+        for (size_t k = 0; k < 2; k++) {
+            check_within("Phases", words("31 Hz, shaft of %g rad/s: decay of mode %zu, part", speeds[i], k), 1.0,
+                         -modes->modes[k].real * clock / half, 1e-9);
+            check_within("Phases", words("31 Hz, shaft of %g rad/s: frequency of mode %zu, part", speeds[i], k), 1.0,
+                         modes->modes[k].imaginary * clock / sqrt(stiffness / mass - half * half), 1e-9);
+        }
+        whirl_modes_free(modes);
+        whirl_rotor_free(rotor);
+    }
+    for (size_t i = 1; i < COUNT_OF(speeds); i++) {
+        whirl_design *design = begin_disc_by(speeds[i]);
+        whirl_rotor *rotor;
+        whirl_design_in_time(design);
+        add_force(design, "axis", "frequency", hertz);
+        const whirl_status status = whirl_rotor_new(design, &rotor);
+        whirl_design_free(design);
+        assert_int_equal(status.code, nu / speeds[i] > 1000.0 ? WHIRL_BAD_INPUT : WHIRL_OK);
+        if (status.code == WHIRL_OK) whirl_rotor_free(rotor);
+        if (speeds[i] < 0.1) continue;
+        const whirl_setting force[] = {{"at", 0, "disc"},    {"amplitude", 20.0, NULL},  {"angle", 0.7, NULL},
+                                       {"phase", 0.4, NULL}, {"frequency", hertz, NULL}, {"keyphasor", 0, "yes"}};
+        double x[16] = {0};
+        design = begin_disc_by(speeds[i]);
+        whirl_design_in_time(design);
+        require_ok(whirl_design_element(design, "force", force, COUNT_OF(force)));
+        settle(finish(design), 120, x);
+        const double complex axis = 10.0 * cexp(0.7 * I); // half of 20 N either way
+        const double complex expected =
+            response(axis * cexp(0.4 * I), nu, 120.0 / hertz) + response(axis * cexp(-0.4 * I), -nu, 120.0 / hertz);
+        check_within("Phases", words("31 Hz by its own sections, shaft of %g rad/s, part of the response", speeds[i]),
+                     0.0, cabs(x[0] + I * x[1] - expected) / cabs(expected), 1e-9);
+    }
+}
+
 /// A rotor that rubs in chaos stays in chaos beside a small force that fits no revolution; where it runs in permanent
 /// contact that force makes a torus. Without the force: chaos and P-1 (cases/jeffcott-rub.yaml).
 static void chaos_beside_a_phase(void **unused) {
@@ -458,6 +507,7 @@ int main(void) {
                                        cmocka_unit_test(regimes),
                                        cmocka_unit_test(chaos_beside_a_phase),
                                        cmocka_unit_test(sections_by_another_phase),
+                                       cmocka_unit_test(slow_shafts),
                                        cmocka_unit_test(run_up),
                                        cmocka_unit_test(steady_speed),
                                        cmocka_unit_test(in_lanes)};

@@ -59,6 +59,15 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
     generic_scale(out, to, 1.0);
 }
 
+whirl_status harmonic_check_rate(const assembly *to, double rate) {
+    const double turns = fabs(rate * to->turn);
+    if (!to->in_time || assembly_stands(to) || turns <= HARMONIC_FASTEST) return whirl_ok();
+    return whirl_fail(WHIRL_BAD_INPUT,
+                      "turns %.4g times in a revolution, expected at most %g times in motions: a higher speed, or "
+                      "keyphasor: yes, which counts revolutions by its own phase",
+                      turns, HARMONIC_FASTEST);
+}
+
 bool harmonic_order(const element *own, size_t index, double *order) {
     *order = fabs(own->number[HARMONIC_RATE]);
     return index == 0 && *order > 1.0;
@@ -90,10 +99,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double rate = values[FREQUENCY].given ? values[FREQUENCY].number * per_hertz : values[RATIO].number;
     whirl_status status = check(values);
     if (status.code == WHIRL_OK) status = find_ports(values, to, out);
+    if (status.code == WHIRL_OK) status = harmonic_check_rate(to, rate);
     if (status.code != WHIRL_OK) return status;
-    if (rate > HARMONIC_FASTEST && !assembly_stands(to))
-        return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the shaft, expected at most %g times", rate,
-                          HARMONIC_FASTEST);
     harmonic_force(out, to, values[MOMENT].given ? values[MOMENT].number : values[AMPLITUDE].number,
                    sides[values[LAW].choice], values[ANGLE].number, values[PHASE].number, rate * to->turn);
     out->lumped = !values[RATIO].given && !values[FREQUENCY].given;

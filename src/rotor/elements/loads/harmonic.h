@@ -16,7 +16,7 @@ enum {
     HARMONIC_NUMBERS = HARMONIC_OWN + 4
 };
 
-/// The largest rate, either way.
+/// The largest ratio, either way, and most turns in a revolution of motions: steps and samples are counted in these.
 #define HARMONIC_FASTEST 1000.0
 
 extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
@@ -31,6 +31,10 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own, size_t state);
+
+/// Refuses a phase that turns too often in a revolution, where the machine is built to move (assembly.in_time). Studies
+/// at rest do not depend on phases. WHIRL_BAD_INPUT with a sentence.
+whirl_status harmonic_check_rate(const assembly *to, double rate);
 
 /// What element_type.named_order tells but for the name: the phase's rate, where it turns faster than the shaft.
 bool harmonic_order(const element *own, size_t index, double *order);

@@ -29,9 +29,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     if (values[RATIO].given && values[SPEED].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has both ratio and speed, expected one of them");
-    if (!(fabs(ratio) <= HARMONIC_FASTEST) && !assembly_stands(to))
-        return whirl_fail(WHIRL_BAD_INPUT, "is %g times as fast as the rotor, expected at most %g times", fabs(ratio),
-                          HARMONIC_FASTEST);
+    const whirl_status status = harmonic_check_rate(to, ratio);
+    if (status.code != WHIRL_OK) return status;
     if (values[KEYPHASOR].choice && ratio == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "does not turn, expected a speed above 0 of what sections are taken by");
     element_on(&values[AT], to, AXIS_X, out);
