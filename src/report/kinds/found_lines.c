@@ -1,6 +1,8 @@
 // What is found of spectra along a parameter: lines below and above the synchronous one, from where to where they are
-// there, with what they take of clearances.
+// there, with what they take of clearances; how they begin and end on the way up and on the way down; where their order
+// is locked at a ratio.
 #include <math.h>
+#include <stdlib.h>
 
 #include "quantities.h"
 #include "shown_kinds.h"
@@ -20,6 +22,7 @@ typedef struct line_seen {
     double order, size; ///< size in m, zero to peak, along the axis where it is larger; 0: there is none
     double share;       ///< of the clearance there; NaN where there is none
     double direction;   ///< 1: forward, -1: backward
+    double over;        ///< its size over that of the largest line of its station
 } line_seen;
 
 /// Of a line and all that is around its station.
@@ -44,7 +47,8 @@ static line_seen strongest_line(const finder *of, size_t point, bool below) {
             const bool side = below ? line[0] < 1.0 - multiple && line[0] > multiple
                                     : line[0] > 1.0 + multiple && fabs(line[0] - round(line[0])) > multiple;
             if (!side || fmax(line[1], line[2]) < least_share * largest) continue;
-            const line_seen own = line_of(of, point, station, line);
+            line_seen own = line_of(of, point, station, line);
+            own.over = fmax(line[1], line[2]) / largest;
             if (own.size > best.size) best = own;
         }
     }
@@ -85,18 +89,36 @@ static void track_row(const finder *of, whirl_sheet *sheet, const line_track *tr
                                                  : "to and fro");
 }
 
-/// All lines on one side, a row each; the one that is largest.
-static line_track find_side(const finder *of, whirl_sheet *sheet, bool below) {
-    line_track track = {.largest = {.size = 0.0}}, most = track;
+/// All lines on one side: the strongest one of every point, and its tracks.
+typedef struct line_side {
+    line_seen *seen;    ///< [points of the table]
+    line_track *tracks; ///< [count]
+    size_t count;
+} line_side;
+
+static void side_free(line_side *side) {
+    free(side->seen);
+    free(side->tracks);
+}
+
+/// Takes a track up, but of many points no single one.
+static void side_add(const finder *of, line_side *side, const line_track *track) {
+    if (track->last > track->first || of->table->count <= FEW_POINTS) side->tracks[side->count++] = *track;
+}
+
+/// False without memory.
+static bool side_find(const finder *of, bool below, line_side *side) {
+    const size_t count = of->table->count;
+    line_track track = {.largest = {.size = 0.0}};
     bool open = false;
-    for (size_t point = 0; point <= of->table->count; point++) {
-        const bool done = point < of->table->count && whirl_table_done(of->table, point);
-        const line_seen line = done ? strongest_line(of, point, below) : (line_seen){.size = 0.0};
+    *side = (line_side){calloc(count, sizeof *side->seen), calloc(count, sizeof *side->tracks), 0};
+    if (!side->seen || !side->tracks) return false;
+    for (size_t point = 0; point < count; point++) {
+        if (whirl_table_done(of->table, point)) side->seen[point] = strongest_line(of, point, below);
+        const line_seen line = side->seen[point];
         const bool there = line.size > 0.0;
         if (open && !(there && track_goes_on(of, &track, point, &line))) {
-            const bool told = track.last > track.first || of->table->count <= FEW_POINTS;
-            if (told) track_row(of, sheet, &track);
-            if (told && track.largest.size > most.largest.size) most = track;
+            side_add(of, side, &track);
             open = false;
         }
         if (!there) continue;
@@ -106,8 +128,198 @@ static line_track find_side(const finder *of, whirl_sheet *sheet, bool below) {
         track.to = line;
         if (line.size > track.largest.size) track.largest = line, track.largest_at = point;
     }
+    if (open) side_add(of, side, &track);
+    return true;
+}
+
+static line_track side_largest(const line_side *side) {
+    line_track most = {.largest = {.size = 0.0}};
+    for (size_t i = 0; i < side->count; i++)
+        if (side->tracks[i].largest.size > most.largest.size) most = side->tracks[i];
     return most;
 }
+
+// ---------------------------------------------------------------- beginnings and ends
+
+/// One end of a track.
+typedef struct line_edge {
+    bool there;           ///< the points beyond it have no such line; false: the sweep ends there, or there is no track
+    size_t point, beyond; ///< of the table: the last one with the line, and the first one without it
+    bool known, sudden;   ///< how it begins or ends is known: at once
+} line_edge;
+
+static int by_size(const void *left, const void *right) {
+    const double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/// At once: there at a multiple of the least size that is seen, and as large as at the points behind. A line that grows
+/// as a root of the parameter is there at less than 0.64 of the median of the next two to four points.
+static void edge_judge(const line_side *side, const line_track *track, bool first, line_edge *edge) {
+    enum { LOOKED_AT = 4, LEAST_KNOWN = 2 };
+    static const double least_ratio = 0.75, least_over = 2.0;
+    double behind[LOOKED_AT];
+    size_t count = 0;
+    for (; count < LOOKED_AT && count < track->last - track->first; count++)
+        behind[count] = side->seen[first ? track->first + 1 + count : track->last - 1 - count].size;
+    edge->known = count >= LEAST_KNOWN;
+    if (!edge->known) return;
+    qsort(behind, count, sizeof *behind, by_size);
+    const double usual = 0.5 * (behind[(count - 1) / 2] + behind[count / 2]);
+    const line_seen *own = &side->seen[edge->point];
+    edge->sudden = own->over >= least_over * least_share && own->size >= least_ratio * usual;
+}
+
+/// Whether values rise from point to point of a branch; all branches have them in one order.
+static bool values_rise(const whirl_table *table) {
+    for (size_t i = 0; i + 1 < table->count; i++)
+        if (table->branch[i] == table->branch[i + 1]) return table->values[i + 1] > table->values[i];
+    return true;
+}
+
+/// Whether points of a track are travelled from lower to higher values: those that are carried from the last value go
+/// the other way.
+static bool track_rises(const whirl_table *table, const line_track *track) {
+    return values_rise(table) == (table->branch[track->first] >= 0);
+}
+
+/// The end of a track at its lower or its higher values.
+static line_edge edge_of(const finder *of, const line_side *side, const line_track *track, bool low) {
+    const whirl_table *table = of->table;
+    const bool first = low == values_rise(table);
+    line_edge edge = {.point = first ? track->first : track->last};
+    if (first ? edge.point == 0 : edge.point + 1 == table->count) return edge;
+    edge.beyond = first ? edge.point - 1 : edge.point + 1;
+    edge.there = whirl_table_done(table, edge.beyond) && table->branch[edge.beyond] == table->branch[edge.point] &&
+                 !(side->seen[edge.beyond].size > 0.0);
+    if (edge.there) edge_judge(side, track, first, &edge);
+    return edge;
+}
+
+/// The same line on the way up and on the way down: at some values both are there, with nearly one order.
+static bool tracks_match(const finder *of, const line_track *up, const line_track *down) {
+    const double *values = of->table->values;
+    const double a[] = {fmin(values[up->first], values[up->last]), fmax(values[up->first], values[up->last])};
+    const double b[] = {fmin(values[down->first], values[down->last]), fmax(values[down->first], values[down->last])};
+    const double order = up->largest.order;
+    return a[0] <= b[1] && b[0] <= a[1] && fabs(down->largest.order - order) <= drift * order;
+}
+
+static void cells_edge(const finder *of, const line_side *side, whirl_sheet *sheet, const line_edge *edge) {
+    const line_seen *line = &side->seen[edge->point];
+    cell_number(of, sheet, edge->there ? of->table->values[edge->point] : (double)NAN);
+    cell_text(of, sheet, !edge->there || !edge->known ? "" : edge->sudden ? "at once" : "gradually");
+    cell_number(of, sheet, edge->there ? line->size : (double)NAN);
+    cell_number(of, sheet, edge->there ? 100.0 * line->share : (double)NAN);
+}
+
+/// "line of order 0.48: begins at once at 5200 rpm on the way up, is there down to 4800 rpm on the way down: hysteresis
+/// of 400 rpm", where it jumps, or where the ways differ by more than a step.
+static void tell_edge(const finder *of, double order, bool low, const line_edge *up, const line_edge *down) {
+    const double *values = of->table->values;
+    const double apart = up->there && down->there ? fabs(values[up->point] - values[down->point]) : 0.0;
+    const double step = up->there ? fabs(values[up->beyond] - values[up->point]) : 0.0;
+    const bool hysteresis = apart > 1.01 * step;
+    if (!hysteresis && !up->sudden && !down->sudden) return;
+    bool ways = false;
+    for (size_t i = 0; i < of->table->count; i++) ways = ways || of->table->branch[i] < 0;
+    whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
+    if (up->there) {
+        phrase_text(of, found, "%s%s at ", low ? "begins" : "ends", up->sudden ? " at once" : "");
+        phrase_value(of, found, 6, values[up->point]);
+        if (ways) phrase_text(of, found, " on the way up");
+    }
+    if (down->there) {
+        phrase_text(of, found, "%s%s%s at ", up->there ? "; " : "", low ? "ends" : "begins",
+                    down->sudden ? " at once" : "");
+        phrase_value(of, found, 6, values[down->point]);
+        if (ways) phrase_text(of, found, " on the way down");
+    }
+    if (!hysteresis) return;
+    phrase_text(of, found, ": hysteresis of ");
+    phrase_value(of, found, 6, apart);
+}
+
+static void edge_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_track *up,
+                     const line_track *down, bool low) {
+    const line_edge none = {.there = false};
+    const line_edge rising = up ? edge_of(of, side, up, low) : none,
+                    falling = down ? edge_of(of, side, down, low) : none;
+    if (!rising.there && !falling.there) return;
+    const double order = side->seen[rising.there ? rising.point : falling.point].order;
+    sheet_row(of, sheet);
+    cell_number(of, sheet, order);
+    cell_text(of, sheet, low ? "lower" : "upper");
+    cells_edge(of, side, sheet, &rising);
+    cells_edge(of, side, sheet, &falling);
+    cell_number(of, sheet,
+                rising.there && falling.there ? fabs(of->table->values[rising.point] - of->table->values[falling.point])
+                                              : (double)NAN);
+    tell_edge(of, order, low, &rising, &falling);
+}
+
+/// Both ends of every line of a side, on the way up beside the way down.
+static void find_edges(const finder *of, const line_side *side, whirl_sheet *sheet) {
+    bool *taken = calloc(side->count + 1, sizeof *taken);
+    if (!taken) of->findings->failed = true;
+    for (size_t i = 0; i < side->count && taken; i++) {
+        const line_track *up = &side->tracks[i], *down = NULL;
+        if (!track_rises(of->table, up)) continue;
+        for (size_t k = 0; k < side->count && !down; k++) {
+            if (taken[k] || track_rises(of->table, &side->tracks[k]) || !tracks_match(of, up, &side->tracks[k]))
+                continue;
+            down = &side->tracks[k];
+            taken[k] = true;
+        }
+        edge_row(of, side, sheet, up, down, true);
+        edge_row(of, side, sheet, up, down, false);
+    }
+    for (size_t k = 0; k < side->count && taken; k++) {
+        if (taken[k] || track_rises(of->table, &side->tracks[k])) continue;
+        edge_row(of, side, sheet, NULL, &side->tracks[k], true);
+        edge_row(of, side, sheet, NULL, &side->tracks[k], false);
+    }
+    free(taken);
+}
+
+// ---------------------------------------------------------------- locking
+
+/// Ratios p/q that lines lock at have a q up to this, and hold an order to `locked` at so many points in a row.
+enum { MAX_LOCKED = 8, LEAST_LOCKED = 3 };
+static const double locked = 1e-3;
+
+/// The q of the simplest ratio p/q that an order stands at; 0 where there is none.
+static int ratio_of(double order) {
+    for (int q = 2; q <= MAX_LOCKED; q++)
+        if (fabs(order - round(order * q) / q) <= locked && round(order * q) > 0.0) return q;
+    return 0;
+}
+
+/// Where motions have frequencies of their own beside the forcing, an order at a ratio is a chance.
+static int ratio_at(const finder *of, const line_side *side, size_t point) {
+    const whirl_verdict verdict = whirl_table_verdict(of->table, point);
+    const bool free = verdict.regime == WHIRL_QUASI_PERIODIC || verdict.regime == WHIRL_CHAOTIC;
+    return free ? 0 : ratio_of(side->seen[point].order);
+}
+
+static void find_locking(const finder *of, const line_side *side, whirl_sheet *sheet) {
+    for (const line_track *track = side->tracks; track < side->tracks + side->count; track++)
+        for (size_t first = track->first, next = first; first <= track->last; first = next) {
+            const int q = ratio_at(of, side, first);
+            const double order = q ? round(side->seen[first].order * q) / q : 0.0;
+            for (next = first + 1; next <= track->last && ratio_at(of, side, next) == q; next++)
+                if (fabs(side->seen[next].order - order) > locked) break;
+            if (q == 0 || next - first < LEAST_LOCKED) continue;
+            sheet_row(of, sheet);
+            cell_text(of, sheet, find_text(of->findings, "%.0f/%d", round(order * q), q));
+            cell_number(of, sheet, of->table->values[first]);
+            cell_number(of, sheet, of->table->values[next - 1]);
+            cell_text(of, sheet, of->table->branch[first] < 0 ? "on the way back" : "");
+            cell_number(of, sheet, (double)(next - first));
+        }
+}
+
+// ---------------------------------------------------------------- all
 
 static void tell_largest(const finder *of, const char *what, const line_track *most) {
     whirl_phrase *found = &find_statement(of, what)->found;
@@ -128,11 +340,7 @@ static void tell_largest(const finder *of, const char *what, const line_track *m
     phrase_value(of, found, 6, of->table->values[most->last]);
 }
 
-void find_lines(const finder *of) {
-    const bool along = of->table->role == WHIRL_ROLE_SURVEY || of->table->role == WHIRL_ROLE_MOTIONS;
-    if (!along || of->table->count < 2 || !*of->table->parameter ||
-        !whirl_layout_field(&of->table->layout, WHIRL_FIELD_SPECTRUM_LINES))
-        return;
+static void find_tracks(const finder *of, const line_side *sides) {
     whirl_sheet *sheet = find_sheet(of, "lines", "Lines of spectra beside the synchronous one and its multiples");
     sheet_values(of, sheet, "from", 6);
     sheet_values(of, sheet, "to", 6);
@@ -144,8 +352,59 @@ void find_lines(const finder *of) {
     sheet_values(of, sheet, "at", 6);
     sheet_column(of, sheet, "share", "of the clearance", WHIRL_QUANTITY_PERCENT, 3);
     sheet_texts(of, sheet, "whirl", "whirl");
-    const line_track below = find_side(of, sheet, true), above = find_side(of, sheet, false);
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < sides[k].count; i++) track_row(of, sheet, &sides[k].tracks[i]);
     find_sheet_end(of);
+}
+
+/// Columns of the edge of a line on one way.
+static void sheet_edge(const finder *of, whirl_sheet *sheet, const char *const keys[4], const char *const headings[3]) {
+    sheet_values(of, sheet, keys[0], 6);
+    sheet_texts(of, sheet, keys[1], headings[0]);
+    sheet_column(of, sheet, keys[2], headings[1], WHIRL_QUANTITY_SIZE, 4);
+    sheet_column(of, sheet, keys[3], headings[2], WHIRL_QUANTITY_PERCENT, 3);
+}
+
+static void find_line_sheets(const finder *of, const line_side *sides) {
+    static const char *const up[] = {"up", "up_how", "up_amplitude", "up_share"};
+    static const char *const down[] = {"down", "down_how", "down_amplitude", "down_share"};
+    const line_track below = side_largest(&sides[0]), above = side_largest(&sides[1]);
+    find_tracks(of, sides);
     tell_largest(of, "sub-synchronous lines", &below);
     if (above.largest.size > 0.0) tell_largest(of, "super-synchronous lines", &above);
+
+    whirl_sheet *sheet = find_sheet(of, "line-edges", "Beginnings and ends of these lines");
+    sheet->about = "The last value with the line, on the way up and on the way down; at once: as large as behind it.";
+    sheet_column(of, sheet, "order", "order", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_texts(of, sheet, "end", "end");
+    sheet_edge(of, sheet, up, (const char *const[]){"how", "amplitude", "of the clearance"});
+    sheet_edge(of, sheet, down, (const char *const[]){"how", "amplitude", "of the clearance"});
+    sheet_values(of, sheet, "hysteresis", 6);
+    for (size_t k = 0; k < 2; k++) find_edges(of, &sides[k], sheet);
+    find_sheet_end(of);
+
+    sheet = find_sheet(of, "locking", "Lines locked at a ratio of the speed");
+    sheet->about = "At three or more points in a row the order is the ratio to 0.001, and no motion is quasi-periodic.";
+    sheet_texts(of, sheet, "ratio", "ratio");
+    sheet_values(of, sheet, "from", 6);
+    sheet_values(of, sheet, "to", 6);
+    sheet_texts(of, sheet, "way", "way");
+    sheet_column(of, sheet, "points", "points", WHIRL_QUANTITY_NUMBER, 6);
+    for (size_t k = 0; k < 2; k++) find_locking(of, &sides[k], sheet);
+    find_sheet_end(of);
+}
+
+void find_lines(const finder *of) {
+    const bool along = of->table->role == WHIRL_ROLE_SURVEY || of->table->role == WHIRL_ROLE_MOTIONS;
+    if (!along || of->table->count < 2 || !*of->table->parameter ||
+        !whirl_layout_field(&of->table->layout, WHIRL_FIELD_SPECTRUM_LINES))
+        return;
+    line_side sides[2];
+    const bool below = side_find(of, true, &sides[0]), above = side_find(of, false, &sides[1]);
+    if (below && above)
+        find_line_sheets(of, sides);
+    else
+        of->findings->failed = true;
+    side_free(&sides[0]);
+    side_free(&sides[1]);
 }

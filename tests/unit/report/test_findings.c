@@ -10,6 +10,7 @@
 #include "findings_build.h"
 #include "report_parts.h"
 #include "sample.h"
+#include "shown_kinds.h"
 
 /// Findings without any in them, of the sweep of the sample.
 typedef struct made {
@@ -263,11 +264,123 @@ static void customary_units(void **state) {
     made_free(&own);
 }
 
+// ---------------------------------------------------------------- lines of spectra
+
+enum { UP = 12, WAYS = 2 * UP };
+
+/// The value of a point of a sweep from 1 to 12, or from 12 to 1; the way back has values in the same order.
+static double value_at(size_t point, bool falls) {
+    return (double)(falls ? UP - point % UP : point % UP + 1);
+}
+
+/// A sweep from 1 to 12 and back (falls: from 12 to 1 and back), whose largest line is 0.3 and once a revolution; the
+/// line beside it by its order and amplitude (0: none) at every point.
+static made swept(double (*beside)[2], whirl_regime regime, bool falls, whirl_table *table) {
+    made own = made_in("");
+    *table = (whirl_table){.count = 0};
+    sample_table(own.result, table, "ways", WAYS, false);
+    for (size_t i = 0; i < WAYS; i++) {
+        const double lines[][2] = {{1.0, 0.3}, {beside[i][1] > 0.0 ? beside[i][0] : 0.0, beside[i][1]}, {0.0, 0.0}};
+        table->values[i] = value_at(i, falls);
+        table->branch[i] = i < UP ? 1 : -1;
+        sample_verdict(table, i, regime, 2, 1);
+        sample_lines(table, i, lines);
+    }
+    own.of.table = table;
+    return own;
+}
+
+static void swept_free(made *own, whirl_table *table) {
+    free(table->values);
+    free(table->branch);
+    free(table->blocks);
+    made_free(own);
+}
+
+static const whirl_sheet *lines_sheet(made *own, const char *name) {
+    for (size_t i = 0; i < own->findings->sheet_count; i++)
+        if (strcmp(own->findings->sheets[i].name, name) == 0) return &own->findings->sheets[i];
+    return NULL;
+}
+
+static bool is_told(const made *own, const char *expected) {
+    for (size_t i = 0; i < own->findings->statement_count; i++) {
+        char text[STATEMENT_SIZE];
+        statement_text(&own->findings->statements[i], text, sizeof text);
+        if (strcmp(text, expected) == 0) return true;
+    }
+    return false;
+}
+
+/// A line that is there from 8 on the way up and down to 5 on the way back, with one amplitude, jumps with a hysteresis
+/// of 3; its order of a half is locked, on both ways.
+static void lines_jump(void **state) {
+    (void)state;
+    for (int falls = 0; falls < 2; falls++) {
+        double beside[WAYS][2] = {{0.0}};
+        whirl_table table;
+        for (size_t i = 0; i < WAYS; i++) {
+            const bool up = (i < UP) != falls;
+            beside[i][0] = 0.5;
+            beside[i][1] = value_at(i, falls) >= (up ? 8.0 : 5.0) ? 0.2 : 0.0;
+        }
+        made own = swept(beside, WHIRL_PERIODIC, falls, &table);
+        own.of.units = &own.units;
+        find_lines(&own.of);
+        const whirl_sheet *edges = lines_sheet(&own, "line-edges"), *locking = lines_sheet(&own, "locking");
+        assert_non_null(edges);
+        assert_int_equal(edges->rows, 1);
+        assert_true(edges->cells[2].number == 8.0 && edges->cells[6].number == 5.0 && edges->cells[10].number == 3.0);
+        assert_string_equal(edges->cells[3].text, "at once");
+        assert_string_equal(edges->cells[7].text, "at once");
+        assert_true(is_told(&own,
+                            "line of order 0.5: begins at once at 8 on the way up; ends at once at 5 on the way down: "
+                            "hysteresis of 3"));
+        assert_non_null(locking);
+        assert_int_equal(locking->rows, 2);
+        assert_string_equal(locking->cells[0].text, "1/2");
+        assert_true(falls || (locking->cells[1].number == 8.0 && locking->cells[2].number == 12.0));
+        assert_true(locking->cells[4].number == (falls ? 8.0 : 5.0));
+        swept_free(&own, &table);
+    }
+}
+
+/// A line that grows as a root of the parameter from 5.5 on, on both ways, neither jumps nor has a hysteresis, and an
+/// order that drifts past a half is locked nowhere; nor is a half of motions that are quasi-periodic.
+static void lines_grow(void **state) {
+    (void)state;
+    double beside[WAYS][2] = {{0.0}};
+    whirl_table table;
+    for (size_t i = 0; i < WAYS; i++) {
+        const double value = value_at(i, false);
+        beside[i][0] = 0.46 + 0.005 * value;
+        beside[i][1] = value > 5.5 ? 0.08 * sqrt(value - 5.5) : 0.0;
+    }
+    made own = swept(beside, WHIRL_PERIODIC, false, &table);
+    own.of.units = &own.units;
+    find_lines(&own.of);
+    const whirl_sheet *edges = lines_sheet(&own, "line-edges");
+    assert_non_null(edges);
+    assert_int_equal(edges->rows, 1);
+    assert_true(edges->cells[2].number == 6.0 && edges->cells[6].number == 6.0 && edges->cells[10].number == 0.0);
+    assert_string_equal(edges->cells[3].text, "gradually");
+    assert_string_equal(edges->cells[7].text, "gradually");
+    assert_null(lines_sheet(&own, "locking"));
+    assert_int_equal(own.findings->statement_count, 1); // the largest line alone
+    swept_free(&own, &table);
+    for (size_t i = 0; i < WAYS; i++) beside[i][0] = 0.5;
+    own = swept(beside, WHIRL_QUASI_PERIODIC, false, &table);
+    own.of.units = &own.units;
+    find_lines(&own.of);
+    assert_null(lines_sheet(&own, "locking"));
+    swept_free(&own, &table);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(phrases),         cmocka_unit_test(empty_columns),      cmocka_unit_test(letters),
         cmocka_unit_test(transposed),      cmocka_unit_test(sheets_of_one_name), cmocka_unit_test(memory_is_lacking),
-        cmocka_unit_test(customary_units),
+        cmocka_unit_test(customary_units), cmocka_unit_test(lines_jump),         cmocka_unit_test(lines_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
