@@ -80,7 +80,7 @@ typedef struct adaptive_lanes {
     lanes_switches *switches;
     lanes_forcing *forcing_at;
     void (*depends)(const void *model, bool *table); ///< as whirl_lanes has it; NULL: all by all
-    const whirl_stop *stop;                       ///< as the options have it
+    const whirl_stop *stop;                          ///< as the options have it
     size_t stride, slots;                            ///< vectors, and slots in them
     size_t degrees;
     size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope

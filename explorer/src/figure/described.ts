@@ -418,7 +418,8 @@ export function pictureOfDescribed(figure: Described, touched = false): Picture 
   const outside = named(figure.panels.filter((panel) => !panel.legend_inside));
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${short(width)}" height="${short(height)}" ` +
-    `viewBox="0 0 ${short(width)} ${short(height)}" role="${touched ? 'group' : 'img'}" font-family="${escaped(FONT)}">` +
+    `viewBox="0 0 ${short(width)} ${short(height)}" role="${touched ? 'group' : 'img'}" ` +
+    `font-family="${escaped(FONT)}">` +
     `<title>${escaped(figure.title)}</title>${rectangle(0, 0, width, height, 'fill="#fff"')}` +
     `<defs>${clips.join('')}</defs>` +
     panels.join('\n') +

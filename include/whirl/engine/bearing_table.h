@@ -121,7 +121,7 @@ typedef struct whirl_bearing_options {
     int threads; ///< 0: one for every core; they change no bit
     /// Called now and then, from one thread at a time; points count as those at rest do. NULL: none.
     void (*progress)(void *context, const struct whirl_progress *progress);
-    void *context;             ///< handed to progress; borrowed
+    void *context;          ///< handed to progress; borrowed
     const whirl_stop *stop; ///< true: points that have not begun are left out; NULL: never
 } whirl_bearing_options;
 

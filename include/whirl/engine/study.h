@@ -225,7 +225,7 @@ typedef struct whirl_run_options {
     /// Called a few times a second from one thread at a time, and at the end. May be NULL.
     void (*progress)(void *context, const whirl_progress *progress);
     void *context;              ///< handed to progress; borrowed
-    const whirl_stop *stop;  ///< NULL, or becomes true when the run shall end early
+    const whirl_stop *stop;     ///< NULL, or becomes true when the run shall end early
     const whirl_keeper *keeper; ///< NULL: every point is computed
     /// Bytes of a table's blocks from which on they are left with the keeper, if there is one, which must then live as
     /// long as the result; 0: 256 MB. Not where points are confirmed or refined: their blocks stay in memory.

@@ -50,7 +50,7 @@ typedef struct rk4_lanes {
     size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
-    const whirl_stop *stop;        ///< as the options have it
+    const whirl_stop *stop;           ///< as the options have it
     const double *forcing;            ///< [2 steps + 1][forcing_count]
     size_t perturbations;             ///< that go along: all states, slopes and stages are [1 + perturbations][...]
     size_t *places;                   ///< of numbers, as a view has them
