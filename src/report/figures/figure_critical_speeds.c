@@ -2,9 +2,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "figure_build.h"
 #include "figure_kinds.h"
+#include "shown_kinds.h"
 
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     (void)of;
@@ -92,6 +94,64 @@ static bool has_ratios(const whirl_table *table) {
            fabs((v[1] - v[0]) * (double)last - (v[last] - v[0])) > 1e-6 * fabs(v[last] - v[0]);
 }
 
+/// The running speeds that any table of the result tells, rad/s; false where none does.
+static bool running_of(const whirl_result *result, double *low, double *high) {
+    for (size_t t = 0; t < result->table_count; t++)
+        if (margin_running(&result->tables[t], low, high)) return true;
+    return false;
+}
+
+/// A band over the whole map, drawn before all lines.
+static void add_running(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
+                        double unit) {
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    double low, high;
+    span along = span_empty();
+    if (!running_of(of->result, &low, &high)) return;
+    for (size_t point = 0; point < table->count; point++) span_widen(&along, table->values[point] / size);
+    whirl_series *band = panel_named(figure, panel, WHIRL_BOXES, "running speeds", "#D8D8D8", 1.0);
+    series_add_box(figure, band, along, (span){low / unit, fmax(high, 1.002 * low) / unit});
+}
+
+/// Whether names at two speeds meet, nearer than a 22nd of what the axis shows of all of them.
+static bool names_meet(const whirl_panel *panel, span all, double one, double other) {
+    if (panel->y.logarithmic && all.low > 0.0) return log(other / one) < log(all.high / all.low) / 22.0;
+    return other - one < (all.high - all.low) / 22.0;
+}
+
+/// Names of lines at the last point, "1F" for the first that goes forward, B for backward and M for to and fro; of
+/// lines that end too near to one another they stand side by side.
+static void add_names(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
+                      double unit) {
+    const double size = whirl_shown_parameter(of->units, table->parameter).size;
+    const size_t last = table->count - 1;
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
+    const double *speeds = whirl_table_field(table, last, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
+    const double *directions = whirl_table_field(table, last, WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, 0);
+    whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, "#303030", 1.0);
+    size_t number[3] = {0, 0, 0};
+    char text[WHIRL_NAME_SIZE] = "";
+    double before = 0.0;
+    span all = span_empty();
+    if (names) names->side = WHIRL_LEFT;
+    for (size_t point = 0; point < table->count; point++)
+        for (size_t i = 0; whirl_table_done(table, point) && i < field->rows; i++)
+            span_widen(&all, whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0)[i]);
+    for (size_t i = 0; whirl_table_done(table, last) && i < field->rows && isfinite(speeds[i]); i++) {
+        const int way = units_way(directions[i]);
+        const size_t used = strlen(text);
+        const bool near = used > 0 && names_meet(panel, all, before, speeds[i]);
+        if (used > 0 && !near) {
+            series_add_text(figure, names, table->values[last] / size, before / unit, text);
+            *text = '\0';
+        }
+        snprintf(text + (near ? used : 0), sizeof text - (near ? used : 0), "%s%zu%c", near ? ", " : "",
+                 ++number[way + 1], "BMF"[way + 1]);
+        before = speeds[i];
+    }
+    if (*text) series_add_text(figure, names, table->values[last] / size, before / unit, text);
+}
+
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const whirl_unit speed = of->units->speed.size > 0.0 ? of->units->speed : (whirl_unit){"rpm", 0.104719755119659774};
@@ -100,14 +160,16 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     symbol_parameter(of->units, table->parameter, panel->x.label, sizeof panel->x.label);
     snprintf(panel->y.label, sizeof panel->y.label, "critical speed (%s)", speed.name);
     panel->x.logarithmic = panel->y.logarithmic = has_ratios(table);
+    add_running(figure, panel, of, table, speed.size);
     for (int direction = 1; direction >= -1; direction--)
         add_direction(figure, panel, of, table, direction, speed.size);
     const bool springs = table_has(table, WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS);
     for (size_t k = 0; k < 2 * of->result->station_count && springs; k++)
         add_bearings(figure, panel, of, table, k / 2, k % 2, speed.size);
+    add_names(figure, panel, of, table, speed.size);
     snprintf(figure->caption, sizeof figure->caption,
              "Critical speeds of the machine without damping over %s: speeds at which a mode goes round once a "
-             "revolution, with the rotation (blue) or against it (orange, dashed).%s",
+             "revolution, with the rotation (blue, 1F, 2F, ...) or against it (orange, dashed, 1B, 2B, ...).%s",
              table->parameter,
              springs
                  ? " Springs of that stiffness stand in the place of all bearings, whose own stiffness over the speed "

@@ -155,16 +155,30 @@ static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
     return panel->y.shown ? BARE + figure_number_width(figure) + label : BARE;
 }
 
+/// cm on the left of a panel of a row, the same in all rows of as many panels of these widths: their axes are below one
+/// another.
+static double left_in_column(const whirl_figure *figure, size_t first, size_t end, size_t panel) {
+    double left = 0.0;
+    for (size_t other = 0, next; other < figure->count; other = next) {
+        next = row_end(figure, other);
+        bool alike = next - other == end - first;
+        for (size_t i = 0; alike && i < end - first; i++)
+            alike = fabs(figure->panels[other + i]->width - figure->panels[first + i]->width) < 1e-9;
+        if (alike) left = fmax(left, left_of(figure, figure->panels[other + panel - first]));
+    }
+    return left;
+}
+
 /// What is left beside numbers and labels is shared out.
 static void place_row(whirl_figure *figure, size_t first, size_t end, double top) {
     const double wide = figure->width - (*figure->scale.label ? SCALE : 0.0);
     double shares = 0.0, inner = 0.0, left = 0.0;
     for (size_t i = first; i < end; i++) shares += figure->panels[i]->width;
     inner = shares * wide;
-    for (size_t i = first; i < end; i++) inner -= left_of(figure, figure->panels[i]) + RIGHT;
+    for (size_t i = first; i < end; i++) inner -= left_in_column(figure, first, end, i) + RIGHT;
     for (size_t i = first; i < end; i++) {
         whirl_panel *panel = figure->panels[i];
-        panel->left = (left + left_of(figure, panel)) / figure->width;
+        panel->left = (left + left_in_column(figure, first, end, i)) / figure->width;
         panel->right = panel->left + inner * panel->width / shares / figure->width;
         panel->top = 1.0 - top / figure->height;
         panel->bottom = 1.0 - (top + panel->height) / figure->height;

@@ -26,7 +26,6 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     const whirl_table *table = place->table;
     whirl_panel *panel = figure_panel(figure, "ratio", 1.0, 7.5);
     double end = 1.25 * dense;
-    (void)of;
     if (!panel) return;
     snprintf(panel->x.label, sizeof panel->x.label, "average density of the gas (kg/m3)");
     snprintf(panel->y.label, sizeof panel->y.label, "critical speed ratio");
@@ -38,13 +37,20 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     whirl_series *dots[2];
     for (int region = 0; region < 2; region++)
         dots[region] = panel_named(figure, panel, WHIRL_DOTS, region ? "machine, in B" : "machine, in A",
-                                   line_colour(region), 1.0);
+                                   line_colour(region), 3.2);
+    whirl_series *names = *table->parameter ? panel_series(figure, panel, WHIRL_TEXTS, "#303030", 1.0) : NULL;
+    const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
+    if (names) names->side = WHIRL_BESIDE;
     for (size_t point = 0; point < table->count; point++) {
         if (!stands(table, point)) continue;
         const bool in_b = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0) > 0.5;
         const double density = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_DENSITY, 0);
         end = fmax(end, 1.1 * density);
-        series_add(figure, dots[in_b], density, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_RATIO, 0));
+        const double ratio = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_RATIO, 0);
+        char text[2 * WHIRL_NAME_SIZE];
+        snprintf(text, sizeof text, "%.6g %s", table->values[point] / unit.size, unit.name);
+        series_add(figure, dots[in_b], density, ratio);
+        if (names) series_add_text(figure, names, density, ratio, text);
     }
     series_add(figure, line, end, 0.0);
     snprintf(figure->caption, sizeof figure->caption,

@@ -45,7 +45,10 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     snprintf(panel->x.label, sizeof panel->x.label, "cross coupling of all stages (MN/m)");
     snprintf(panel->y.label, sizeof panel->y.label, "logarithmic decrement");
     whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "least of forward modes", line_colour(0), 1.2);
+    const double limit = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0);
     for (size_t i = 0; i < field->rows; i++) {
+        // Between two numbers of the curve it goes through the limit, where it is 0.
+        if (i > 0 && limit > coupling[i - 1] && limit < coupling[i]) series_add(figure, line, limit / mega, 0.0);
         series_add(figure, line, coupling[i] / mega, curve[i]);
         low = fmin(low, curve[i]);
         high = fmax(high, curve[i]);
@@ -56,10 +59,12 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     if (level) level->dashed = true;
     series_add(figure, level, 0.0, least);
     series_add(figure, level, coupling[field->rows - 1] / mega, least);
+    whirl_series *zero = panel_series(figure, panel, WHIRL_LINE, "#909090", 0.5);
+    series_add(figure, zero, 0.0, 0.0);
+    series_add(figure, zero, coupling[field->rows - 1] / mega, 0.0);
     add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_ANTICIPATED, 0) / mega, low, high,
              "anticipated", 1);
-    add_mark(figure, panel, whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0) / mega, low, high, "limit",
-             2);
+    add_mark(figure, panel, limit / mega, low, high, "limit", 2);
     snprintf(
         figure->caption, sizeof figure->caption,
         "The least logarithmic decrement of forward modes up to the speed over the cross coupling of all stages, each "

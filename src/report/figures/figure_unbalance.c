@@ -70,21 +70,23 @@ static const char *source_of(size_t which) {
 }
 
 static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    static const char *const names[] = {"first probe", "second probe", "major axis"};
     double most = 0.0;
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->y.label, sizeof panel->y.label);
-    panel->keyed = true;
     for (size_t point = 0; point < v->table->count; point++)
         for (size_t which = 0; which < 3; which++) {
             const double *at = field_of(v, point, source_of(which));
             if (at) most = fmax(most, amplitude_at(v, point) * at[which % 2]);
         }
-    const double high = most > 0.0 ? 1.22 * most : 1.0;
+    const double high = most > 0.0 ? 1.06 * most : 1.0;
     axis_show(&panel->y, (span){0.0, high});
     add_running(figure, panel, v, high);
     for (size_t which = 0; which < 3; which++) {
+        char name[WHIRL_NAME_SIZE] = "major axis";
+        if (which < 2)
+            snprintf(name, sizeof name, "probe at %.4g\u00b0",
+                     v->table->record.probe_angle * 360.0 / two_pi + (which ? 90.0 : 0.0));
         whirl_series *line =
-            panel_named(figure, panel, WHIRL_LINE, names[which], which == 2 ? "#9A9A9A" : line_colour(which), 0.55);
+            panel_named(figure, panel, WHIRL_LINE, name, which == 2 ? "#9A9A9A" : line_colour(which), 0.55);
         if (line) line->dashed = which == 2;
         for (size_t point = 0; point < v->table->count; point++) {
             const double *at = field_of(v, point, source_of(which));
@@ -93,25 +95,97 @@ static void add_amplitudes(whirl_figure *figure, whirl_panel *panel, const view 
     }
 }
 
-/// One scale for both axes, with room for the origin.
+/// Circles of equal amplitude and rays of equal lag, with their names; `high`: the largest amplitude shown.
+static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) {
+    enum { STEPS = 96, RAYS = 8 };
+    const double step = tick_step(high, 4);
+    whirl_series *grid = panel_series(figure, panel, WHIRL_LINE, "#C8C8C8", 0.35);
+    whirl_series *numbers = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
+    whirl_series *lags = panel_series(figure, panel, WHIRL_TEXTS, "#303030", 1.0);
+    for (int k = 1; k * step <= 1.001 * high; k++) {
+        char text[32];
+        for (int i = 0; i <= STEPS; i++)
+            series_add(figure, grid, k * step * cos(two_pi * i / STEPS), k * step * sin(two_pi * i / STEPS));
+        series_break(figure, grid);
+        snprintf(text, sizeof text, "%g", k * step);
+        series_add_text(figure, numbers, k * step * cos(two_pi / 16.0), k * step * sin(two_pi / 16.0), text);
+    }
+    for (int k = 0; k < RAYS; k++) {
+        const double angle = -two_pi * k / RAYS; // against the rotation the lag grows
+        char text[16];
+        series_add(figure, grid, 0.0, 0.0);
+        series_add(figure, grid, high * cos(angle), high * sin(angle));
+        series_break(figure, grid);
+        snprintf(text, sizeof text, "%d\u00b0", 360 / RAYS * k);
+        series_add_text(figure, lags, 1.13 * high * cos(angle), (1.13 * sin(angle) - 0.055) * high, text);
+    }
+}
+
+/// Amplitude and lag that a probe sees at a point, as a place of the polar diagram; false where there are none.
+static bool polar_place(const view *v, size_t point, size_t probe, double place[2]) {
+    const double *at = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE);
+    const double *lag = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
+    if (!at || !lag || !isfinite(lag[probe])) return false;
+    const double size = amplitude_at(v, point) * at[probe], angle = lag[probe] * two_pi / 360.0;
+    place[0] = size * cos(angle);
+    place[1] = -size * sin(angle);
+    return true;
+}
+
+/// Marks with their speed on the line of a probe, at round values of the parameter; names that would meet another one
+/// are left out.
+static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe, double high,
+                       double (*named)[2], size_t *count) {
+    enum { MOST_NAMED = 32 };
+    span range = span_empty();
+    for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
+    const double step = tick_step(range.high - range.low, 6);
+    whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 1.8);
+    whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, line_colour(probe), 1.0);
+    if (names) names->side = WHIRL_BESIDE;
+    for (double value = step * ceil(range.low / step); step > 0.0 && value <= range.high; value += step) {
+        double one[2], other[2];
+        size_t point = 0;
+        while (point + 2 < v->table->count && !(value_at(v, point + 1) >= value)) point++;
+        if (point + 1 >= v->table->count) return;
+        const double from = value_at(v, point), share = (value - from) / (value_at(v, point + 1) - from);
+        if (!(share >= 0.0 && share <= 1.0) || !polar_place(v, point, probe, one) ||
+            !polar_place(v, point + 1, probe, other))
+            continue;
+        const double x = one[0] + share * (other[0] - one[0]), y = one[1] + share * (other[1] - one[1]);
+        bool meets = *count == MOST_NAMED;
+        for (size_t i = 0; i < *count; i++)
+            meets = meets || (fabs(named[i][0] - x) < 0.45 * high && fabs(named[i][1] - y) < 0.13 * high);
+        series_add(figure, marks, x, y);
+        if (meets) continue;
+        char text[32];
+        snprintf(text, sizeof text, "%g", value);
+        series_add_text(figure, names, x, y, text);
+        named[*count][0] = x;
+        named[(*count)++][1] = y;
+    }
+}
+
+/// The polar diagram of both probes, the origin in its middle.
 static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    span x = {0.0, 0.0}, y = {0.0, 0.0};
+    double most = 0.0, place[2], named[32][2];
+    size_t count = 0;
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->x.label, sizeof panel->x.label);
+    for (size_t i = 0; i < 2 * v->table->count; i++)
+        if (polar_place(v, i / 2, i % 2, place)) most = fmax(most, hypot(place[0], place[1]));
+    const double high = most > 0.0 ? 1.04 * most : 1.0;
+    add_lag_axes(figure, panel, high);
     for (size_t probe = 0; probe < 2; probe++) {
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(probe), 0.53);
-        for (size_t point = 0; point < v->table->count; point++) {
-            const double *at = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE);
-            const double *lag = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
-            if (!at || !lag) continue;
-            const double size = amplitude_at(v, point) * at[probe], angle = lag[probe] * two_pi / 360.0;
-            series_add(figure, line, size * cos(angle), -size * sin(angle));
-            span_widen(&x, size * cos(angle));
-            span_widen(&y, -size * sin(angle));
-        }
+        for (size_t point = 0; point < v->table->count; point++)
+            if (polar_place(v, point, probe, place)) series_add(figure, line, place[0], place[1]);
+        add_speeds(figure, panel, v, probe, high, named, &count);
     }
-    const double width = fmax(1.16 * fmax(x.high - x.low, y.high - y.low), 1e-300);
-    axis_show(&panel->x, span_with_margin(x, 0.08, width));
-    axis_show(&panel->y, span_with_margin(y, 0.08, width));
+    axis_show(&panel->x, (span){-1.3 * high, 1.3 * high});
+    axis_show(&panel->y, (span){-1.3 * high, 1.3 * high});
+    panel->y.shown = false;
+    axis_tick(figure, &panel->x, 0.0, "");
+    axis_tick(figure, &panel->y, 0.0, "");
 }
 
 /// What moves less than a thousandth of its place stands still.
@@ -153,7 +227,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     span range = span_empty(), running;
     figure->width = 17.5;
     for (size_t i = 0; i < table->count; i++) span_widen(&range, table->values[i] / v.size);
-    whirl_panel *lag = figure_panel(figure, "lag", 0.6, 3.6), *polar = figure_panel(figure, "polar", 0.4, 3.6);
+    whirl_panel *lag = figure_panel(figure, "lag", 0.6, 4.6), *polar = figure_panel(figure, "polar", 0.4, 4.6);
     whirl_panel *amplitude = figure_panel(figure, "amplitude", 0.6, 4.6);
     whirl_panel *centreline = figure_panel(figure, "centreline", 0.4, 4.6);
     if (!lag || !polar || !amplitude || !centreline) return;
@@ -169,10 +243,10 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     snprintf(
         figure->caption, sizeof figure->caption,
         "Synchronous response of %s over %s. Left: by how much the peak comes after the mark, and amplitude, of two "
-        "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag "
-        "grows); centreline of the shaft.%s",
+        "probes, the first at %.4g degrees from the x axis. Right: polar diagram (against the rotation the lag grows), "
+        "with marks at round values of %s; centreline of the shaft.%s",
         of->result->stations[v.station].name, table->parameter, table->record.probe_angle * 360.0 / two_pi,
-        running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
+        table->parameter, running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
 }
 
 const figure_kind unbalance_figure = {.list = list,
