@@ -80,12 +80,15 @@ const element_machine element_machines[] = {
     {"squeeze", "squeeze: {" FILM "}", 0},
     {"pad_bearing", "pad_bearing: {" FILM ", shape: elliptical, preload: 0.5}", 0},
     {"pad_bearing", "pad_bearing: {" FILM ", shape: offset-half, preload: 0.5}", 0},
-    {"tilting_pad", "tilting_pad: {" FILM ", pivots: [@20, @110, @200, @290], arc: 80 deg, preload: 0.5}",
-     MACHINE_OWN_STATES},
+    {"tilting_pad", "tilting_pad: {" FILM ", pivots: [@20, @110, @200, @290], arc: 80 deg, preload: 0.5}", 0},
     {"tilting_pad",
      "tilting_pad: {" FILM ", pivots: [@20, @110, @200, @290], arc: 80 deg, preload: 0.5, "
      "inertia: 1e-4 kg.m2}",
-     MACHINE_OWN_STATES},
+     0},
+    {"tilting_pad",
+     "tilting_pad: {" FILM ", pivots: [@20, @110, @200, @290], arc: 80 deg, preload: 0.5, "
+     "inertia: 1e-4 kg.m2, pivot_stiffness: 500 MN/m, pivot_damping: 10 kN.s/m, pad_mass: 0.2 kg}",
+     0},
     {"contact",
      "contact: {" STATOR ", stiffness: 3e9, law: hunt_crossley, loss: 0.5 s/m, friction_law: stribeck, "
      "static_friction: 0.2, stribeck_speed: 100 mm/s, slip_speed: 50 mm/s, arc: 200 deg, arc_middle: @-60}",
@@ -98,7 +101,12 @@ const element_machine element_machines[] = {
      "magnetic: {at: rotor, from: stator, angle: @30, gap: 0.5 mm, bias: 3 A, turns: 120, area: 400 mm2, "
      "max_current: 5 A, proportional: 20000 A/m, integral: 100000 A/(m.s), derivative: 40 A.s/m, "
      "derivative_filter: 0.2 ms}",
-     MACHINE_OWN_STATES},
+     MACHINE_SLOW},
+    {"magnetic",
+     "magnetic: {at: rotor, from: stator, angle: @30, law: linear, current_stiffness: 200 N/A, displacement_stiffness: "
+     "2 MN/m, "
+     "proportional: 20000 A/m, derivative: 40 A.s/m, derivative_filter: 0.2 ms, amplifier_bandwidth: 2 kHz}",
+     0},
     {"blade_rub",
      "blade_rub: {at: rotor, from: stator, blades: 4, radius: 300 mm, gap: 20 um, stiffness: [2e7, 1.8e7, 2e7, "
      "1.8e7], friction: 0.1, angle: @70}",
@@ -106,7 +114,7 @@ const element_machine element_machines[] = {
     {"floating_ring",
      "floating_ring: {at: rotor, ring: stator, inertia: 1e-4 kg.m2, clearance: 0.1 mm, radius: 20 mm, length: 20 mm, "
      "viscosity: 10 mPa.s, outer_clearance: 0.2 mm, outer_radius: 25 mm, outer_length: 20 mm}",
-     MACHINE_OWN_STATES},
+     0},
     {"joint", TILTING "joint: {between: [rotor, stator], bend: 10 deg, torque: 500 N.m, direction: @70, yoke: @20}",
      MACHINE_TURNS},
     {"coupling_load",

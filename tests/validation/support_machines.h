@@ -11,9 +11,7 @@ enum {
     MACHINE_TURNS = 1,   ///< coefficients that turn with the shaft: no limit of speed 0, no response about rest
     MACHINE_NO_REST = 2, ///< nothing at rest or at speed 0
     MACHINE_SHARP = 4,   ///< forces that jump, or contacts that are not located: methods agree to the step alone
-    /// Coordinates of its own that are no lengths (tilts of pads, currents, the speed of a ring): distances of states,
-    /// and with them returns, growth and settling, depend on the length scale.
-    MACHINE_OWN_STATES = 8
+    MACHINE_SLOW = 8     ///< modes so slow that growth, of a copy in some direction, is that of several still
 };
 
 /// A machine of one element, between a rotor and a stator on springs. In its text `@40` is an angle of 40 degrees and

@@ -173,6 +173,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     out->law = (int)bearing.count;
     out->states = !tilting ? 0 : light ? bearing.count : 2 * bearing.count;
     out->number[PADS_OVER_CLEARANCE] = to->length / values[PADS_CLEARANCE].number;
+    out->number[PADS_CLEARANCE_UNIT] = values[PADS_CLEARANCE].number / to->length;
     out->number[PADS_TWICE] = 2.0 / fabs(turn);
     out->number[PADS_SIGN] = sign;
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
@@ -199,7 +200,8 @@ void pads_begin(const element *own, double *states) {
     const whirl_pad alone = {
         .arc = key.arc, .offset = 0.5 - lead / key.arc, .preload = hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])};
     const double tilt = pad_centred_tilt(&alone, key.ratio, key.law == CAVITATION_GUMBEL);
-    for (size_t p = 0; p < (size_t)own->law; p++) states[pads_are_light(own) ? p : 2 * p] = tilt;
+    for (size_t p = 0; p < (size_t)own->law; p++)
+        states[pads_are_light(own) ? p : 2 * p] = own->number[PADS_CLEARANCE_UNIT] * tilt;
 }
 
 static double table_of(const element *own, size_t pad) {

@@ -6,10 +6,12 @@
 #define KERNEL_SWITCHES 0
 
 /// The shaft's speed over the clock; the ring's with both in the middle; of both films one over the clearance in length
-/// scales, the scale of the force in newtons, and what the drag is of the ring's angular acceleration by tau.
+/// scales, the scale of the force in newtons, and what the drag is of the ring's angular acceleration by tau. Its state
+/// counts the speed in the inner clearance by length scales, so that distances of states do not depend on these.
 enum {
     RING_TURN,
     RING_SPEED,
+    RING_STATE_UNIT,
     RING_INNER_OVER_CLEARANCE,
     RING_INNER_STRENGTH,
     RING_INNER_DRAG,
@@ -120,6 +122,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     build_side(&outer, values[INERTIA].number, to, out->number + RING_OUTER_OVER_CLEARANCE);
     const double driven = out->number[RING_INNER_DRAG];
     out->number[RING_TURN] = own * to->turn;
+    out->number[RING_STATE_UNIT] = inner.clearance / to->length;
     out->number[RING_SPEED] = own * to->turn * driven / (driven + out->number[RING_OUTER_DRAG]);
     generic_scale(out, to, 1.0);
     return whirl_ok();

@@ -7,8 +7,8 @@
 //
 //     2 pi mu R^3 L (a - b)/(c sqrt(1 - e^2))
 //
-// on either side (Petroff's law, over the mean of 1/h). r is a state, less what it is with journal and ring in the
-// middle. Beyond a wall the force is not a number, and the motion counts as diverged.
+// on either side (Petroff's law, over the mean of 1/h). r, less what it is with journal and ring in the middle, is a
+// state, in RING_STATE_UNIT. Beyond a wall the force is not a number, and the motion counts as diverged.
 
 /// Force on the inner one of two places d apart that move apart at w, and sqrt(1 - e^2).
 static inline void KERNEL(ring_film)(vec over_clearance, vec strength, const num *d, const num *w, num s, num *force,
@@ -32,7 +32,9 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
                                  num *force, num *slope) {
     const vec *number = view->number;
     const size_t stride = view->stride;
-    const num turn = n_of(number[RING_TURN * stride]), ring = n_add(s[0], n_of(number[RING_SPEED * stride]));
+    const num turn = n_of(number[RING_TURN * stride]);
+    const num speed = n_scale(number[RING_INNER_OVER_CLEARANCE * stride], s[0]);
+    const num ring = n_add(speed, n_of(number[RING_SPEED * stride]));
     num inner, outer;
     (void)own;
     KERNEL(ring_film)
@@ -41,6 +43,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     KERNEL(ring_film)
     (number[RING_OUTER_OVER_CLEARANCE * stride], number[RING_OUTER_STRENGTH * stride], d + 2, w + 2, ring, force + 2,
      &outer);
-    slope[0] = n_sub(n_div(n_scale(number[RING_INNER_DRAG * stride], n_sub(turn, ring)), inner),
-                     n_div(n_scale(number[RING_OUTER_DRAG * stride], ring), outer));
+    const num rate = n_sub(n_div(n_scale(number[RING_INNER_DRAG * stride], n_sub(turn, ring)), inner),
+                           n_div(n_scale(number[RING_OUTER_DRAG * stride], ring), outer));
+    slope[0] = n_scale(number[RING_STATE_UNIT * stride], rate);
 }

@@ -186,33 +186,40 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     const vec *pads[MAX_PADS];
     for (size_t p = 0; p < count; p++) pads[p] = view->number + (PADS_FIRST + p * PAD_NUMBERS) * stride;
 #ifdef KERNEL_FEWER_STATES
-    for (int i = 0; i < STATES_OF(own); i++) slope[i] = n_set(0.0); // compilers do not see that pads set them all
-    const num *yields = s + (pads_are_light(own) ? count : 2 * count);
+    // Places of pads are states, which count in length scales as all displacements do; here in the clearance.
+    num place[KERNEL_STATES], rate[KERNEL_STATES];
+    for (int i = 0; i < STATES_OF(own); i++) {
+        place[i] = n_scale(over, s[i]);
+        rate[i] = n_set(0.0); // compilers do not see that pads set them all
+    }
+    const num *yields = place + (pads_are_light(own) ? count : 2 * count);
     if (pads_are_light(own)) {
         pads_pivot pivots[MAX_PADS];
         for (size_t p = 0; p < count; p++) {
-            KERNEL(pads_see)(view, pads[p], journal, s[p], yields + 2 * p, &seen[p]);
-            KERNEL(pads_prepare)(view, pads[p], &seen[p], s[p], &pivots[p]);
+            KERNEL(pads_see)(view, pads[p], journal, place[p], yields + 2 * p, &seen[p]);
+            KERNEL(pads_prepare)(view, pads[p], &seen[p], place[p], &pivots[p]);
         }
         pads_balance(pivots, count);
         for (size_t p = 0; p < count; p++)
-            slope[p] = KERNEL(pads_found)(view, pads[p], &pivots[p], &seen[p], s[p], f[p]);
+            rate[p] = KERNEL(pads_found)(view, pads[p], &pivots[p], &seen[p], place[p], f[p]);
     } else {
         for (size_t p = 0; p < count; p++) {
-            KERNEL(pads_see)(view, pads[p], journal, s[2 * p], yields + 2 * p, &seen[p]);
-            KERNEL(pads_turn)(view, pads[p], s[2 * p + 1], &seen[p]);
+            KERNEL(pads_see)(view, pads[p], journal, place[2 * p], yields + 2 * p, &seen[p]);
+            KERNEL(pads_turn)(view, pads[p], place[2 * p + 1], &seen[p]);
             KERNEL(pads_film_begin)(pads[p][PAD_TABLE * stride], &seen[p]);
         }
         for (size_t p = 0; p < count; p++) {
             KERNEL(pads_film_end)(&seen[p], f[p]);
-            slope[2 * p] = s[2 * p + 1];
-            slope[2 * p + 1] = n_sub(n_set(0.0), KERNEL(pads_moments)(view, pads[p], s[2 * p], s[2 * p + 1], f[p]));
+            rate[2 * p] = place[2 * p + 1];
+            rate[2 * p + 1] =
+                n_sub(n_set(0.0), KERNEL(pads_moments)(view, pads[p], place[2 * p], place[2 * p + 1], f[p]));
         }
     }
 #if PADS_YIELD
     for (size_t p = 0; p < count; p++)
-        KERNEL(pads_yielding)(view, pads[p], yields + 2 * p, f[p], slope + (yields - s) + 2 * p);
+        KERNEL(pads_yielding)(view, pads[p], yields + 2 * p, f[p], rate + (yields - place) + 2 * p);
 #endif
+    for (int i = 0; i < STATES_OF(own); i++) slope[i] = n_scale(view->number[PADS_CLEARANCE_UNIT * stride], rate[i]);
 #else
     for (size_t p = 0; p < count; p++) {
         KERNEL(pads_see)(view, pads[p], journal, n_set(0.0), NULL, &seen[p]);

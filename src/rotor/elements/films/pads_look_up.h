@@ -15,6 +15,7 @@ enum { MAX_PADS = WHIRL_MAX_TILTING };
 /// pads on pivots that yield the same along the radius.
 enum {
     PADS_OVER_CLEARANCE,
+    PADS_CLEARANCE_UNIT,
     PADS_TWICE,
     PADS_SIGN,
     PADS_TILT_FORCE,

@@ -161,7 +161,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
 }
 #endif
 
-/// Where the states of a pad begin: its tilt, and how far it has moved outwards.
+/// Where the states of a pad begin, in length scales: its tilt, and how far it has moved outwards.
 static size_t pads_tilt_state(const element *own, size_t pad) {
     return pads_are_light(own) ? pad : 2 * pad;
 }
@@ -180,17 +180,18 @@ static bool pads_may_stay(const pads_rest *at, double tilt) {
 /// element_type.settle.
 static bool pads_settle(const element *own, const double *q, double *states, bool *idle) {
     const kernel_view view = {.stride = 1, .number = own->number};
+    const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
     bool settled = true;
     for (size_t p = 0; p < (size_t)own->law && settled; p++) {
         const size_t tilt = pads_tilt_state(own, p), yield = pads_yield_state(own, p);
-        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS, .begin = states[tilt]};
+        pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS, .begin = over * states[tilt]};
         bool alone = false;
         pads_journal(own, q, at.journal);
         settled = pads_settle_pad(&at, &alone);
-        if (!alone || !pads_may_stay(&at, states[tilt])) states[tilt] = at.tilt;
+        if (!alone || !pads_may_stay(&at, over * states[tilt])) states[tilt] = unit * at.tilt;
         idle[tilt] = alone;
         if (!pads_are_light(own)) idle[tilt + 1] = alone, states[tilt + 1] = 0.0;
-        if (PADS_YIELD) states[yield] = at.yield[0], states[yield + 1] = 0.0;
+        if (PADS_YIELD) states[yield] = unit * at.yield[0], states[yield + 1] = 0.0;
     }
     return settled;
 }
@@ -199,15 +200,15 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
 /// pivots; on those that yield there is none.
 static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
     const kernel_view view = {.stride = 1, .number = own->number};
-    const double unit = 1.0 / own->number[PADS_OVER_CLEARANCE];
+    const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
     *out = (element_film){.least = INFINITY, .wall = PADS_YIELD ? 0.0 : INFINITY, .pads = (size_t)own->law};
     for (size_t p = 0; p < (size_t)own->law; p++) {
         pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS};
         double place[2];
         pads_view_plain seen;
         pads_journal(own, q, at.journal);
-        if (PADS_YIELD) at.yield[0] = states[pads_yield_state(own, p)];
-        pads_moment_at(&at, states[pads_tilt_state(own, p)]);
+        if (PADS_YIELD) at.yield[0] = over * states[pads_yield_state(own, p)];
+        pads_moment_at(&at, over * states[pads_tilt_state(own, p)]);
         pads_see_plain(&view, at.pad, at.journal, at.tilt, at.yield, &seen);
         out->held[p] = at.size > pads_no_film;
         if (out->held[p]) out->least = fmin(out->least, unit * pads_thinnest(at.pad, seen.x, seen.y));

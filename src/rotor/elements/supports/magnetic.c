@@ -18,8 +18,12 @@ enum { BLOCK_ORDER = 6, BLOCK_NUMBERS = 2 * BLOCK_ORDER + 1 };
 /// The law: linear in current and place, fails; from MAGNETIC_ORDERS on the orders of the transfer functions.
 enum { MAGNETIC_LINEAR = 1, MAGNETIC_FAILS = 2, MAGNETIC_ORDERS = 2, ORDER_BITS = 3 };
 
-/// k cos a over the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by length scales; cosine and
-/// sine of the first axis; lambda; where x is when currents begin to fall, and 1 over by how much it grows meanwhile.
+/// Currents, and the clock x of those that fail as 1 A, are counted in what they come to by a displacement of a length
+/// scale, so that distances of states do not depend on that: of law quadratic in i_0 by s_0, of linear ones in k_s/k_i.
+///
+/// k cos a over the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by length scales; 1 A;
+/// cosine and sine of the first axis; lambda; where x is when currents begin to fall, and 1 over by how much it grows
+/// meanwhile.
 enum {
     MAGNETIC_FORCE,
     MAGNETIC_GAP,
@@ -27,6 +31,7 @@ enum {
     MAGNETIC_MOST,
     MAGNETIC_BY_CURRENT,
     MAGNETIC_BY_PLACE,
+    MAGNETIC_AMPERE,
     MAGNETIC_COS,
     MAGNETIC_SIN,
     MAGNETIC_CLOCK,
@@ -203,14 +208,14 @@ static void put(const transfer *from, double clock, double unit, int part, eleme
     out->states += 2 * (size_t)m;
 }
 
-static whirl_status put_loop(const key_value *values, const assembly *to, element *out) {
+static whirl_status put_loop(const key_value *values, const assembly *to, double ampere, element *out) {
     const transfer sensor = lag(&values[SENSOR_BANDWIDTH], &values[SENSOR_DAMPING]), law = pid(values);
     const transfer amplifier = lag(&values[AMPLIFIER_BANDWIDTH], &values[AMPLIFIER_DAMPING]);
     transfer behind;
     const whirl_status status = filter(values, &behind);
     if (status.code != WHIRL_OK) return status;
     put(&sensor, to->clock, 1.0, SENSOR, out);
-    put(&law, to->clock, to->length, PID, out); // amperes from here on
+    put(&law, to->clock, to->length * ampere, PID, out); // currents from here on
     put(&behind, to->clock, 1.0, FILTER, out);
     put(&amplifier, to->clock, 1.0, AMPLIFIER, out);
     return whirl_ok();
@@ -260,7 +265,7 @@ static whirl_status check_keys(const key_value *values) {
     return whirl_ok();
 }
 
-/// Amperes that no coil comes to.
+/// A current that no coil comes to.
 static const double NO_LIMIT = 0x1p300;
 
 /// mu_0, N/A2: 4 pi 1e-7 to nine digits.
@@ -272,6 +277,14 @@ static double strength(const key_value *values) {
     return values[CONSTANT].given ? values[CONSTANT].number : 0.25 * permeability * turns * turns * values[AREA].number;
 }
 
+/// 1 A in the unit of currents. A linear bearing without k_s has no current that is usual by a displacement.
+static double ampere_of(const key_value *values, double length) {
+    const double usual = 1e4; // A/m
+    double by_place = values[BIAS].number / values[GAP].number;
+    if (values[LAW].choice == LINEAR) by_place = values[PLACE_STIFFNESS].number / values[CURRENT_STIFFNESS].number;
+    return 1.0 / ((by_place > 0.0 ? by_place : usual) * length);
+}
+
 static void put_failure(const key_value *values, const assembly *to, element *out) {
     if (!values[FAILS_AFTER].given) return;
     const double after = 6.283185307179586476925 * values[FAILS_AFTER].number, lambda = 1.0 / after;
@@ -279,8 +292,8 @@ static void put_failure(const key_value *values, const assembly *to, element *ou
     out->law |= MAGNETIC_FAILS;
     out->states++;
     out->number[MAGNETIC_CLOCK] = lambda;
-    out->number[MAGNETIC_FAILS_AT] = 0.0 - expm1(-1.0);
-    out->number[MAGNETIC_FALLS] = 1.0 / (exp(-1.0) * (0.0 - expm1(-lambda * within)));
+    out->number[MAGNETIC_FAILS_AT] = out->number[MAGNETIC_AMPERE] * (0.0 - expm1(-1.0));
+    out->number[MAGNETIC_FALLS] = 1.0 / (out->number[MAGNETIC_AMPERE] * exp(-1.0) * (0.0 - expm1(-lambda * within)));
 }
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -289,13 +302,16 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     out->law = values[LAW].choice == LINEAR ? MAGNETIC_LINEAR : 0;
     out->states = 0;
-    if (status.code == WHIRL_OK) status = put_loop(values, to, out);
     if (status.code != WHIRL_OK) return status;
-    out->number[MAGNETIC_FORCE] = strength(values) * cos(values[POLE_ANGLE].number) / (length * length);
+    const double ampere = ampere_of(values, length), of_force = length * ampere;
+    status = put_loop(values, to, ampere, out);
+    if (status.code != WHIRL_OK) return status;
+    out->number[MAGNETIC_AMPERE] = ampere;
+    out->number[MAGNETIC_FORCE] = strength(values) * cos(values[POLE_ANGLE].number) / (of_force * of_force);
     out->number[MAGNETIC_GAP] = values[GAP].number / length;
-    out->number[MAGNETIC_BIAS] = values[BIAS].number;
-    out->number[MAGNETIC_MOST] = values[MAX_CURRENT].given ? values[MAX_CURRENT].number : NO_LIMIT;
-    out->number[MAGNETIC_BY_CURRENT] = values[CURRENT_STIFFNESS].number;
+    out->number[MAGNETIC_BIAS] = values[BIAS].number * ampere;
+    out->number[MAGNETIC_MOST] = values[MAX_CURRENT].given ? values[MAX_CURRENT].number * ampere : NO_LIMIT;
+    out->number[MAGNETIC_BY_CURRENT] = values[CURRENT_STIFFNESS].number / ampere;
     out->number[MAGNETIC_BY_PLACE] = values[PLACE_STIFFNESS].number * length;
     out->number[MAGNETIC_COS] = cos(values[ANGLE].number);
     out->number[MAGNETIC_SIN] = sin(values[ANGLE].number);
@@ -353,7 +369,7 @@ static bool jumps(const element *own) {
 
 /// Currents of coils are limited, and so is the room between magnets.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
-    const double *number = own->number, bias = number[MAGNETIC_BIAS];
+    const double *number = own->number, bias = number[MAGNETIC_BIAS], ampere = number[MAGNETIC_AMPERE];
     size_t before;
     const double factor = current_by_state(own, &before);
     if (own->law & MAGNETIC_LINEAR) return false;
@@ -362,10 +378,11 @@ static bool range(const element *own, size_t index, const element_seen *seen, el
         out->reached = seen->radius / number[MAGNETIC_GAP];
         return true;
     }
-    *out = (element_range){"control current", "A", "at which a coil is at its limit", bias, 0.0};
-    out->most = fmin(bias, number[MAGNETIC_MOST] - bias);
+    *out = (element_range){"control current", "A", "at which a coil is at its limit", NAN, 0.0};
+    out->most = fmin(bias, number[MAGNETIC_MOST] - bias) / ampere;
     for (size_t at = before; at < 2 * (size_t)loop_order(own) && factor != 0.0; at += (size_t)loop_order(own))
-        out->reached = fmax(out->reached, fabs(factor) * fmax(seen->state_high[at], 0.0 - seen->state_low[at]));
+        out->reached =
+            fmax(out->reached, fabs(factor) / ampere * fmax(seen->state_high[at], 0.0 - seen->state_low[at]));
     return index == 1 && factor != 0.0;
 }
 

@@ -11,7 +11,7 @@
 //
 // A bearing that fails has one state more: x' = lambda (1 - x), which begins at 0, so that x = 1 - e^(-lambda tau)
 // tells the time; currents fall smoothly where it goes from one value to another. Where linear analyses put out what
-// depends on time, x stays 0.
+// depends on time, x stays 0. x counts as a current of 1 A does.
 
 /// One of the loop's transfer functions, on `lines` axes side by side: of each its input u, which becomes its output,
 /// and of the first its states s and their slopes, those of the next `apart` further on.
@@ -112,7 +112,8 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
                                  num *force, num *slope) {
     const size_t stride = view->stride;
     const vec *number = view->number;
-    const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0);
+    const vec c = number[MAGNETIC_COS * stride], sine = number[MAGNETIC_SIN * stride], one = v_set(1.0),
+              ampere = number[MAGNETIC_AMPERE * stride];
     num u[2], pull[2], current[2], left = n_set(1.0);
     const size_t loop = (size_t)loop_order(own);
     (void)w;
@@ -126,7 +127,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
     if (own->law & MAGNETIC_FAILS) {
         const vec C = view->phase[COS_TAU], S = view->phase[SIN_TAU], running = v_fma(C, C, v_mul(S, S));
         const num clock = s[2 * loop], way = n_sub(clock, n_of(number[MAGNETIC_FAILS_AT * stride]));
-        slope[2 * loop] = n_scale(number[MAGNETIC_CLOCK * stride], n_sub(n_of(running), clock));
+        slope[2 * loop] = n_scale(number[MAGNETIC_CLOCK * stride], n_sub(n_of(v_mul(running, ampere)), clock));
         num q = n_scale(number[MAGNETIC_FALLS * stride], way);
         q = n_select(n_less(n_set(0.0), q), q, n_set(0.0));
         q = n_select(n_less(q, n_set(1.0)), q, n_set(1.0));
