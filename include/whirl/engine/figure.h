@@ -132,7 +132,7 @@ typedef struct whirl_figure_name {
     char name[200];  ///< whirl_figure.name
     char title[280]; ///< whirl_figure.title
     long point;      ///< of the table of points in detail; -1 of diagrams over a parameter
-    size_t station;  ///< of the result
+    size_t station;  ///< of the result; SIZE_MAX of a response of all stations in one figure
 } whirl_figure_name;
 
 /// Names and titles of the figures of a result, [*count], to be freed by free. WHIRL_NO_MEMORY, and WHIRL_BAD_INPUT for

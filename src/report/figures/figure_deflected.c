@@ -1,5 +1,6 @@
 // How shafts bend by their weight, and in the response to unbalance.
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -122,7 +123,7 @@ static size_t choose_points(const drawing *of, const whirl_table *table, size_t 
 }
 
 static void list_deflected(figure_list *to, const drawing *of, const whirl_table *table) {
-    const figure_place place = {.kind = &deflected_figure, .table = table, .point = NO_POINT};
+    const figure_place place = {.kind = &deflected_figure, .table = table, .point = NO_POINT, .station = SIZE_MAX};
     size_t points[DEFLECTED];
     if (table_has(table, WHIRL_FIELD_UNBALANCE_AMPLITUDE) && of->result->station_count > 1 &&
         choose_points(of, table, points) > 0)

@@ -1,6 +1,7 @@
 // The page of a lateral analysis: machine, model, critical speeds, modes, responses with their margins, stability, and
 // the nonlinear motions beside them, with what was found first.
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -107,7 +108,8 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
     for (size_t i = 0; i < to->figures->count; i++) {
         const drawn_figure *what = &to->figures->items[i];
         if (what->table != table || what->whole) continue;
-        if (!response || scaled_watches(to->results[result], table, what->name.station))
+        const size_t station = what->name.station;
+        if (!response || station == SIZE_MAX || scaled_watches(to->results[result], table, station))
             page_figure(to, what);
         else
             left++;
