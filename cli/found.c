@@ -11,7 +11,6 @@ static const char *const formats[] = {"text", "csv", "latex", "json"};
 enum { FORMATS = sizeof formats / sizeof *formats };
 
 bool found_take(int key, char *argument, const struct argp_state *state, found_arguments *arguments) {
-    size_t at = 0;
     switch (key) {
     case KEY_FOUND_UNITS:
         arguments->units = argument;
@@ -20,9 +19,10 @@ bool found_take(int key, char *argument, const struct argp_state *state, found_a
         arguments->sheet = argument;
         return true;
     case KEY_FOUND_FORMAT:
-        while (at < FORMATS && strcmp(argument, formats[at]) != 0) at++;
-        if (at == FORMATS) bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
-        arguments->format = formats[at];
+        arguments->format = NULL;
+        for (size_t i = 0; i < FORMATS; i++)
+            if (strcmp(argument, formats[i]) == 0) arguments->format = formats[i];
+        if (!arguments->format) bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
         return true;
     default:
         return false;

@@ -48,7 +48,7 @@ static void put_numbers(const char *who, const whirl_table *table, size_t i, con
 }
 
 static bool is_sure(const whirl_verdict *verdict) {
-    return verdict->confidence == WHIRL_HIGH && verdict->regime != WHIRL_UNDETERMINED;
+    return verdict->confidence >= WHIRL_FAIR && verdict->regime != WHIRL_UNDETERMINED;
 }
 
 static void compare(const char *reading, const char *file, int turn) {

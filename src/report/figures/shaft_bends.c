@@ -96,7 +96,8 @@ typedef struct fit {
 /// The result's own number of a station.
 static part fit_wanted(const fit *f, size_t station, int axis) {
     const double *row = whirl_table_field(f->of->table, f->of->point, WHIRL_FIELD_MODES_SHAPE, station) + 4 * f->mode;
-    return (part){row[2 * axis], -row[2 * axis + 1]};
+    const size_t at = 2 * (size_t)axis;
+    return (part){row[at], -row[at + 1]};
 }
 
 /// Sum over all stations of what a vector has, conjugate, times what another one has; NULL: the result.
