@@ -41,6 +41,6 @@ for method in rk4 dop853 rodas5p shaft; do
     }
     "$folder/whirl" run "$work/$method.yaml" -q --force -o "$work/other.h5"
     "$python" "$source/tests/cli/same_data.py" "$work/one.h5" "$work/other.h5" >/dev/null
-    "$whirl" export "$work/one.h5" --csv "$work/tables" >/dev/null
+    "$whirl" export "$work/one.h5" --csv "$work/tables" --force >/dev/null
     echo "$WHIRL_ISA, $method: $(cat "$work"/tables/sweep*.csv | sha256sum | cut -c 1-16)"
 done
