@@ -138,12 +138,13 @@ static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
 }
 
 /// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
-static void write_opening(FILE *stream, const whirl_result *result) {
+static bool write_opening(FILE *stream, const whirl_result *result) {
     size_t point;
+    bool no_memory = false;
     const whirl_table *table = find_opening(result, &point);
-    if (!table) return;
+    if (!table) return true;
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    whirl_case *machine = machine_of(result);
+    whirl_case *machine = machine_of(result, &no_memory);
     script_key(stream, ',', "opening");
     script_text_member(stream, '{', "parameter", table->parameter);
     script_number_member(stream, ',', "value", *table->parameter ? table->values[point] : (double)NAN);
@@ -157,6 +158,7 @@ static void write_opening(FILE *stream, const whirl_result *result) {
     explorer_write_point(stream, table, point);
     fputc('}', stream);
     whirl_case_free(machine);
+    return !no_memory;
 }
 
 static bool write_run(FILE *stream, const whirl_result *result, const char *name, const char *units) {
@@ -180,7 +182,7 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
         well = explorer_write_table(stream, &result->tables[t], &result->tables[t] == diagram) && well;
     }
     fputc(']', stream);
-    write_opening(stream, result);
+    well = write_opening(stream, result) && well;
     well = explorer_write_contents(stream, result, units) && well;
     fputc('}', stream);
     return well;

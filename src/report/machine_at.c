@@ -7,10 +7,12 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-whirl_case *machine_of(const whirl_result *result) {
+whirl_case *machine_of(const whirl_result *result, bool *no_memory) {
     whirl_case *machine;
     const char *text = result->case_text ? result->case_text : "";
-    if (whirl_case_parse(text, strlen(text), "case", NULL, &machine).code != WHIRL_OK) return NULL;
+    whirl_status status = whirl_case_parse(text, strlen(text), "case", NULL, &machine);
+    if (status.code == WHIRL_NO_MEMORY) *no_memory = true;
+    if (status.code != WHIRL_OK) return NULL;
     for (size_t i = 0; i < result->parameter_count; i++) {
         const whirl_parameter *parameter = &result->parameters[i];
         double value;
@@ -18,7 +20,9 @@ whirl_case *machine_of(const whirl_result *result) {
         if (whirl_case_parameter(machine, parameter->name, &value).code == WHIRL_OK && value == parameter->value)
             continue;
         snprintf(assignment, sizeof assignment, "%s=%s", parameter->name, parameter->text);
-        if (whirl_case_set(machine, assignment).code == WHIRL_OK) continue;
+        status = whirl_case_set(machine, assignment);
+        if (status.code == WHIRL_OK) continue;
+        if (status.code == WHIRL_NO_MEMORY) *no_memory = true;
         whirl_case_free(machine);
         return NULL;
     }

@@ -181,9 +181,10 @@ static void add_beside(const paragraph *p) {
         100.0 * whirl_missed_share(table->source->starts));
 }
 
-void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
+bool motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
                   char text[MOTIONS_TOLD_SIZE]) {
-    whirl_case *machine = machine_of(view);
+    bool no_memory = false;
+    whirl_case *machine = machine_of(view, &no_memory);
     const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
     const bool judged = whirl_layout_has_verdict(&table->layout);
@@ -198,6 +199,7 @@ void motions_told(const whirl_shown_units *units, const whirl_result *view, cons
     else
         add(&p, ".");
     whirl_case_free(machine);
+    return !no_memory;
 }
 
 // ---------------------------------------------------------------- ranges_told

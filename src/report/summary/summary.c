@@ -51,8 +51,8 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
 
 void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    motions_told(units, units->result, table, text);
-    fprintf(out, "  %s\n", text);
+    const bool whole = motions_told(units, units->result, table, text);
+    fprintf(out, "  %s%s\n", text, whole ? "" : " (no memory for the machine: something is left out)");
 }
 
 static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {

@@ -80,8 +80,10 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
 /// The same, of the machine at that point.
 static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES)) return;
-    whirl_case *machine = machine_of(units->result);
+    bool no_memory = false;
+    whirl_case *machine = machine_of(units->result, &no_memory);
     whirl_machine own;
+    if (no_memory) fputs("  no memory to name lines of the spectrum\n", out);
     if (machine_at(machine, table, point, &own)) {
         print_named(out, units, table, point, own.system);
         own.release(own.owner);
