@@ -138,7 +138,7 @@ def write_pages(xml, folder, projects):
     for path in sorted(xml.glob("*_8h.xml"), key=lambda path: (path.name.startswith("engine_2"), path.name)):
         header = ElementTree.parse(path).getroot()[0]
         project = header.findtext("compoundname")
-        name = header.find("location").get("file").partition("whirl/")[2]
+        name = header.find("location").get("file").rpartition("include/whirl/")[2]
         project_of(xml, header, projects / project)
         title = f"whirl/{name}"
         body = [text for _, text in sorted(symbols(xml, header, told), key=lambda symbol: symbol[0])]

@@ -31,8 +31,8 @@ static whirl_status check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// How often slopes are taken to see a motion: no solver that crawls keeps the study itself waiting.
-static const long most_calls = 200000;
+/// How often slopes are taken for a revolution that is looked at: no solver that crawls keeps the study itself waiting.
+static const long most_calls = 20000;
 
 /// What a study's points are looked at for.
 typedef struct look {
@@ -57,8 +57,8 @@ static void see_start(const look *at, const whirl_machine *machine, double *slop
     }
 }
 
-/// A motion over its last revolutions. One that is lost after a transient has grown without bound; one that is lost at
-/// once, or takes all calls that are left, is not looked at.
+/// A motion over its last revolutions. One that is lost after a transient, or takes all calls that are left, has no
+/// size that is known; one to which that happens at once is not looked at.
 static whirl_status see_motion(const look *at, const whirl_machine *machine, const whirl_integrate_options *options) {
     whirl_record_options record = whirl_record_default();
     whirl_integrate_options integrate = *options;
@@ -70,12 +70,12 @@ static whirl_status see_motion(const look *at, const whirl_machine *machine, con
     whirl_system alone = *machine->system;
     alone.lanes = NULL; // a single motion would not fill them
     const whirl_status status = whirl_record_motion(&alone, &integrate, &record, machine->start, NULL, &seen);
-    const bool whole = status.code == WHIRL_OK && *at->system->calls_left >= 0;
-    for (size_t k = 0; whole && seen->motion == WHIRL_BOUNDED && k < alone.dimension; k++) {
+    const bool whole = status.code == WHIRL_OK && seen->motion == WHIRL_BOUNDED && *at->system->calls_left >= 0;
+    for (size_t k = 0; whole && k < alone.dimension; k++) {
         raise_size(at, k, seen->low[k]);
         raise_size(at, k, seen->high[k]);
     }
-    const bool lost = whole && seen->motion != WHIRL_BOUNDED && at->transient > 0;
+    const bool lost = status.code == WHIRL_OK && !whole && at->transient > 0;
     for (size_t k = 0; lost && k < alone.dimension; k++) at->sizes[k] = INFINITY;
     whirl_record_free(seen);
     return status;
@@ -94,7 +94,7 @@ static whirl_status see_points(const whirl_study *study, const look *at) {
         if (batch->third_values) one.third_value = batch->third_values[points[i]];
         status = study->machine(study->family, &one, batch->values ? batch->values[points[i]] : 0.0, &machine);
         if (status.code != WHIRL_OK) break;
-        *at->system->calls_left = most_calls;
+        *at->system->calls_left = most_calls * (at->transient + at->record + 1);
         if (at->record > 0)
             status = see_motion(at, &machine, &batch->integrate);
         else

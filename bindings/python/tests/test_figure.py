@@ -51,7 +51,8 @@ def results(tmp_path_factory, good_file, map_files):
 
 def points_of(series):
     """How many points of a series are drawn."""
-    return sum(value is not None for value in series.get("x", []))
+    places = series["text_x"] if series["shape"] == "texts" else series.get("x", [])
+    return sum(value is not None for value in places)
 
 
 def drawn_points(artist):

@@ -256,5 +256,5 @@ class FileTable:
 
     def options(self):
         axes = ("parameter", "second", "third", "row", "plane", "grid", "clock_of", "clock_factor")
-        about = axes + ("points", "analyses", "fields", "refine", "starts")
+        about = axes + ("points", "analyses", "fields", "refine", "role", "starts")
         return {name: _plain(value) for name, value in self.group.attrs.items() if name not in about}

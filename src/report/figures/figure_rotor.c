@@ -289,6 +289,7 @@ static int by_place(const void *a, const void *b) {
 /// Moves labels apart to at least `step`, as little as that takes: neighbours that are too close form a group, which is
 /// centred upon their places.
 static void spread_labels(label *labels, size_t count, double step) {
+    if (count < 2) return; // machines of one place have no width, and no step
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
     double middles[WHIRL_MAX_PROBES]; // where a group's first label would stand, were all of them at one place
     for (size_t i = 0; i < count; i++) {
