@@ -51,8 +51,7 @@ def results(tmp_path_factory, good_file, map_files):
 
 def points_of(series):
     """How many points of a series are drawn."""
-    places = series["text_x"] if series["shape"] == "texts" else series.get("x", [])
-    return sum(value is not None for value in places)
+    return sum(value is not None for value in series.get("x", []))
 
 
 def drawn_points(artist):

@@ -289,7 +289,6 @@ static int by_place(const void *a, const void *b) {
 /// Moves labels apart to at least `step`, as little as that takes: neighbours that are too close form a group, which is
 /// centred upon their places.
 static void spread_labels(label *labels, size_t count, double step) {
-    if (count < 2) return; // machines of one place have no width, and no step
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
     double middles[WHIRL_MAX_PROBES]; // where a group's first label would stand, were all of them at one place
     for (size_t i = 0; i < count; i++) {
@@ -461,7 +460,8 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         return;
     }
     const bool inches = strcmp(of->units->length_name, "mil") == 0 || strcmp(of->units->length_name, "in") == 0;
-    const double length = l->along.high - l->along.low;
+    // Lumped stations stand one apart, and are measured when they are drawn.
+    const double length = l->to_scale ? l->along.high - l->along.low : (double)l->model.station_count;
     pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? (inches ? 0.0254 : 1e-3) : 1.0};
     figure->font = 6.5;
     figure->width = 16.0;
