@@ -10,7 +10,7 @@ mkdir -p "$build/findings"
 fuzz() { # TARGET
     local program=$build/tests/fuzz/fuzz_$1 log=$build/fuzz_$1.log
     mkdir -p "$build/corpus/$1"
-    if ! "$program" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+    if ! "$program" -max_total_time="$seconds" -max_len=65536 -timeout=120 -rss_limit_mb=2048 -print_final_stats=1 \
         -dict=tests/fuzz/words.dict -artifact_prefix="$build/findings/$1-" \
         "$build/corpus/$1" "tests/fuzz/corpus/$1" cases tests/rotors >"$log" 2>&1; then
         tail -n 60 "$log" >&2

@@ -221,6 +221,7 @@ static void speeds(void **state) {
     whirl_case_free(machine);
     strcpy(result->case_text, "whirl: 1\n"); // no case
     assert_null(machine_of(result, &no_memory));
+    assert_false(no_memory);
     assert_true(isnan(machine_clock(NULL, result, sweep, 3)));
     *sweep->parameter = '\0';
     assert_true(machine_clock(NULL, result, sweep, 3) == 650.0);
