@@ -2,13 +2,8 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "found.h"
-
-/// In the order of whirl_sheet_form.
-static const char *const formats[] = {"text", "csv", "latex", "json"};
-enum { FORMATS = sizeof formats / sizeof *formats };
 
 bool found_take(int key, char *argument, const struct argp_state *state, found_arguments *arguments) {
     switch (key) {
@@ -19,10 +14,9 @@ bool found_take(int key, char *argument, const struct argp_state *state, found_a
         arguments->sheet = argument;
         return true;
     case KEY_FOUND_FORMAT:
-        arguments->format = NULL;
-        for (size_t i = 0; i < FORMATS; i++)
-            if (strcmp(argument, formats[i]) == 0) arguments->format = formats[i];
-        if (!arguments->format) bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
+        if (whirl_sheet_form_of(argument, &arguments->form).code != WHIRL_OK)
+            bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
+        arguments->formed = true;
         return true;
     default:
         return false;
@@ -33,20 +27,18 @@ void found_check(const found_arguments *arguments, const struct argp_state *stat
     whirl_shown_units shown;
     const whirl_status status = whirl_shown_units_alone(arguments->units, &shown);
     if (status.code != WHIRL_OK) bad_argument(state, "--units: %s", status.message);
-    if (arguments->format && !arguments->sheet)
+    if (arguments->formed && !arguments->sheet)
         bad_argument(state, "--format needs --sheet, the table that is printed");
 }
 
 int found_print(const whirl_findings *findings, const char *title, const found_arguments *arguments) {
     const whirl_sheet *sheet;
-    size_t form = 0;
     if (!arguments->sheet) {
         if (*title) printf("%s\n", title);
         const whirl_status status = whirl_findings_write_text(findings, stdout);
         return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
     }
-    while (arguments->format && strcmp(arguments->format, formats[form]) != 0) form++;
     whirl_status status = whirl_findings_sheet(findings, arguments->sheet, &sheet);
-    if (status.code == WHIRL_OK) status = whirl_sheet_write(sheet, (whirl_sheet_form)form, stdout);
+    if (status.code == WHIRL_OK) status = whirl_sheet_write(sheet, arguments->form, stdout);
     return status.code == WHIRL_OK ? finish_output() : complain_of(&status);
 }

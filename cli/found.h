@@ -6,7 +6,9 @@
 
 /// What of them is printed, and how.
 typedef struct found_arguments {
-    const char *units, *sheet, *format; ///< NULL: the file's units; all; text
+    const char *units, *sheet; ///< NULL: the file's units; all of them
+    bool formed;               ///< whether a form was asked for,
+    whirl_sheet_form form;     ///< text where none was
 } found_arguments;
 
 /// Keys of the options below; a command's own are others.

@@ -6,6 +6,7 @@
 
 #include "files.h"
 #include "output.h"
+#include "whirl/engine/findings.h"
 #include "whirl/handles.h"
 
 enum { KEY_FORCE = 0x100, KEY_LIST, KEY_FORMAT, KEY_UNITS };
@@ -34,7 +35,7 @@ enum { FORMATS = sizeof formats / sizeof *formats };
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
     table_arguments *arguments = state->input;
-    size_t at = 0;
+    whirl_sheet_form form;
     switch (key) {
     case KEY_LIST:
         arguments->list = true;
@@ -43,8 +44,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         arguments->output = argument;
         return 0;
     case KEY_FORMAT:
-        while (at < FORMATS && strcmp(argument, formats[at][0]) != 0) at++;
-        if (at == FORMATS) bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
+        if (whirl_sheet_form_of(argument, &form).code != WHIRL_OK)
+            bad_argument(state, "--format is '%s', expected text, csv, latex or json", argument);
         arguments->format = argument;
         return 0;
     case KEY_UNITS:

@@ -130,6 +130,9 @@ typedef enum whirl_sheet_form {
     WHIRL_SHEET_JSON
 } whirl_sheet_form;
 
+/// The form of a name: "text", "csv", "latex" or "json". WHIRL_BAD_INPUT for any other.
+whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form);
+
 /// Writes a sheet: aligned text, CSV (RFC 4180, numbers as they are shown with all their digits), a LaTeX table with
 /// rules of booktabs, or JSON as whirl_findings_write_json has it. Text and LaTeX leave out columns that are empty.
 /// WHIRL_NO_MEMORY, WHIRL_IO_ERROR.

@@ -6,6 +6,16 @@
 #include "whirl/engine/findings.h"
 #include "whirl/handles.h"
 
+whirl_status whirl_sheet_form_of(const char *name, whirl_sheet_form *form) {
+    static const char *const names[] = {"text", "csv", "latex", "json"};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        if (strcmp(name, names[i]) != 0) continue;
+        *form = (whirl_sheet_form)i;
+        return whirl_ok();
+    }
+    return whirl_fail(WHIRL_BAD_INPUT, "the format is '%.40s', expected text, csv, latex or json", name);
+}
+
 whirl_status whirl_sheet_write(const whirl_sheet *sheet, whirl_sheet_form form, FILE *stream) {
     if (form == WHIRL_SHEET_JSON) return sheet_write_json(sheet, stream);
     if (form == WHIRL_SHEET_TEXT && !sheet_write_text(stream, sheet, sheet->rows + 1))
@@ -66,15 +76,6 @@ typedef struct findings_asked {
     whirl_sheet_form form;
 } findings_asked;
 
-static whirl_status findings_form(const char *format, whirl_sheet_form *form) {
-    static const char *const formats[] = {"text", "csv", "latex", "json", NULL};
-    size_t i = 0;
-    while (formats[i] && strcmp(format, formats[i]) != 0) i++;
-    *form = (whirl_sheet_form)i;
-    if (formats[i]) return whirl_ok();
-    return whirl_fail(WHIRL_BAD_INPUT, "the format is '%.40s', expected text, csv, latex or json", format);
-}
-
 static bool findings_has(const whirl_findings *findings, const char *table) {
     for (size_t i = 0; i < findings->statement_count; i++)
         if (strcmp(findings->statements[i].table, table) == 0) return true;
@@ -117,7 +118,7 @@ whirl_status whirl_result_findings(const whirl_result *result, const char *sheet
     whirl_findings *findings;
     findings_asked asked = {.result = result};
     *text = NULL;
-    whirl_status status = findings_form(format, &asked.form);
+    whirl_status status = whirl_sheet_form_of(format, &asked.form);
     if (status.code != WHIRL_OK) return status;
     if (!sheet && (asked.form == WHIRL_SHEET_CSV || asked.form == WHIRL_SHEET_LATEX))
         return whirl_fail(WHIRL_BAD_INPUT, "a file of format %.40s holds one sheet, expected the name of one", format);
