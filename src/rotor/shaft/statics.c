@@ -11,18 +11,23 @@
 /// m/s2. The effect of weight is solved with it and scaled to that of the design.
 static const double standard_gravity = 9.80665;
 
+/// The line whose sag is asked for, and its places; NULL and NULL: none.
+typedef struct asked_line {
+    const line_place *places;
+    whirl_shaft_line *out;
+} asked_line;
+
 /// A shaft in the plane of its weight: displacement upwards and slope of each node, node by node along it.
 typedef struct beam {
     const building *b;
     size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
     size_t first;                            ///< of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
-    double gravity, up;       ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
-    double solved;            ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
-    double *matrix;           ///< [unknowns][unknowns]
-    double *all;              ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
-    const line_place *places; ///< of a line, NULL: none
-    whirl_shaft_line *line;   ///< whose sag is asked for
+    double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
+    double solved;      ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
+    double *matrix;     ///< [unknowns][unknowns]
+    double *all;        ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    asked_line line;
 } beam;
 
 static whirl_status no_memory(void) {
@@ -238,11 +243,12 @@ static void fill_station(const beam *of, size_t node, whirl_station_statics *out
 }
 
 static void fill_line(const beam *of) {
-    for (size_t p = 0; p < of->line->count; p++) {
-        const line_place *at = &of->places[p];
-        if (of->line->shaft[p] != of->shaft + 1) continue;
+    const whirl_shaft_line *line = of->line.out;
+    for (size_t p = 0; p < line->count; p++) {
+        const line_place *at = &of->line.places[p];
+        if (line->shaft[p] != of->shaft + 1) continue;
         const double *node = of->all + 2 * (at->node - of->first);
-        for (size_t k = 0; k < 4; k++) of->line->sag[p] += scale_of(of) * at->moved[k] * node[k];
+        for (size_t k = 0; k < 4; k++) line->sag[p] += scale_of(of) * at->moved[k] * node[k];
     }
 }
 
@@ -260,7 +266,7 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
             influence[at * stations + node_of(of, of->support[k])->station] =
                 of->all[(1 + k) * of->unknowns + 2 * of->nodes + s];
     }
-    if (of->line) fill_line(of);
+    if (of->line.out) fill_line(of);
     if (!thrust->held) return;
     out[thrust->station].thrust = thrust->load;
     out[thrust->station].thrust_mass = thrust->mass;
@@ -349,12 +355,6 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
                       *count, *count == 1 ? "" : "s");
 }
 
-/// What a line is to be laid over: NULL and NULL, none.
-typedef struct asked_line {
-    const line_place *places;
-    whirl_shaft_line *out;
-} asked_line;
-
 static whirl_status fill(const building *b, const char *couplings, size_t *support, asked_line line,
                          whirl_station_statics *out, double *influence) {
     const whirl_weight weight = whirl_design_weight(b->design);
@@ -366,8 +366,7 @@ static whirl_status fill(const building *b, const char *couplings, size_t *suppo
         beam of = {.b = b, .shaft = shaft, .first = own.first, .nodes = own.nodes, .support = support};
         of.gravity = weight.across;
         of.up = weight.up;
-        of.places = line.places;
-        of.line = line.out;
+        of.line = line;
         status = find_supports(&of, support, &of.supports);
         if (status.code == WHIRL_OK) status = take_shaft(&of, couplings, out, influence);
     }
