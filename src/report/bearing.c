@@ -269,15 +269,13 @@ static void find_rest(const finder *of, const whirl_bearing_table *table) {
 
 static void find_coefficients(const finder *of, const whirl_bearing_table *table) {
     static const char *const names[] = {"Kxx", "Kxy", "Kyx", "Kyy", "Cxx", "Cxy", "Cyx", "Cyy"};
-    static const char *const keys[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
     const whirl_bearing *bearing = table->bearing;
     const size_t ratios = bearing->pads.tilting ? bearing->ratio_count : 1;
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Stiffness and damping");
     if (bearing->pads.tilting) sheet->about = "Of tilting pads, which follow at the whirl ratio.";
     sheet_place(of, sheet);
     if (bearing->pads.tilting) sheet_column(of, sheet, "whirl_ratio", "whirl ratio", WHIRL_QUANTITY_NUMBER, 4);
-    for (size_t k = 0; k < 8; k++)
-        sheet_column(of, sheet, keys[k], names[k], k < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, 4);
+    sheet_coefficients(of, sheet, names);
     for (size_t r = 0; r < ratios; r++)
         for (size_t i = 0; i < table->count; i++) {
             const whirl_bearing_point *point = &table->points[i];

@@ -179,6 +179,13 @@ void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const ch
     sheet_add_numbers(of, sheet, key, heading, unit, digits, NULL);
 }
 
+void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const *headings) {
+    static const char *const keys[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
+    for (size_t i = 0; i < 8; i++)
+        sheet_column(of, sheet, keys[i], headings ? headings[i] : keys[i],
+                     i < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, 4);
+}
+
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                 int digits, const char *between) {
     sheet_add_numbers(of, sheet, key, heading, &of->units->of[quantity], digits, between);

@@ -52,6 +52,8 @@ void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const cha
                 int digits, const char *between); ///< of several numbers a cell
 void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< of texts
 void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits); ///< of the parameter, if any
+/// kxx, kxy, kyx, kyy, cxx, ..., of stiffness and damping of a bearing; headings [8], static; NULL: the same words.
+void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const *headings);
 
 /// Begins a row; then one of these for every column. Numbers that are not finite leave their cell empty; texts are
 /// static, or from find_text.

@@ -115,14 +115,12 @@ static void find_films(const finder *of, const size_t *ends, size_t count) {
 
 /// Stiffness and damping of bearings, of all points.
 static void find_coefficients(const finder *of) {
-    static const char *const keys[] = {"kxx", "kxy", "kyx", "kyy", "cxx", "cxy", "cyx", "cyy"};
     whirl_sheet *sheet = find_sheet(of, "coefficients", "Coefficients of bearings");
     sheet->about = "Stiffness and damping of bearings about where the machine rests: forces against displacements and "
                    "velocities, kxy along x by y.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "bearing");
-    for (size_t i = 0; i < 8; i++)
-        sheet_column(of, sheet, keys[i], keys[i], i < 4 ? WHIRL_QUANTITY_STIFFNESS : WHIRL_QUANTITY_DAMPING, 4);
+    sheet_coefficients(of, sheet, NULL);
     for (size_t point = 0; point < of->table->count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
             const double *const k = whirl_table_field(of->table, point, WHIRL_FIELD_STATICS_STIFFNESS, station);
