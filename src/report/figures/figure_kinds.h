@@ -129,6 +129,19 @@ double layout_rim_radius(const machine_layout *l, size_t station);
 double layout_disc_radius(const whirl_model_mass *of);
 double layout_disc_width(const whirl_model_mass *of);
 
+/// How a station's disc or mass is drawn: half of its width, and its outer radius, neither too small to be seen. m.
+typedef struct layout_disc {
+    double half, radius;
+} layout_disc;
+layout_disc layout_disc_of(const machine_layout *l, size_t station);
+
+/// The places of both ends of a shaft; empty where it has no sections.
+span layout_shaft_ends(const machine_layout *l, size_t shaft);
+
+/// The unit of places along shafts, in m, and the label of their axis: inches beside mils and inches, else mm.
+double layout_unit(const whirl_shown_units *units);
+const char *layout_label(const whirl_shown_units *units);
+
 // ---------------------------------------------------------------- machine_along
 // Shapes of a machine over the places of its stations, with the machine in grey behind.
 

@@ -122,15 +122,8 @@ static void draw_shafts(const pen *p) {
     for (size_t i = 0; i < l->model.section_count; i++)
         for (int side = 1; side >= -1; side -= 2) pen_wall(p, area, edge, &l->model.sections[i], side);
     for (size_t s = 0; s < l->model.shaft_count; s++) {
-        span ends = span_empty();
-        for (size_t i = 0; i < l->model.section_count; i++) {
-            if (l->model.sections[i].shaft != s) continue;
-            span_widen(&ends, l->model.sections[i].from);
-            span_widen(&ends, l->model.sections[i].to);
-        }
-        if (span_has_any(ends))
-            pen_line(p, axis, l->offset[s] + ends.low - l->symbol, l->axis[s], l->offset[s] + ends.high + l->symbol,
-                     l->axis[s]);
+        const span ends = layout_shaft_ends(l, s);
+        if (span_has_any(ends)) pen_line(p, axis, ends.low - l->symbol, l->axis[s], ends.high + l->symbol, l->axis[s]);
     }
 }
 
@@ -146,10 +139,9 @@ static void draw_masses(const pen *p) {
             discs = panel_named(p->figure, p->panel, WHIRL_BOXES, l->to_scale ? "discs and masses" : "masses",
                                 "#7D93A8", 0.4);
         if (on_shaft) {
-            const double radius = fmax(layout_disc_radius(own), l->radius[s] + 0.3 * l->symbol);
-            const double half = fmax(0.5 * layout_disc_width(own), 0.12 * l->symbol);
-            pen_box(p, discs, l->x[s], half, l->y[s] + l->radius[s], l->y[s] + radius);
-            pen_box(p, discs, l->x[s], half, l->y[s] - radius, l->y[s] - l->radius[s]);
+            const layout_disc disc = layout_disc_of(l, s);
+            pen_box(p, discs, l->x[s], disc.half, l->y[s] + l->radius[s], l->y[s] + disc.radius);
+            pen_box(p, discs, l->x[s], disc.half, l->y[s] - disc.radius, l->y[s] - l->radius[s]);
         } else {
             pen_box(p, discs, l->x[s], l->radius[s], l->y[s] - l->radius[s], l->y[s] + l->radius[s]);
         }
@@ -259,11 +251,8 @@ static void draw_marks(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *planes = NULL, *seen = NULL;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
-        const whirl_model_mass *own = &l->model.stations[s];
-        const double radius = own->shaft < l->model.shaft_count && own->mass > 0.0
-                                  ? fmax(layout_disc_radius(own), l->radius[s])
-                                  : l->radius[s];
-        if (own->unbalanced) {
+        const double radius = layout_rim_radius(l, s);
+        if (l->model.stations[s].unbalanced) {
             if (!planes) planes = panel_named(p->figure, p->panel, WHIRL_DOTS, "unbalance", "#CC79A7", 3.4);
             if (planes) planes->mark = WHIRL_DISC;
             pen_point(p, planes, l->x[s], l->y[s] + radius + 1.2 * l->symbol);
@@ -459,10 +448,9 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         layout_free(l);
         return;
     }
-    const bool inches = strcmp(of->units->length_name, "mil") == 0 || strcmp(of->units->length_name, "in") == 0;
     // Lumped stations stand one apart, and are measured when they are drawn.
     const double length = l->to_scale ? l->along.high - l->along.low : (double)l->model.station_count;
-    pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? (inches ? 0.0254 : 1e-3) : 1.0};
+    pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? layout_unit(of->units) : 1.0};
     figure->font = 6.5;
     figure->width = 16.0;
     if (l->model.stands) p.upright = l->model.rises ? 1.0 : -1.0;
@@ -475,7 +463,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     add_spots(&p);
     panel->equal = true;
     whirl_axis *along = p.upright != 0.0 ? &panel->y : &panel->x;
-    snprintf(along->label, sizeof along->label, inches ? "$z$ (in)" : "$z$ (mm)");
+    snprintf(along->label, sizeof along->label, "%s", layout_label(of->units));
     snprintf(figure->caption, sizeof figure->caption, "%s%s",
              l->to_scale
                  ? "The machine: shafts of finite elements to scale, along and across; discs and masses as discs of "

@@ -1,18 +1,17 @@
 // Shapes of a machine over the places of its stations: the axis, and the machine in grey behind.
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "figure_kinds.h"
 
-/// Places along the axis that shafts of one axis reach over, from `own` on as this is said.
+/// Places along the axis that shafts of one axis reach over.
 static span axis_reach(const machine_layout *l, double axis) {
     span reach = span_empty();
-    for (size_t i = 0; i < l->model.section_count; i++) {
-        const whirl_model_section *s = &l->model.sections[i];
-        if (l->axis[s->shaft] != axis) continue;
-        span_widen(&reach, l->offset[s->shaft] + s->from);
-        span_widen(&reach, l->offset[s->shaft] + s->to);
+    for (size_t s = 0; s < l->model.shaft_count; s++) {
+        if (l->axis[s] != axis) continue;
+        const span ends = layout_shaft_ends(l, s);
+        span_widen(&reach, ends.low);
+        span_widen(&reach, ends.high);
     }
     return reach;
 }
@@ -40,9 +39,8 @@ static span along_place_shafts(const machine_layout *l, machine_along *out) {
 
 void along_place(const drawing *of, machine_along *out) {
     const whirl_result *result = of->result;
-    const bool inches = strcmp(of->units->length_name, "mil") == 0 || strcmp(of->units->length_name, "in") == 0;
     span places = span_empty();
-    *out = (machine_along){.unit = inches ? 0.0254 : 1e-3, .range = {0.5, (double)result->station_count + 0.5}};
+    *out = (machine_along){.unit = layout_unit(of->units), .range = {0.5, (double)result->station_count + 0.5}};
     out->layout = layout_new(of);
     if (out->layout && out->layout->to_scale) places = along_place_shafts(out->layout, out);
     for (size_t s = 0; s < result->station_count; s++) {
@@ -99,7 +97,7 @@ void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, con
     axis_show(&panel->x, along->range);
     if (along->shafts) {
         add_shaft_ticks(figure, panel, along);
-        snprintf(panel->x.label, sizeof panel->x.label, along->unit == 0.0254 ? "$z$ (in)" : "$z$ (mm)");
+        snprintf(panel->x.label, sizeof panel->x.label, "%s", layout_label(of->units));
     }
     whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
     if (names) names->side = WHIRL_SLANTED;
@@ -124,8 +122,6 @@ static double across_scale(const whirl_figure *figure, const whirl_panel *panel,
     const double scale = 2.0 * high / panel->height * wide / ((along->range.high - along->range.low) * along->unit);
     double radius = 0.0;
     for (size_t s = 0; s < l->model.shaft_count; s++) radius = fmax(radius, layout_largest_radius(l, s));
-    for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++)
-        if (l->model.stations[s].shaft < l->model.shaft_count) radius = fmax(radius, layout_rim_radius(l, s));
     return radius > 0.0 ? fmin(scale, 0.95 * high / radius) : scale;
 }
 
@@ -157,9 +153,9 @@ void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
         const whirl_model_mass *own = &l->model.stations[s];
         if (own->shaft >= l->model.shaft_count || !(own->mass > 0.0)) continue;
-        const double half = fmax(0.5 * layout_disc_width(own), 0.12 * l->symbol) / along->unit;
-        add_pair(figure, discs, (span){along->at[s] - half, along->at[s] + half}, l->radius[s],
-                 fmax(layout_disc_radius(own), l->radius[s] + 0.3 * l->symbol), scale);
+        const layout_disc disc = layout_disc_of(l, s);
+        const double half = disc.half / along->unit;
+        add_pair(figure, discs, (span){along->at[s] - half, along->at[s] + half}, l->radius[s], disc.radius, scale);
     }
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];

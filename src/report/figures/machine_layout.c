@@ -28,6 +28,16 @@ static double layout_shaft_radius(const machine_layout *l, size_t shaft, double 
     return radius;
 }
 
+span layout_shaft_ends(const machine_layout *l, size_t shaft) {
+    span ends = span_empty();
+    for (size_t i = 0; i < l->model.section_count; i++) {
+        if (l->model.sections[i].shaft != shaft) continue;
+        span_widen(&ends, l->offset[shaft] + l->model.sections[i].from);
+        span_widen(&ends, l->offset[shaft] + l->model.sections[i].to);
+    }
+    return ends;
+}
+
 double layout_largest_radius(const machine_layout *l, size_t shaft) {
     double radius = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++)
@@ -98,6 +108,12 @@ double layout_disc_radius(const whirl_model_mass *of) {
 double layout_disc_width(const whirl_model_mass *of) {
     const double r = layout_disc_radius(of);
     return of->polar > 0.0 ? of->mass / (steel * pi * r * r) : 2.0 * r;
+}
+
+layout_disc layout_disc_of(const machine_layout *l, size_t station) {
+    const whirl_model_mass *own = &l->model.stations[station];
+    return (layout_disc){.half = fmax(0.5 * layout_disc_width(own), 0.12 * l->symbol),
+                         .radius = fmax(layout_disc_radius(own), l->radius[station] + 0.3 * l->symbol)};
 }
 
 /// The radius of a station's disc, or of its shaft where that is larger.
@@ -180,10 +196,20 @@ static void layout_size_stations(machine_layout *l) {
 
 static void layout_measure(machine_layout *l) {
     l->along = span_empty();
-    for (size_t i = 0; i < l->model.section_count; i++) {
-        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].from);
-        span_widen(&l->along, l->offset[l->model.sections[i].shaft] + l->model.sections[i].to);
+    for (size_t s = 0; s < l->model.shaft_count; s++) {
+        const span ends = layout_shaft_ends(l, s);
+        span_widen(&l->along, ends.low);
+        span_widen(&l->along, ends.high);
     }
+}
+
+double layout_unit(const whirl_shown_units *units) {
+    const bool inches = strcmp(units->length_name, "mil") == 0 || strcmp(units->length_name, "in") == 0;
+    return inches ? 0.0254 : 1e-3;
+}
+
+const char *layout_label(const whirl_shown_units *units) {
+    return layout_unit(units) == 0.0254 ? "$z$ (in)" : "$z$ (mm)";
 }
 
 machine_layout *layout_new(const drawing *of) {
