@@ -140,11 +140,11 @@ static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
 /// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
 static bool write_opening(FILE *stream, const whirl_result *result) {
     size_t point;
-    bool no_memory = false;
+    whirl_case *machine;
     const whirl_table *table = find_opening(result, &point);
     if (!table) return true;
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    whirl_case *machine = machine_of(result, &no_memory);
+    if (machine_of(result, &machine).code != WHIRL_OK) return false;
     script_key(stream, ',', "opening");
     script_text_member(stream, '{', "parameter", table->parameter);
     script_number_member(stream, ',', "value", *table->parameter ? table->values[point] : (double)NAN);
@@ -158,7 +158,7 @@ static bool write_opening(FILE *stream, const whirl_result *result) {
     explorer_write_point(stream, table, point);
     fputc('}', stream);
     whirl_case_free(machine);
-    return !no_memory;
+    return true;
 }
 
 static bool write_run(FILE *stream, const whirl_result *result, const char *name, const char *units) {

@@ -58,7 +58,7 @@ static json_t *notes_of(bool *well, const contents *of, const whirl_table *table
     char motions[MOTIONS_TOLD_SIZE], text[RANGES_TOLD_SIZE];
     json_t *notes = json_array();
     if (motions_beside(table)) {
-        *well = motions_told(&of->units, of->view, table, motions) && *well;
+        *well = motions_told(&of->units, of->view, table, motions).code == WHIRL_OK && *well;
         document_append(well, notes, document_text(motions));
     }
     for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
@@ -158,12 +158,11 @@ bool explorer_write_contents(FILE *stream, const whirl_result *result, const cha
     if (!has_contents(result)) return true;
     bool well = whirl_result_by_attractor(result, &of.view).code == WHIRL_OK &&
                 whirl_result_shown_units(of.view, units, &of.units).code == WHIRL_OK &&
-                findings_of(of.view, &of.units, &of.findings).code == WHIRL_OK;
-    bool no_memory = false;
-    if (well) of.machine = machine_of(of.view, &no_memory);
+                findings_of(of.view, &of.units, &of.findings).code == WHIRL_OK &&
+                machine_of(of.view, &of.machine).code == WHIRL_OK;
     const drawing drawn = {of.view, &of.units, of.machine};
-    well = well && !no_memory && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) &&
-           put_findings(&of) && put_figures(&of) && put_warnings(&of);
+    well = well && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) && put_findings(&of) &&
+           put_figures(&of) && put_warnings(&of);
     free(of.figures.items);
     whirl_findings_free(of.findings);
     whirl_case_free(of.machine);

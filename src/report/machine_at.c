@@ -7,26 +7,22 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-whirl_case *machine_of(const whirl_result *result, bool *no_memory) {
-    whirl_case *machine;
+whirl_status machine_of(const whirl_result *result, whirl_case **machine) {
     const char *text = result->case_text ? result->case_text : "";
-    whirl_status status = whirl_case_parse(text, strlen(text), "case", NULL, &machine);
-    if (status.code == WHIRL_NO_MEMORY) *no_memory = true;
-    if (status.code != WHIRL_OK) return NULL;
-    for (size_t i = 0; i < result->parameter_count; i++) {
+    whirl_status status = whirl_case_parse(text, strlen(text), "case", NULL, machine);
+    for (size_t i = 0; i < result->parameter_count && status.code == WHIRL_OK; i++) {
         const whirl_parameter *parameter = &result->parameters[i];
         double value;
         char assignment[sizeof parameter->name + sizeof parameter->text + 2];
-        if (whirl_case_parameter(machine, parameter->name, &value).code == WHIRL_OK && value == parameter->value)
+        if (whirl_case_parameter(*machine, parameter->name, &value).code == WHIRL_OK && value == parameter->value)
             continue;
         snprintf(assignment, sizeof assignment, "%s=%s", parameter->name, parameter->text);
-        status = whirl_case_set(machine, assignment);
-        if (status.code == WHIRL_OK) continue;
-        if (status.code == WHIRL_NO_MEMORY) *no_memory = true;
-        whirl_case_free(machine);
-        return NULL;
+        status = whirl_case_set(*machine, assignment);
+        if (status.code != WHIRL_OK) whirl_case_free(*machine);
     }
-    return machine;
+    if (status.code == WHIRL_OK) return status;
+    *machine = NULL;
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
 whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study) {

@@ -181,12 +181,13 @@ static void add_beside(const paragraph *p) {
         100.0 * whirl_missed_share(table->source->starts));
 }
 
-bool motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
-                  char text[MOTIONS_TOLD_SIZE]) {
-    bool no_memory = false;
-    whirl_case *machine = machine_of(view, &no_memory);
+whirl_status motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
+                          char text[MOTIONS_TOLD_SIZE]) {
+    whirl_case *machine;
+    const whirl_status status = machine_of(view, &machine);
     const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
+    if (status.code != WHIRL_OK) return status;
     const bool judged = whirl_layout_has_verdict(&table->layout);
     judged ? add_regimes(&p) : add_count(&p);
     add(&p, ", ");
@@ -199,7 +200,7 @@ bool motions_told(const whirl_shown_units *units, const whirl_result *view, cons
     else
         add(&p, ".");
     whirl_case_free(machine);
-    return !no_memory;
+    return status;
 }
 
 // ---------------------------------------------------------------- ranges_told

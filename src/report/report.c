@@ -104,12 +104,11 @@ static whirl_status draw_figure(report *made, const drawing *of, const figure_pl
 }
 
 static whirl_status draw_result(report *made, const whirl_result *result, size_t index) {
-    bool no_memory = false;
-    whirl_case *machine = machine_of(result, &no_memory);
+    whirl_case *machine;
+    whirl_status status = machine_of(result, &machine);
     const drawing of = {result, &made->units[index], machine};
     figure_list list = {.count = 0};
-    whirl_status status = folder_make_own(made->paths[index]);
-    if (no_memory) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the machine of a result");
+    if (status.code == WHIRL_OK) status = folder_make_own(made->paths[index]);
     if (status.code == WHIRL_OK) status = figures_list(&of, &list);
     drawn_figure *items = realloc(made->figures.items, (made->figures.count + list.count + 1) * sizeof *items);
     if (items)

@@ -103,9 +103,9 @@ json_t *sheets_json(bool *well, const whirl_findings *findings);
 // ---------------------------------------------------------------- machine_at
 // The machine at a point of a result, which its parameter may change, from the case that the result holds.
 
-/// The case that a result came from, with the parameters that the run used, to be freed by whirl_case_free. NULL where
-/// it holds none that can be read, and where memory ran out: *no_memory becomes true then, and stays as it is else.
-whirl_case *machine_of(const whirl_result *result, bool *no_memory);
+/// The case that a result came from, with the parameters that the run used, to be freed by whirl_case_free; NULL where
+/// it holds none that can be read. WHIRL_NO_MEMORY.
+whirl_status machine_of(const whirl_result *result, whirl_case **machine);
 
 /// The batch of a table in the study of a case, with the second and third parameter of a point; NULL where there is
 /// none. A part of *study.
@@ -153,9 +153,9 @@ bool motions_beside(const whirl_table *table);
 
 enum { MOTIONS_TOLD_SIZE = 4096 };
 
-/// Of a table of motions, in a view (whirl_result_by_attractor) of the result. False where memory ran out.
-bool motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
-                  char text[MOTIONS_TOLD_SIZE]);
+/// Of a table of motions, in a view (whirl_result_by_attractor) of the result. WHIRL_NO_MEMORY.
+whirl_status motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
+                          char text[MOTIONS_TOLD_SIZE]);
 
 // ---------------------------------------------------------------- named_lines
 // Lines of spectra by the names that the machine has for their orders.

@@ -76,9 +76,8 @@ static whirl_status shown_new(const whirl_result *result, const char *units, sho
     whirl_status status = whirl_result_by_attractor(result, &shown->view);
     if (status.code == WHIRL_OK) status = whirl_result_shown_units(shown->view, units, &shown->units);
     if (status.code != WHIRL_OK) return status;
-    bool no_memory = false;
-    shown->machine = machine_of(shown->view, &no_memory);
-    if (no_memory) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the machine of a result");
+    status = machine_of(shown->view, &shown->machine);
+    if (status.code != WHIRL_OK) return status;
     shown->of = (drawing){shown->view, &shown->units, shown->machine};
     return figures_list(&shown->of, &shown->list);
 }

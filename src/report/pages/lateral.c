@@ -18,7 +18,7 @@
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const told = context;
     char text[MOTIONS_TOLD_SIZE];
-    if (!motions_told(&to->units[result], to->results[result], table, text)) *to->failed = true;
+    if (motions_told(&to->units[result], to->results[result], table, text).code != WHIRL_OK) *to->failed = true;
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
 }
 
@@ -93,7 +93,7 @@ static void write_section(const page *to, const whirl_table *table, const char *
 /// Motions in time: what they do in one paragraph, and each by itself.
 static void write_motions(const page *to, size_t result, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    if (!motions_told(&to->units[result], to->results[result], table, text)) *to->failed = true;
+    if (motions_told(&to->units[result], to->results[result], table, text).code != WHIRL_OK) *to->failed = true;
     fputs("<p>", to->stream);
     html_text(to->stream, text);
     fputs("</p>\n", to->stream);
@@ -273,7 +273,7 @@ static void write_machine(const page *to) {
     fputs("<section id=\"machine\">\n<h2>2. Machine and model</h2>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         const whirl_result *result = to->results[r];
-        whirl_case *machine = machine_of(result, to->failed);
+        whirl_case *machine = page_case(to, result);
         fputs("<h3>", to->stream);
         html_text(to->stream, *result->title ? result->title : to->names[r]);
         fputs("</h3>\n", to->stream);

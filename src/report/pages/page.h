@@ -90,6 +90,9 @@ void page_asked(const page *to);
 typedef void page_part(const page *to, size_t result, const whirl_table *table);
 char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
 
+/// The case of a result (machine_of), to be freed; NULL where it holds none, and, noted in page.failed, without memory.
+whirl_case *page_case(const page *to, const whirl_result *result);
+
 // ---------------------------------------------------------------- found
 // What was found, in sentences, each an item of a list.
 

@@ -118,3 +118,9 @@ char *page_text(const page *to, page_part *write, size_t result, const whirl_tab
     *to->failed = true;
     return NULL;
 }
+
+whirl_case *page_case(const page *to, const whirl_result *result) {
+    whirl_case *machine;
+    if (machine_of(result, &machine).code != WHIRL_OK) *to->failed = true;
+    return machine;
+}

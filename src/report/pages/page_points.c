@@ -462,7 +462,7 @@ static void write_watched(const point_page *to, whirl_extent extent, const char 
 void page_motions(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_shown_units *units = &to->units[index];
-    whirl_case *const machine = machine_of(result, to->failed);
+    whirl_case *const machine = page_case(to, result);
     const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
                                machine};
     write_verdicts(&points);
@@ -476,7 +476,7 @@ void page_points(const page *to, size_t index) {
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
     const whirl_shown_units *units = &to->units[index];
-    whirl_case *const machine = machine_of(result, to->failed);
+    whirl_case *const machine = page_case(to, result);
     const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
                                machine};
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);

@@ -49,10 +49,11 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
     if (*whirl_result_fact(units->result, name)) fprintf(out, "  with %s\n", whirl_result_fact(units->result, name));
 }
 
-void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+whirl_status summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    const bool whole = motions_told(units, units->result, table, text);
-    fprintf(out, "  %s%s\n", text, whole ? "" : " (no memory for the machine: something is left out)");
+    const whirl_status status = motions_told(units, units->result, table, text);
+    if (status.code == WHIRL_OK) fprintf(out, "  %s\n", text);
+    return status;
 }
 
 static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
@@ -80,8 +81,8 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     print_given(out, units, table);
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
-    if (!kind && motions_beside(table)) summarize_motions(out, units, table);
-    whirl_status status = whirl_ok();
+    whirl_status status = !kind && motions_beside(table) ? summarize_motions(out, units, table) : whirl_ok();
+    if (status.code != WHIRL_OK) return status;
     if (!kind) {
         status = single ? summarize_response(out, units, table) : summarize_points(out, units, table);
     } else if (table->count == 0 && !whirl_analysis_kind(table->analyses)->found) {

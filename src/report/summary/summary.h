@@ -31,8 +31,8 @@ whirl_unit summary_length_unit(const whirl_shown_units *units);
 /// The one point of a response, or every attractor that its starts lead to. WHIRL_NO_MEMORY.
 whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
-/// What motions do to clearances and contacts, in one paragraph (motions_told).
-void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table);
+/// What motions do to clearances and contacts, in one paragraph (motions_told). WHIRL_NO_MEMORY.
+whirl_status summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table);
 
 /// What was done again.
 void summarize_refinement(FILE *out, const whirl_table *table);
