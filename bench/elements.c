@@ -23,10 +23,10 @@ enum {
     TWICE = 4,
     VECTORS = 8,
     STATES = 1024,
-    MOST_BLOCKS = STATES / VECTORS,
+    MAX_BLOCKS = STATES / VECTORS,
     PLACES = 2,
     COORDINATES = 4,
-    MOST_STATES = TWICE * LAW_STATES
+    MAX_STATES = TWICE * LAW_STATES
 };
 
 /// Stations begin with a mass of 1; all laws are in the machine's units, in which the speed is 1.
@@ -341,7 +341,7 @@ static state random_state(const bench_element *of) {
 typedef struct bench {
     const bench_element *of;
     const whirl_lanes *lanes;
-    lanes_view view[MOST_BLOCKS];
+    lanes_view view[MAX_BLOCKS];
     const isa *on;
     size_t blocks, width, count; ///< lanes of a block, states of all
     size_t degrees, rows;        ///< rows of the velocities, with the states
@@ -432,7 +432,7 @@ static void one_by_one(const bench *b, const state *at, double *out) {
 
 /// The largest of all accelerations.
 static double largest_size(const bench *b) {
-    double largest = 0.0, out[COORDINATES + MOST_STATES];
+    double largest = 0.0, out[COORDINATES + MAX_STATES];
     for (size_t i = 0; i < b->count; i++) {
         one_by_one(b, &b->states[i], out);
         for (size_t row = 0; row < b->degrees; row++) largest = fmax(largest, fabs(out[row]));
@@ -443,7 +443,7 @@ static double largest_size(const bench *b) {
 /// The largest difference, over the size of the force, which counts as a hundredth of the largest one where it is less
 /// (what just touches), or of the slope and 1.
 static double largest_difference(const bench *b) {
-    double worst = 0.0, out[COORDINATES + MOST_STATES];
+    double worst = 0.0, out[COORDINATES + MAX_STATES];
     const double least = 1e-2 * largest_size(b);
     for (size_t i = 0; i < b->count; i++) {
         const size_t lane = i % b->width;
@@ -473,7 +473,7 @@ static void measure(const bench_element *of, double seconds) {
     whirl_rotor *rotor = machine_of(of);
     bench b = bench_new(of, rotor);
     const double apart = largest_difference(&b), all = TWICE * (double)b.count;
-    double best[2] = {0.0}, out[COORDINATES + MOST_STATES], kept = 0.0;
+    double best[2] = {0.0}, out[COORDINATES + MAX_STATES], kept = 0.0;
     for (double begun = peer_clock(); peer_clock() - begun < seconds;) {
         const double start = peer_clock();
         for (int i = 0; i < 8; i++)

@@ -13,7 +13,7 @@
 #include "whirl/engine/bearing_table.h"
 #include "whirl/engine/figure.h"
 
-enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_OVER, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MOST_THREADS = 1024 };
+enum { KEY_FORCE = KEY_OWN, KEY_CSV, KEY_TABLE, KEY_OVER, KEY_AT, KEY_FIGURE, KEY_GNUPLOT, MAX_THREADS = 1024 };
 
 typedef struct bearing_arguments {
     const char *path, *csv, *table, *station, *output, *figure, *gnuplot;
@@ -77,7 +77,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         arguments->force = true;
         return 0;
     case KEY_THREADS:
-        arguments->threads = take_whole("--threads", argument, MOST_THREADS, state);
+        arguments->threads = take_whole("--threads", argument, MAX_THREADS, state);
         return 0;
     case ARGP_KEY_ARG:
         if (arguments->path) bad_argument(state, "there is one FILE, and '%s' is another", argument);

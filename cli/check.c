@@ -62,8 +62,8 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 }
 
 enum {
-    LOOKED_AT = 3,   ///< values of a batch: the first, the middle and the last
-    MOST_SECONDS = 1 ///< for a look at their motions
+    LOOKED_AT = 3,  ///< values of a batch: the first, the middle and the last
+    MAX_SECONDS = 1 ///< for a look at their motions
 };
 
 /// Machines at the values looked at, and their states.
@@ -108,7 +108,7 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     snprintf(stable.method, sizeof stable.method, "rodas5p");
     stable.rtol = 1e-6;
     stable.atol = 1e-9;
-    const whirl_stop *over = stable.stop = limit_begin(MOST_SECONDS);
+    const whirl_stop *over = stable.stop = limit_begin(MAX_SECONDS);
     const whirl_status status = whirl_ensemble_new(l->machines[first].system, &stable, l->count - first, &lanes);
     if (status.code != WHIRL_OK) {
         limit_end();
@@ -138,7 +138,7 @@ static whirl_status needed_steps(const whirl_study *study, const whirl_batch *ba
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++)
         if (!l.carried[i]) status = carry_with(&l, i, batch);
     whirl_integrate_options own = batch->integrate;
-    own.stop = limit_begin(MOST_SECONDS);
+    own.stop = limit_begin(MAX_SECONDS);
     for (size_t i = 0; i < l.count && status.code == WHIRL_OK; i++) {
         whirl_step_check check = {.growth = 1.0};
         status = whirl_step_check_revolution(l.machines[i].system, &own, l.x[i], NULL, 1e-5, &check);

@@ -21,9 +21,9 @@ bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAM
 
 /// A whole number of few digits; the text goes on behind it. 0 where there is none.
 static size_t read_number(const char **text) {
-    enum { MOST_DIGITS = 9 };
+    enum { MAX_DIGITS = 9 };
     const size_t digits = strspn(*text, "0123456789");
-    const size_t number = digits <= MOST_DIGITS ? strtoul(*text, NULL, 10) : 0;
+    const size_t number = digits <= MAX_DIGITS ? strtoul(*text, NULL, 10) : 0;
     *text += digits;
     return digits > 0 ? number : 0;
 }

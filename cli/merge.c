@@ -23,7 +23,7 @@ static const struct argp_option options[] = {
 };
 
 static void take_journal(study_arguments *arguments, char *path, const struct argp_state *state) {
-    if (arguments->journal_count == MOST_JOURNALS) bad_argument(state, "takes at most %d journals", MOST_JOURNALS);
+    if (arguments->journal_count == MAX_JOURNALS) bad_argument(state, "takes at most %d journals", MAX_JOURNALS);
     arguments->journals[arguments->journal_count++] = path;
 }
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { MOST_COLUMNS = 120, MAX_BAR = 40 };
+enum { MAX_COLUMNS = 120, MAX_BAR = 40 };
 
 progress_view progress_begin(void) {
     return (progress_view){.terminal = is_terminal(STDERR_FILENO)};
@@ -55,7 +55,7 @@ static void state_text(const whirl_progress *progress, char *text, size_t size) 
 }
 
 static void draw_bar(const whirl_progress *progress, const char *state) {
-    const int columns = terminal_columns(STDERR_FILENO), width = columns < MOST_COLUMNS ? columns : MOST_COLUMNS;
+    const int columns = terminal_columns(STDERR_FILENO), width = columns < MAX_COLUMNS ? columns : MAX_COLUMNS;
     int bar = width - (int)strlen(state) - 5;
     if (bar > MAX_BAR) bar = MAX_BAR;
     if (bar < 4) {

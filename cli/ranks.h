@@ -40,7 +40,7 @@ enum { RANKS_WORDS = 96 };
 int64_t ranks_add(size_t word, int64_t amount);
 
 /// Adds to neighbouring numbers in one question, `count` of them from a word on; gives what they are then.
-enum { RANKS_MOST = 8 };
+enum { RANKS_MAX = 8 };
 void ranks_add_all(size_t word, size_t count, int64_t *amounts);
 
 /// Makes a number at least so large.

@@ -6,7 +6,7 @@
 
 #include "case_arguments.h"
 
-enum { STUDY_PATH_SIZE = 4096, COMMAND_LINE_SIZE = 256, MOST_JOURNALS = 4096 };
+enum { STUDY_PATH_SIZE = 4096, COMMAND_LINE_SIZE = 256, MAX_JOURNALS = 4096 };
 
 typedef struct study_arguments {
     case_arguments given;
@@ -16,7 +16,7 @@ typedef struct study_arguments {
     whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
     whirl_share share;   ///< all zero: the whole study
     size_t journal_count;
-    const char *journals[MOST_JOURNALS]; ///< those that are not beside the result
+    const char *journals[MAX_JOURNALS]; ///< those that are not beside the result
     char default_output[STUDY_PATH_SIZE];
     char command_line[COMMAND_LINE_SIZE];
 } study_arguments;

@@ -6,7 +6,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { LEAST_COLUMNS = 40, USUAL_COLUMNS = 80, MOST_COLUMNS = 1000 };
+enum { MIN_COLUMNS = 40, USUAL_COLUMNS = 80, MAX_COLUMNS = 1000 };
 
 bool is_terminal(int descriptor) {
     return isatty(descriptor) == 1;
@@ -22,8 +22,8 @@ int terminal_columns(int descriptor) {
     const char *const stated = getenv("COLUMNS");
     long columns = stated ? strtol(stated, NULL, 10) : 0;
     if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) columns = size.ws_col;
-    if (columns <= 0 || columns > MOST_COLUMNS) columns = USUAL_COLUMNS;
-    return columns < LEAST_COLUMNS ? LEAST_COLUMNS : (int)columns;
+    if (columns <= 0 || columns > MAX_COLUMNS) columns = USUAL_COLUMNS;
+    return columns < MIN_COLUMNS ? MIN_COLUMNS : (int)columns;
 }
 
 int text_columns(const char *text) {

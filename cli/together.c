@@ -16,7 +16,7 @@ enum {
 };
 
 _Static_assert((int)WORD_SHARED + (int)SHARED_NUMBERS <= (int)RANKS_WORDS, "the ranks see fewer numbers");
-_Static_assert((int)SHARED_NUMBERS <= (int)RANKS_MOST, "they tell fewer at once");
+_Static_assert((int)SHARED_NUMBERS <= (int)RANKS_MAX, "they tell fewer at once");
 
 // ---------------------------------------------------------------- opening
 

@@ -10,7 +10,7 @@
 #include "case_arguments.h"
 #include "console.h"
 
-enum { SAMPLE = 9, MOST_POINTS = 10000, MOST_REVOLUTIONS = 1000000, NAME_SIZE = 64 };
+enum { SAMPLE = 9, MAX_POINTS = 10000, MAX_REVOLUTIONS = 1000000, NAME_SIZE = 64 };
 
 typedef struct verify_arguments {
     case_arguments given;
@@ -55,10 +55,10 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
         arguments->json = true;
         return 0;
     case KEY_POINTS:
-        arguments->points = take_whole("--points", argument, MOST_POINTS, state);
+        arguments->points = take_whole("--points", argument, MAX_POINTS, state);
         return 0;
     case KEY_REVOLUTIONS:
-        arguments->options.revolutions = take_whole("--revolutions", argument, MOST_REVOLUTIONS, state);
+        arguments->options.revolutions = take_whole("--revolutions", argument, MAX_REVOLUTIONS, state);
         return 0;
     case KEY_METHOD:
         snprintf(arguments->options.method, sizeof arguments->options.method, "%s", argument);
@@ -102,7 +102,7 @@ static const whirl_batch *find_many(const whirl_study *study) {
 }
 
 /// Leaves in the study the points that are to be verified; gives the exit status.
-static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[2 * MOST_POINTS]) {
+static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[2 * MAX_POINTS]) {
     const whirl_batch *sweep = find_many(study), *detail = find_batch(study, WHIRL_ROLE_DETAIL);
     const size_t wanted = (size_t)arguments->points;
     if (wanted > 0 && (!sweep || wanted > sweep->count)) {
@@ -260,7 +260,7 @@ static int verify_case(const verify_arguments *arguments) {
     whirl_case *object = NULL;
     whirl_study study;
     whirl_verification *verification = NULL;
-    double *const values = malloc((size_t)3 * MOST_POINTS * sizeof *values);
+    double *const values = malloc((size_t)3 * MAX_POINTS * sizeof *values);
     int outcome = load_case(&arguments->given, &object);
     if (!values) {
         complain("%s", whirl_code_text(WHIRL_NO_MEMORY));

@@ -10,18 +10,18 @@
 #include "mex.h"
 #include "whirl/engine.h"
 
-enum { MOST_MACHINES = 64, MOST_ELEMENTS = 16, WORD = 256 };
+enum { MAX_MACHINES = 64, MAX_ELEMENTS = 16, WORD = 256 };
 
 typedef struct machine {
     double number;
     whirl_case *given;
     whirl_rotor *rotor;
     size_t elements;
-    char names[MOST_ELEMENTS][WORD];
-    whirl_rotor *alone[MOST_ELEMENTS]; /* an element each, built when it is first asked for */
+    char names[MAX_ELEMENTS][WORD];
+    whirl_rotor *alone[MAX_ELEMENTS]; /* an element each, built when it is first asked for */
 } machine;
 
-static machine machines[MOST_MACHINES];
+static machine machines[MAX_MACHINES];
 
 /* A gateway that was cleared, and is there again, goes on beyond its earlier numbers: they begin with the microseconds
  * of the clock, and no machine is made in one. */
@@ -40,7 +40,7 @@ static void clear(machine *one) {
 }
 
 static void clear_all(void) {
-    for (size_t i = 0; i < MOST_MACHINES; ++i) clear(&machines[i]);
+    for (size_t i = 0; i < MAX_MACHINES; ++i) clear(&machines[i]);
 }
 
 /* Errors end the call by a jump, so nothing may be held when they are raised. */
@@ -58,7 +58,7 @@ static void word_of(const mxArray *array, const char *what, char word[WORD]) {
 
 static machine *machine_of(const mxArray *array) {
     const double number = mxIsDouble(array) && mxGetNumberOfElements(array) == 1 ? mxGetScalar(array) : 0.0;
-    for (size_t i = 0; i < MOST_MACHINES; ++i)
+    for (size_t i = 0; i < MAX_MACHINES; ++i)
         if (machines[i].rotor && machines[i].number == number) return &machines[i];
     mexErrMsgIdAndTxt("whirl:badInput", "there is no such machine: it was cleared, or is not of whirl_machine");
     return NULL;
@@ -67,10 +67,10 @@ static machine *machine_of(const mxArray *array) {
 /* ---------------------------------------------------------------- machines */
 
 static machine *free_place(void) {
-    for (size_t i = 0; i < MOST_MACHINES; ++i)
+    for (size_t i = 0; i < MAX_MACHINES; ++i)
         if (!machines[i].rotor) return &machines[i];
     mexErrMsgIdAndTxt("whirl:failed", "there are %d machines already: clear some by whirl_machine('clear')",
-                      MOST_MACHINES);
+                      MAX_MACHINES);
     return NULL;
 }
 
@@ -146,8 +146,8 @@ static void rhs(mxArray *out[], int count, const mxArray *in[]) {
 static const whirl_rotor *element_of(machine *one, const char *name) {
     for (size_t i = 0; i < one->elements; ++i)
         if (strcmp(one->names[i], name) == 0) return one->alone[i];
-    if (one->elements == MOST_ELEMENTS)
-        mexErrMsgIdAndTxt("whirl:failed", "a machine takes %d elements alone, no more", MOST_ELEMENTS);
+    if (one->elements == MAX_ELEMENTS)
+        mexErrMsgIdAndTxt("whirl:failed", "a machine takes %d elements alone, no more", MAX_ELEMENTS);
     check(whirl_case_element(one->given, name, &one->alone[one->elements]));
     snprintf(one->names[one->elements], WORD, "%s", name);
     return one->alone[one->elements++];

@@ -88,13 +88,13 @@ enum { TAG_QUESTION = 1, TAG_ANSWER };
 /// What is to be done with the numbers from a word on.
 typedef struct question {
     int64_t word, count, is_raised;
-    int64_t amounts[RANKS_MOST];
+    int64_t amounts[RANKS_MAX];
 } question;
 
 enum { QUESTION_SIZE = sizeof(question) / sizeof(int64_t) };
 
 /// Changes numbers of the first rank; gives what they were before.
-static void change(const question *asked, int64_t before[RANKS_MOST]) {
+static void change(const question *asked, int64_t before[RANKS_MAX]) {
     for (int64_t i = 0; i < asked->count; i++) {
         int64_t *word = &ranks.words[asked->word + i];
         before[i] = *word;
@@ -110,10 +110,10 @@ static bool answer_one(void) {
     MPI_Iprobe(MPI_ANY_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, &waiting, &from);
     if (!waiting) return false;
     question asked;
-    int64_t before[RANKS_MOST] = {0};
+    int64_t before[RANKS_MAX] = {0};
     MPI_Recv(&asked, QUESTION_SIZE, MPI_INT64_T, from.MPI_SOURCE, TAG_QUESTION, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     change(&asked, before);
-    MPI_Send(before, RANKS_MOST, MPI_INT64_T, from.MPI_SOURCE, TAG_ANSWER, MPI_COMM_WORLD);
+    MPI_Send(before, RANKS_MAX, MPI_INT64_T, from.MPI_SOURCE, TAG_ANSWER, MPI_COMM_WORLD);
     return true;
 }
 
@@ -130,11 +130,11 @@ static void *answer(void *unused) {
 }
 
 /// One question of a rank at a time.
-static void ask(const question *asked, int64_t before[RANKS_MOST]) {
+static void ask(const question *asked, int64_t before[RANKS_MAX]) {
     MPI_Request requests[2];
     pthread_mutex_lock(&ranks.asking);
     lock();
-    MPI_Irecv(before, RANKS_MOST, MPI_INT64_T, 0, TAG_ANSWER, MPI_COMM_WORLD, &requests[0]);
+    MPI_Irecv(before, RANKS_MAX, MPI_INT64_T, 0, TAG_ANSWER, MPI_COMM_WORLD, &requests[0]);
     MPI_Isend(asked, QUESTION_SIZE, MPI_INT64_T, 0, TAG_QUESTION, MPI_COMM_WORLD, &requests[1]);
     for (int done = 0; !done;) {
         MPI_Testall(2, requests, &done, MPI_STATUSES_IGNORE);
@@ -146,7 +146,7 @@ static void ask(const question *asked, int64_t before[RANKS_MOST]) {
     pthread_mutex_unlock(&ranks.asking);
 }
 
-static void change_for_all(const question *asked, int64_t before[RANKS_MOST]) {
+static void change_for_all(const question *asked, int64_t before[RANKS_MAX]) {
     if (ranks.number > 0) {
         ask(asked, before);
         return;
@@ -158,14 +158,14 @@ static void change_for_all(const question *asked, int64_t before[RANKS_MOST]) {
 
 int64_t ranks_add(size_t word, int64_t amount) {
     const question asked = {.word = (int64_t)word, .count = 1, .amounts = {amount}};
-    int64_t before[RANKS_MOST];
+    int64_t before[RANKS_MAX];
     change_for_all(&asked, before);
     return before[0];
 }
 
 void ranks_add_all(size_t word, size_t count, int64_t *amounts) {
     question asked = {.word = (int64_t)word, .count = (int64_t)count};
-    int64_t before[RANKS_MOST];
+    int64_t before[RANKS_MAX];
     for (size_t i = 0; i < count; i++) asked.amounts[i] = amounts[i];
     change_for_all(&asked, before);
     for (size_t i = 0; i < count; i++) amounts[i] += before[i];
@@ -173,7 +173,7 @@ void ranks_add_all(size_t word, size_t count, int64_t *amounts) {
 
 void ranks_raise(size_t word, int64_t value) {
     const question asked = {.word = (int64_t)word, .count = 1, .is_raised = true, .amounts = {value}};
-    int64_t before[RANKS_MOST];
+    int64_t before[RANKS_MAX];
     change_for_all(&asked, before);
 }
 

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { BASE_COUNT = 8, RADIAN = 7, MOST_DEPTH = 64, MOST_POWER = 255 };
+enum { BASE_COUNT = 8, RADIAN = 7, MAX_DEPTH = 64, MAX_POWER = 255 };
 static const char *const bases[BASE_COUNT] = {"m", "kg", "s", "A", "K", "mol", "cd", "rad"};
 
 struct ut_unit {
@@ -52,11 +52,11 @@ static double settle_scale(double scale) {
 
 // ---------------------------------------------------------------- names
 
-enum { MOST_ADDED = 32, ADDED_SIZE = 16 };
+enum { MAX_ADDED = 32, ADDED_SIZE = 16 };
 static struct {
     char name[ADDED_SIZE];
     ut_unit unit;
-} added[MOST_ADDED];
+} added[MAX_ADDED];
 static size_t added_count;
 
 static const ut_unit *search(const known_unit *table, size_t count, const char *name,
@@ -141,7 +141,7 @@ static bool multiply(ut_unit *a, const ut_unit *b) {
 
 static bool raise_to(ut_unit *a, int power) {
     if (power == 1) return true;
-    if (a->logarithmic || power < -MOST_POWER || power > MOST_POWER) return false;
+    if (a->logarithmic || power < -MAX_POWER || power > MAX_POWER) return false;
     if (power == 0) {
         *a = one;
         return true;
@@ -171,13 +171,13 @@ static int superscript(const char *text) {
     return -1;
 }
 
-/// More than MOST_POWER where there is no number.
+/// More than MAX_POWER where there is no number.
 static int read_superscripts(unit_reader *r) {
     const bool negative = superscript(r->at) == RAISED_MINUS;
     if (negative) r->at += strlen(superscripts[RAISED_MINUS]);
-    int digit = superscript(r->at), power = digit >= 0 && digit < RAISED_MINUS ? 0 : MOST_POWER + 1;
+    int digit = superscript(r->at), power = digit >= 0 && digit < RAISED_MINUS ? 0 : MAX_POWER + 1;
     for (; digit >= 0 && digit < RAISED_MINUS; digit = superscript(r->at)) {
-        power = power > MOST_POWER ? power : 10 * power + digit;
+        power = power > MAX_POWER ? power : 10 * power + digit;
         r->at += strlen(superscripts[digit]);
     }
     return negative ? -power : power;
@@ -187,7 +187,7 @@ static int read_digits(unit_reader *r) {
     const bool negative = *r->at == '-';
     int power = 0;
     r->at += negative;
-    for (; isdigit((unsigned char)*r->at); r->at++) power = power > MOST_POWER ? power : 10 * power + (*r->at - '0');
+    for (; isdigit((unsigned char)*r->at); r->at++) power = power > MAX_POWER ? power : 10 * power + (*r->at - '0');
     return negative ? -power : power;
 }
 
@@ -242,7 +242,7 @@ static bool read_factor(unit_reader *r, ut_unit *unit) {
     const size_t length = name_length(r->at);
     if (*r->at == '(') {
         r->at++;
-        if (++r->depth > MOST_DEPTH || !read_product(r, unit) || *r->at != ')') return false;
+        if (++r->depth > MAX_DEPTH || !read_product(r, unit) || *r->at != ')') return false;
         r->depth--;
         r->at++;
         r->after_name = false;
@@ -341,7 +341,7 @@ ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding
 
 ut_status ut_map_name_to_unit(const char *name, ut_encoding encoding, const ut_unit *unit) {
     (void)encoding;
-    if (added_count == MOST_ADDED || strlen(name) >= ADDED_SIZE) return UT_NO_MEMORY;
+    if (added_count == MAX_ADDED || strlen(name) >= ADDED_SIZE) return UT_NO_MEMORY;
     strcpy(added[added_count].name, name);
     added[added_count++].unit = *unit;
     return UT_SUCCESS;

@@ -12,7 +12,7 @@
 /// zero to peak). Angles are in rad. Channels lie one after the other, values [channels][count]; points of a section
 /// likewise, points [count][dimension]. All arrays belong to the caller. Samples, channels, pulses and points are
 /// counted from 0. What is not finite (a gap), does not grow in time, is too short, or is more than
-/// WHIRL_SIGNALS_MOST numbers gives WHIRL_BAD_INPUT with a sentence; then nothing was written that counts. Every
+/// WHIRL_SIGNALS_MAX numbers gives WHIRL_BAD_INPUT with a sentence; then nothing was written that counts. Every
 /// function may be called on several threads at once.
 ///
 /// Stable interface: docs/abi.md says for how long.
@@ -30,10 +30,10 @@ extern "C" {
 
 /// Bounds of what is taken.
 enum {
-    WHIRL_SIGNALS_MOST = 1000000000,       ///< numbers of an array
-    WHIRL_SIGNALS_HIGHEST_ORDER = 9,       ///< of the polynomials that interpolate
-    WHIRL_SIGNALS_FEWEST_REVOLUTIONS = 4,  ///< of a spectrum
-    WHIRL_SIGNALS_MOST_RECURRENCES = 20000 ///< points that whirl_signals_recurrence compares with one another
+    WHIRL_SIGNALS_MAX = 1000000000,       ///< numbers of an array
+    WHIRL_SIGNALS_HIGHEST_ORDER = 9,      ///< of the polynomials that interpolate
+    WHIRL_SIGNALS_MIN_REVOLUTIONS = 4,    ///< of a spectrum
+    WHIRL_SIGNALS_MAX_RECURRENCES = 20000 ///< points that whirl_signals_recurrence compares with one another
 };
 
 // ---------------------------------------------------------------- the keyphasor
@@ -104,7 +104,7 @@ size_t whirl_signals_orders(size_t count, size_t samples, double highest_order);
 /// - `synchronous` [2][4]: amplitudes of the part once a revolution of x, y, forward, backward; then the degrees by
 ///   which they lag behind the pulse, as whirl_synchronous has them, NaN where there is no amplitude.
 /// `y` may be NULL: one signal alone, x. WHIRL_BAD_INPUT for no whole number of revolutions, fewer than
-/// WHIRL_SIGNALS_FEWEST_REVOLUTIONS of them or fewer than 3 samples each, and for a highest order that is not above 0.
+/// WHIRL_SIGNALS_MIN_REVOLUTIONS of them or fewer than 3 samples each, and for a highest order that is not above 0.
 whirl_status whirl_signals_spectrum(const double *x, const double *y, size_t count, size_t samples,
                                     double highest_order, double *orders, double *lines, size_t *line_count,
                                     double *synchronous);
@@ -129,7 +129,7 @@ whirl_status whirl_signals_returns(const double *points, size_t count, size_t di
 
 /// Recurrence quantified (Marwan, Romano, Thiel and Kurths 2007, section 3.5): points i and j recur where their
 /// Euclidean distance is at most `radius` >= 0, in the unit of the points. A point and itself are no recurrence, but
-/// part of a vertical line. WHIRL_BAD_INPUT for fewer than 2 points or more than WHIRL_SIGNALS_MOST_RECURRENCES (the
+/// part of a vertical line. WHIRL_BAD_INPUT for fewer than 2 points or more than WHIRL_SIGNALS_MAX_RECURRENCES (the
 /// work grows with their square), and for a `shortest` line below 2.
 /// - *rate: share of the pairs that recur.
 /// - *determinism: share of the recurring pairs in diagonal lines of `shortest` points or more; NaN without any.

@@ -27,7 +27,7 @@ void *arena_take(memory_arena *arena, size_t size) {
     const size_t unit = alignof(max_align_t);
     if (size > (size_t)-1 - unit) return NULL;
     size = (size + unit - 1) / unit * unit;
-    void *large = size >= ROOM_LEAST ? room_map(&arena->room, size, 1) : NULL;
+    void *large = size >= ROOM_MIN ? room_map(&arena->room, size, 1) : NULL;
     if (large) return large;
     arena_chunk *chunk = arena->chunks;
     if (!chunk || chunk->size - chunk->used < size) chunk = add_chunk(arena, size);

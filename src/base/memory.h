@@ -15,8 +15,8 @@
 typedef struct whirl_room whirl_room;
 
 enum {
-    ROOM_LEAST = 1 << 20, ///< bytes from which on an array that is gone through in order is worth a file
-    ROOM_OFTEN = 1 << 12  ///< items after which room_pass has the room rest
+    ROOM_MIN = 1 << 20,  ///< bytes from which on an array that is gone through in order is worth a file
+    ROOM_OFTEN = 1 << 12 ///< items after which room_pass has the room rest
 };
 
 /// An array of zeros in a file; NULL where there is none to be had.

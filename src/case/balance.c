@@ -10,7 +10,7 @@
 #include "settings.h"
 #include "tree.h"
 
-enum { VERSION = 1, MOST_ROWS = 10000 };
+enum { VERSION = 1, MAX_ROWS = 10000 };
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -314,7 +314,7 @@ static double radius_of(case_reader *reader, const setting *mass, const whirl_ba
 static void read_trials(case_reader *reader, const setting_list *file, whirl_balance *out) {
     bool tried[WHIRL_MAX_PLANES] = {false};
     out->trials = room_for(reader, file, "trials", sizeof *out->trials);
-    const file_node *first = out->trials ? items_of(reader, file, "trials", MOST_ROWS) : NULL;
+    const file_node *first = out->trials ? items_of(reader, file, "trials", MAX_ROWS) : NULL;
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;
         whirl_balance_trial *trial = &out->trials[out->trial_count++];
@@ -399,8 +399,8 @@ static bool read_table(case_reader *reader, const file_node *where, whirl_balanc
         return false;
     }
     const file_node *list = balance_readings(&own, path, &vibration_group);
-    if (list && list->count > MOST_ROWS)
-        problem_at(reader->problems, where, "has %zu readings, expected 1 to %d", list->count, MOST_ROWS);
+    if (list && list->count > MAX_ROWS)
+        problem_at(reader->problems, where, "has %zu readings, expected 1 to %d", list->count, MAX_ROWS);
     else if (list)
         read_readings(&own, list, out);
     reader->no_memory = reader->no_memory || own.no_memory;
@@ -415,14 +415,14 @@ static bool read_vibration(case_reader *reader, const setting_list *file, whirl_
     const setting *given = settings_find(file, "vibration");
     if (given && given->place->kind == NODE_TEXT && !node_is_null(given->place))
         return read_table(reader, given->place, out);
-    if (items_of(reader, file, "vibration", MOST_ROWS)) read_readings(reader, given->place, out);
+    if (items_of(reader, file, "vibration", MAX_ROWS)) read_readings(reader, given->place, out);
     return true;
 }
 
 /// Takes what probes see of the shaft itself off all readings.
 static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_balance *out) {
     out->slow_rolls = room_for(reader, file, "slow_roll", sizeof *out->slow_rolls);
-    const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MOST_ROWS) : NULL;
+    const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MAX_ROWS) : NULL;
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;
         whirl_balance_vibration *seen = &out->slow_rolls[out->slow_roll_count++];
@@ -446,7 +446,7 @@ static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_
 
 static void read_coefficients(case_reader *reader, const setting_list *file, whirl_balance *out) {
     out->coefficients = room_for(reader, file, "coefficients", sizeof *out->coefficients);
-    const file_node *first = out->coefficients ? items_of(reader, file, "coefficients", MOST_ROWS) : NULL;
+    const file_node *first = out->coefficients ? items_of(reader, file, "coefficients", MAX_ROWS) : NULL;
     for (const file_node *at = first; at; at = at->next) {
         setting_list item;
         whirl_balance_coefficient *own = &out->coefficients[out->coefficient_count++];

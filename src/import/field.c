@@ -4,7 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-enum { PLACE_SIZE = 200, MOST_WHOLE = 1000000 };
+enum { PLACE_SIZE = 200, MAX_WHOLE = 1000000 };
 
 bool field_good(const import_reader *reader) {
     return reader->status.code == WHIRL_OK;
@@ -74,7 +74,7 @@ long field_whole(field_section *section, const char *key, long fallback) {
     static const char expected[] = "a whole number from 0 to 1000000";
     const value *const found = find(section, key, fallback < -1, expected);
     if (!found) return fallback;
-    if (found->kind == VALUE_NUMBER && found->number >= 0.0 && found->number <= MOST_WHOLE &&
+    if (found->kind == VALUE_NUMBER && found->number >= 0.0 && found->number <= MAX_WHOLE &&
         found->number == floor(found->number))
         return (long)found->number;
     refuse_kind(section, key, found, expected);

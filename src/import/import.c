@@ -11,7 +11,7 @@
 #include "whirl/engine/rotor.h"
 #include "words.h"
 
-enum { MOST_BYTES = 1 << 24, MOST_CASE_BYTES = 1 << 20 };
+enum { MAX_BYTES = 1 << 24, MAX_CASE_BYTES = 1 << 20 };
 
 /// JSON begins with a brace, which no TOML does.
 static bool is_json(const char *text, size_t length) {
@@ -89,9 +89,9 @@ static whirl_status convert(import_reader *reader, value *root, whirl_imported *
     if (!field_good(reader)) return reader->status;
     const whirl_status status = ross_write(reader, &rotor, &out->text, &out->length);
     if (status.code != WHIRL_OK) return status;
-    if (out->length > MOST_CASE_BYTES)
+    if (out->length > MAX_CASE_BYTES)
         return whirl_fail(WHIRL_BAD_INPUT, "%.200s: makes a case of %zu bytes, expected at most %d", reader->file,
-                          out->length, MOST_CASE_BYTES);
+                          out->length, MAX_CASE_BYTES);
     const whirl_status good = check_case(reader->file, out);
     if (good.code != WHIRL_OK) return good;
     if (has_frequencies(&rotor)) note_in_time(&reader->notes, out, reader->file);
@@ -104,9 +104,9 @@ whirl_status whirl_import_parse(const char *text, size_t length, const char *nam
     value *root;
     *out = (whirl_imported){0};
     text = utf8_skip_mark(text, &length);
-    if (length > MOST_BYTES)
+    if (length > MAX_BYTES)
         return whirl_fail(WHIRL_BAD_INPUT, "%.200s: is larger than %d MiB, expected a rotor saved by ROSS", name,
-                          MOST_BYTES >> 20);
+                          MAX_BYTES >> 20);
     whirl_status status = is_json(text, length) ? value_read_json(&arena, text, length, name, &root)
                                                 : value_read_toml(&arena, text, length, name, &root);
     if (status.code == WHIRL_BAD_INPUT)
@@ -123,7 +123,7 @@ whirl_status whirl_import_load(const char *path, whirl_imported *out) {
     char *text;
     size_t length;
     *out = (whirl_imported){0};
-    if (!input_read(path, MOST_BYTES + 1, &in, &text, &length))
+    if (!input_read(path, MAX_BYTES + 1, &in, &text, &length))
         return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT, "%.200s cannot be read: %s", path,
                           in.reason);
     const whirl_status status = whirl_import_parse(text, length, path, out);

@@ -50,11 +50,11 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
 }
 
 /// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
-enum { MOST_PERTURBATIONS = 256 };
+enum { MAX_PERTURBATIONS = 256 };
 
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {
     return whirl_ensemble_takes(system, options) && !adaptive_in_lanes(options) && !options->located &&
-           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MOST_PERTURBATIONS;
+           !system->lanes->jumps && !system->lanes->slides && system->dimension <= MAX_PERTURBATIONS;
 }
 
 /// Rows of the block, and where each array begins.
@@ -295,7 +295,7 @@ whirl_status whirl_ensemble_variational(const whirl_system *system, const whirl_
 
 bool whirl_ensemble_flows(const whirl_system *system, const whirl_integrate_options *options) {
     return system->lanes && system->tangent && adaptive_in_lanes(options) == &dop853_in_lanes &&
-           system->dimension <= MOST_PERTURBATIONS;
+           system->dimension <= MAX_PERTURBATIONS;
 }
 
 whirl_status whirl_ensemble_flow(const whirl_system *system, const whirl_integrate_options *options, size_t lanes,

@@ -115,9 +115,9 @@ static bool is_rounding(search *s, const double *x) {
 
 /// A step, halved until the residual falls; false where it does not.
 static bool take_step(search *s, double *x, double *norm) {
-    enum { MOST_HALVINGS = 20 };
+    enum { MAX_HALVINGS = 20 };
     double part = 2.0;
-    for (int halving = 0; halving < MOST_HALVINGS; halving++) {
+    for (int halving = 0; halving < MAX_HALVINGS; halving++) {
         part *= 0.5;
         go(s, x, part, s->trial);
         const double next = residual(s, s->trial);
@@ -132,10 +132,10 @@ static bool take_step(search *s, double *x, double *norm) {
 
 /// Newton's method from x; false where it does not arrive.
 static bool solve(search *s, double *x) {
-    enum { MOST_STEPS = 60 };
+    enum { MAX_STEPS = 60 };
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     double norm = residual(s, x);
-    for (int k = 0; k < MOST_STEPS && isfinite(norm); k++) {
+    for (int k = 0; k < MAX_STEPS && isfinite(norm); k++) {
         bool leads;
         if (norm == 0.0) return true;
         if (!find_step(s, x, &leads)) return false;

@@ -71,10 +71,10 @@ static double note_change(const double *matrix, double *noted, size_t count) {
 /// Newton's method on the section.
 static bool close_orbit(const mean_system *m, whirl_integrator *integrator, size_t revolutions, double *x, bool closed,
                         double *monodromy, double *work) {
-    enum { MOST_STEPS = 20 };
+    enum { MAX_STEPS = 20 };
     const size_t d = m->system->dimension, n = m->count;
     double *end = work, *vectors = work + d, *rest = work + d + n * d, *noted = rest + n * n + n;
-    for (int k = 0; k < MOST_STEPS; k++) {
+    for (int k = 0; k < MAX_STEPS; k++) {
         double size;
         memcpy(end, x, d * sizeof *end);
         if (!carry(m, integrator, revolutions, end, vectors, monodromy)) return false;

@@ -57,9 +57,9 @@ static double excess(const look *at, size_t rank) {
 /// The zero of a rank between two frequencies.
 static whirl_status close_in(const whirl_whirling *others, const double *rest, size_t rank, double a, double fa,
                              double b, double fb, double *found) {
-    enum { MOST_STEPS = 100 };
+    enum { MAX_STEPS = 100 };
     bracket r = bracket_between(a, fa, b, fb);
-    for (int step = 0; step < MOST_STEPS && bracket_width(&r) > 1e-13 * b; step++) {
+    for (int step = 0; step < MAX_STEPS && bracket_width(&r) > 1e-13 * b; step++) {
         look at;
         const double c = bracket_next(&r);
         const whirl_status status = look_at(others, c, rest, &at);

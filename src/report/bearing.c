@@ -57,7 +57,7 @@ static void phrase_flow(const finder *of, const whirl_bearing *bearing, const wh
                     taylor, first);
     else
         phrase_text(of, phrase, "the Reynolds number is %.3g, and factors of turbulence are for up to %.3g",
-                    point->reynolds, WHIRL_MOST_REYNOLDS);
+                    point->reynolds, WHIRL_MAX_REYNOLDS);
 }
 
 static void phrase_oil(const finder *of, const whirl_bearing *bearing, const whirl_bearing_point *point,

@@ -11,7 +11,7 @@
 /// Stands in the template where the results go.
 static const char mark[] = "@WHIRL-RUNS@";
 
-enum { MOST_TEMPLATE = 1 << 26 };
+enum { MAX_TEMPLATE = 1 << 26 };
 
 // ---------------------------------------------------------------- the template
 
@@ -23,10 +23,10 @@ static whirl_status unreadable(const char *path, const char *why) {
 static whirl_status read_template(const char *path, char **text) {
     input_file in;
     size_t length;
-    if (!input_read(path, MOST_TEMPLATE + 1, &in, text, &length))
+    if (!input_read(path, MAX_TEMPLATE + 1, &in, text, &length))
         return whirl_fail(in.no_memory ? WHIRL_NO_MEMORY : WHIRL_BAD_INPUT,
                           "the explorer's template %.200s cannot be read: %s", path, in.reason);
-    if (length <= MOST_TEMPLATE) return whirl_ok();
+    if (length <= MAX_TEMPLATE) return whirl_ok();
     free(*text);
     *text = NULL;
     return unreadable(path, "is larger than 64 MiB");

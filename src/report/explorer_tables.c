@@ -12,15 +12,15 @@
 /// of machines at rest, or of orbits' nodes, are thinned evenly. Maps of more than the cells that are told in full have
 /// the numbers alone that are most looked at.
 enum {
-    MOST_POINTS = 1 << 16,
-    MOST_CELLS = 1 << 20,
-    MOST_CELLS_IN_FULL = 1 << 14,
-    MOST_SECTION = 1 << 20,
-    LEAST_ROWS = 8,   ///< of the section of such a map, else it has none
-    MOST_ROWS = 4096, ///< of a field of the motion that is told in full
-    MOST_AT_REST = 1 << 22,
-    MOST_NUMBERED = 127, ///< attractors that the page tells apart
-    MOST_NODES = 1 << 20
+    MAX_POINTS = 1 << 16,
+    MAX_CELLS = 1 << 20,
+    MAX_CELLS_IN_FULL = 1 << 14,
+    MAX_SECTION = 1 << 20,
+    MIN_ROWS = 8,    ///< of the section of such a map, else it has none
+    MAX_ROWS = 4096, ///< of a field of the motion that is told in full
+    MAX_AT_REST = 1 << 22,
+    MAX_NUMBERED = 127, ///< attractors that the page tells apart
+    MAX_NODES = 1 << 20
 };
 
 /// The points of a table that go into the page: every `stride`-th, of a map those of every `stride`-th column and row
@@ -74,11 +74,11 @@ static size_t thinned(size_t count, size_t stride) {
 static selection select_cells(const whirl_table *table, bool sections) {
     const size_t rows = whirl_table_rows(table), planes = whirl_table_planes(table);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
-    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) * planes > MOST_CELLS &&
+    while (thinned(table->row, chosen.stride) * thinned(rows, chosen.stride) * planes > MAX_CELLS &&
            chosen.stride < table->row + rows)
         chosen.stride += table->refine > 0 ? chosen.stride : 1;
     for (size_t p = first_chosen(&chosen); p < table->count; p = next_chosen(&chosen, p)) chosen.count++;
-    chosen.lean = chosen.count > MOST_CELLS_IN_FULL;
+    chosen.lean = chosen.count > MAX_CELLS_IN_FULL;
     return chosen;
 }
 
@@ -86,8 +86,8 @@ static selection select_points(const whirl_table *table, bool sections) {
     const whirl_kind *kind = whirl_analysis_kind(table->analyses);
     if (kind->found) return select_all(table);
     if (table->row) return select_cells(table, sections);
-    const size_t fitting = MOST_AT_REST / (table->layout.size + 1) + 1;
-    const size_t room = !kind->moves && fitting < MOST_POINTS ? fitting : MOST_POINTS;
+    const size_t fitting = MAX_AT_REST / (table->layout.size + 1) + 1;
+    const size_t room = !kind->moves && fitting < MAX_POINTS ? fitting : MAX_POINTS;
     const size_t stride = thinned(table->count, room);
     return (selection){.table = table,
                        .stride = stride ? stride : 1,
@@ -178,7 +178,7 @@ static bool write_cells(FILE *stream, const selection *chosen) {
     return well;
 }
 
-enum { MOST_ATTRACTORS = 64 };
+enum { MAX_ATTRACTORS = 64 };
 
 static void write_attractor(FILE *stream, const whirl_table *table, const whirl_attractor *one) {
     const whirl_verdict verdict = whirl_table_verdict(table, one->first);
@@ -195,10 +195,10 @@ static void write_attractor(FILE *stream, const whirl_table *table, const whirl_
 static void write_attractors(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     if (table->role != WHIRL_ROLE_BASIN) return;
-    whirl_attractor found[MOST_ATTRACTORS];
+    whirl_attractor found[MAX_ATTRACTORS];
     size_t *labels = calloc(table->count + 1, sizeof *labels), count = 0;
     // Without memory the page shows regimes.
-    if (labels && whirl_table_attractors(table, labels, found, MOST_ATTRACTORS, &count).code == WHIRL_OK) {
+    if (labels && whirl_table_attractors(table, labels, found, MAX_ATTRACTORS, &count).code == WHIRL_OK) {
         script_key(stream, ',', "attractors");
         fputc('[', stream);
         for (size_t k = 0; k < count; k++) {
@@ -233,7 +233,7 @@ static void write_values(FILE *stream, const selection *chosen) {
     script_key(stream, ',', "branch");
     char before = '[';
     for (size_t p = first_chosen(chosen); p < table->count; p = next_chosen(chosen, p), before = ',')
-        fprintf(stream, "%c%d", before, table->branch[p] < MOST_NUMBERED ? table->branch[p] : MOST_NUMBERED);
+        fprintf(stream, "%c%d", before, table->branch[p] < MAX_NUMBERED ? table->branch[p] : MAX_NUMBERED);
     fputs(end_of_list(chosen), stream);
     script_key(stream, ',', "done");
     before = '[';
@@ -296,7 +296,7 @@ static bool is_looked_at_most(const whirl_field *field) {
 
 /// Of a section the last rows, of a spectrum the lowest orders.
 static kept_part whole_part_of(const whirl_field *field) {
-    const size_t rows = field->rows < MOST_ROWS ? field->rows : MOST_ROWS;
+    const size_t rows = field->rows < MAX_ROWS ? field->rows : MAX_ROWS;
     const bool section = strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0;
     return (kept_part){section ? field->rows - rows : 0, rows, field->columns};
 }
@@ -304,7 +304,7 @@ static kept_part whole_part_of(const whirl_field *field) {
 static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (chosen->whole) return whole_part_of(field);
     const bool section =
-        strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0 && chosen->count <= MOST_SECTION / LEAST_ROWS;
+        strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0 && chosen->count <= MAX_SECTION / MIN_ROWS;
     if (chosen->lean && !section && !is_looked_at_most(field)) return (kept_part){0};
     if (field->rows == 1 || !chosen->moves) return (kept_part){0, field->rows, field->columns};
     if (strncmp(field->name, "torus/section_", strlen("torus/section_")) == 0) return (kept_part){0, field->rows, 2};
@@ -312,7 +312,7 @@ static kept_part part_of(const whirl_field *field, const selection *chosen) {
     if (strcmp(field->name, WHIRL_FIELD_TRACE_MULTIPLIERS) == 0) return (kept_part){0, field->rows, field->columns};
     if (!chosen->sections || chosen->count == 0 || strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) != 0)
         return (kept_part){0};
-    const size_t most = MOST_SECTION / chosen->count;
+    const size_t most = MAX_SECTION / chosen->count;
     const size_t rows = field->rows < most ? field->rows : most;
     return (kept_part){field->rows - rows, rows, 2};
 }
@@ -432,7 +432,7 @@ static void write_orbits(FILE *stream, const whirl_table *table) {
     if (table->role != WHIRL_ROLE_BRANCHES || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||
         !table->blocks)
         return;
-    const size_t stride = count_all_nodes(table) / MOST_NODES + 1;
+    const size_t stride = count_all_nodes(table) / MAX_NODES + 1;
     fprintf(stream, ",\"orbit_stride\":%zu", stride);
     script_key(stream, ',', "orbits");
     fputc('"', stream);

@@ -46,15 +46,15 @@ static bool dump_points(const char *key, const whirl_result *result, const whirl
     return well;
 }
 
-enum { MOST_JUMPS = 1000 };
+enum { MAX_JUMPS = 1000 };
 
 // Jumps within a regime: between which values, of which station, how large and how large usually.
 static json_t *jumps_of(bool *well, const whirl_result *result, const whirl_table *table) {
     json_t *array = json_array();
     size_t count = 0;
-    whirl_jump *jumps = calloc(MOST_JUMPS, sizeof *jumps);
-    if (!jumps || whirl_table_jumps(table, jumps, MOST_JUMPS, &count).code != WHIRL_OK) *well = false;
-    for (size_t i = 0; i < count && i < MOST_JUMPS; ++i) {
+    whirl_jump *jumps = calloc(MAX_JUMPS, sizeof *jumps);
+    if (!jumps || whirl_table_jumps(table, jumps, MAX_JUMPS, &count).code != WHIRL_OK) *well = false;
+    for (size_t i = 0; i < count && i < MAX_JUMPS; ++i) {
         json_t *jump = json_object();
         document_put(well, jump, "from", document_number(table->values[jumps[i].from]));
         document_put(well, jump, "to", document_number(table->values[jumps[i].to]));
@@ -91,15 +91,15 @@ static whirl_status dump_findings(const whirl_result *result, FILE *stream) {
     return well ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory to write JSON");
 }
 
-enum { MOST_ATTRACTORS = 64 };
+enum { MAX_ATTRACTORS = 64 };
 
 // Attractors of a basin, that of most starts first: the first point (from 1 in "points") that came to rest there.
 static json_t *attractors_of(bool *well, const whirl_table *table) {
     json_t *array = json_array();
-    whirl_attractor found[MOST_ATTRACTORS];
+    whirl_attractor found[MAX_ATTRACTORS];
     size_t count;
-    if (whirl_table_attractors(table, NULL, found, MOST_ATTRACTORS, &count).code != WHIRL_OK) *well = false;
-    for (size_t k = 0; k < count && k < MOST_ATTRACTORS && *well; ++k) {
+    if (whirl_table_attractors(table, NULL, found, MAX_ATTRACTORS, &count).code != WHIRL_OK) *well = false;
+    for (size_t k = 0; k < count && k < MAX_ATTRACTORS && *well; ++k) {
         json_t *one = json_object();
         const whirl_verdict verdict = whirl_table_verdict(table, found[k].first);
         document_put(well, one, "first", json_integer((json_int_t)whirl_table_slot(table, found[k].first) + 1));

@@ -45,7 +45,7 @@ typedef struct pair_line {
     film_work film;
 } pair_line;
 
-enum { PAIR_UNDER_WAY = 3, PAIR_MOST_STRIDE = 4 };
+enum { PAIR_UNDER_WAY = 3, PAIR_MAX_STRIDE = 4 };
 
 /// Whether the journal of a vector has no unbalance in any lane.
 VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
@@ -107,7 +107,7 @@ VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pai
 /// Finishes the acceleration begun PAIR_UNDER_WAY - 1 before the last one.
 VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
     const size_t divided = (line->begun - 2) % FILM_PLACES, ended = (line->begun - 3) % FILM_PLACES;
-    vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
+    vec frame[PAIR_DEGREES * PAIR_MAX_STRIDE];
     pair_frame(pair, stride, line, ended, shared, frame);
     film_divide(&line->film, divided);
     pair_end(pair, stride, line, ended, frame);
@@ -117,7 +117,7 @@ VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_
 VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const vec *number, const void *forcing,
                               bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
     pair_line line;
-    vec frame[PAIR_DEGREES * PAIR_MOST_STRIDE];
+    vec frame[PAIR_DEGREES * PAIR_MAX_STRIDE];
     line.begun = 0;
     line.balanced = pair_balanced(stride, number);
     pair_send(&line, stride, number, forcing, sides, q, v, a);

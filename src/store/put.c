@@ -99,7 +99,7 @@ hid_t put_group(whirl_status *status, hid_t parent, const char *name) {
     if (status->code != WHIRL_OK) return H5I_INVALID_HID;
     const hid_t creation = H5Pcreate(H5P_GROUP_CREATE);
     hid_t group = H5I_INVALID_HID;
-    if (h5_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, H5_MOST_COMPACT, 0) >= 0 &&
+    if (h5_keep_plain(creation) >= 0 && H5Pset_link_phase_change(creation, H5_MAX_COMPACT, 0) >= 0 &&
         H5Pset_attr_creation_order(creation, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED) >= 0)
         group = H5Gcreate2(parent, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     if (group < 0) fail_put(status, name);

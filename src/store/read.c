@@ -210,7 +210,7 @@ static void get_field_names(whirl_status *status, hid_t group, const char *table
 /// The same, of a table's own.
 static void *take_array(whirl_status *status, whirl_table *table, size_t count, size_t size) {
     if (status->code != WHIRL_OK) return NULL;
-    void *array = room_take(&table->room, count, size, ROOM_LEAST);
+    void *array = room_take(&table->room, count, size, ROOM_MIN);
     if (!array) *status = whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu x %zu bytes", count, size);
     return array;
 }

@@ -7,7 +7,7 @@
 #include "user.h"
 #include "words.h"
 
-enum { MOST_SHOWN = 160 }; ///< letters of a fact
+enum { MAX_SHOWN = 160 }; ///< letters of a fact
 
 whirl_status whirl_user_system_identity(whirl_user_system *system, const char *identity) {
     if (!identity || !*identity)
@@ -28,11 +28,11 @@ static uint64_t checksum(const char *text) {
 
 /// A fact, of a long text its beginning and its checksum.
 static whirl_status add(whirl_result *result, const char *name, const char *text) {
-    char plain[MOST_SHOWN + 32];
-    if (strlen(text) <= MOST_SHOWN)
+    char plain[MAX_SHOWN + 32];
+    if (strlen(text) <= MAX_SHOWN)
         snprintf(plain, sizeof plain, "%s", text);
     else
-        snprintf(plain, sizeof plain, "%.*s ... (%016llx)", MOST_SHOWN, text, (unsigned long long)checksum(text));
+        snprintf(plain, sizeof plain, "%.*s ... (%016llx)", MAX_SHOWN, text, (unsigned long long)checksum(text));
     whirl_make_plain(plain);
     return whirl_result_add_fact(result, name, plain);
 }

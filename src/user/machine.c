@@ -12,9 +12,9 @@
 #include "vector.h"
 
 enum {
-    BLOCK = 8192,     ///< numbers of lanes that are handed over at a time, for each of state, parameters and slopes
-    MOST_LANES = 512, ///< among them
-    MOST_IN_LANES = 256
+    BLOCK = 8192,    ///< numbers of lanes that are handed over at a time, for each of state, parameters and slopes
+    MAX_LANES = 512, ///< among them
+    MAX_IN_LANES = 256
 };
 
 typedef struct member {
@@ -34,7 +34,7 @@ typedef struct member {
 /// Machines side by side in the user's own units: number k of machine i at [k * row + i].
 typedef struct block {
     size_t count, row;
-    double t[MOST_LANES], scale[MOST_LANES];
+    double t[MAX_LANES], scale[MAX_LANES];
     double x[BLOCK], p[BLOCK], slopes[BLOCK];
 } block;
 
@@ -50,7 +50,7 @@ static bool note(const whirl_user_system *from, int code, double t) {
 }
 
 static bool slopes_of_each(const whirl_user_system *from, block *b) {
-    double x[USER_MOST_STATES], p[USER_MOST_PARAMETERS], slopes[USER_MOST_STATES];
+    double x[USER_MAX_STATES], p[USER_MAX_PARAMETERS], slopes[USER_MAX_STATES];
     for (size_t i = 0; i < b->count; i++) {
         for (size_t k = 0; k < from->dimension; k++) x[k] = b->x[k * b->row + i];
         for (size_t k = 0; k < from->parameter_count; k++) p[k] = b->p[k * b->row + i];
@@ -115,7 +115,7 @@ static void leave_units(const whirl_user_system *from, double *slopes) {
 }
 
 static bool slopes_at(const whirl_user_system *from, double t, const double *x, const double *p, double *slopes) {
-    double room[USER_MOST_STATES];
+    double room[USER_MAX_STATES];
     if (atomic_load(&from->failure->code) != 0) return false;
     if (from->calls_left && --*from->calls_left < 0) return false;
     const double *user = in_units(from, x, room);
@@ -128,7 +128,7 @@ static bool slopes_at(const whirl_user_system *from, double t, const double *x, 
 /// The derivative by the user's own function.
 static bool own_tangent(const whirl_user_system *from, double t, const double *x, const double *p, const double *d,
                         double *out) {
-    double room[2][USER_MOST_STATES];
+    double room[2][USER_MAX_STATES];
     const int code =
         from->tangent(t, in_units(from, x, room[0]), p, in_units(from, d, room[1]), out, from->tangent_context);
     leave_units(from, out);
@@ -141,7 +141,7 @@ static bool own_slopes(const member *own, double t, const double *x, double *slo
 
 static void rhs(const void *model, double s, const double *forcing, const double *x, double *dxdt) {
     const member *own = model;
-    double user[USER_MOST_STATES], slopes[USER_MOST_STATES];
+    double user[USER_MAX_STATES], slopes[USER_MAX_STATES];
     (void)forcing;
     to_own(own, x, user);
     const bool good = own_slopes(own, own->scale * s, user, slopes);
@@ -177,7 +177,7 @@ static double largest_change(size_t n, const double *lower, const double *upper,
 /// derivative tells what such a jump does to a perturbation.
 static bool jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
                   double step, const double *lower, const double *upper) {
-    double ends[2][USER_MOST_STATES], between[USER_MOST_STATES], place[USER_MOST_STATES], low = -step, high = step;
+    double ends[2][USER_MAX_STATES], between[USER_MAX_STATES], place[USER_MAX_STATES], low = -step, high = step;
     const size_t n = from->dimension;
     size_t which = 0;
     const double all = from->smooth ? largest_change(n, lower, upper, &which) : 0.0;
@@ -206,7 +206,7 @@ static bool jumps(const whirl_user_system *from, double t, const double *p, cons
 
 /// The derivative along d, both in the user's own units, by differences to both sides.
 static bool own_difference(const member *own, double t, const double *x, const double *d, double *out) {
-    double beside[USER_MOST_STATES], lower[USER_MOST_STATES];
+    double beside[USER_MAX_STATES], lower[USER_MAX_STATES];
     const size_t n = own->from->dimension;
     const double step = difference_step(length_of(x, n), length_of(d, n));
     for (size_t k = 0; k < n; k++) beside[k] = x[k] - step * d[k];
@@ -222,7 +222,7 @@ static void tangent(const void *model, double s, const double *forcing, const do
                     size_t count, const double *dx, double *ddxdt) {
     const member *own = model;
     const whirl_user_system *from = own->from;
-    double user[USER_MOST_STATES], along[USER_MOST_STATES], slopes[USER_MOST_STATES];
+    double user[USER_MAX_STATES], along[USER_MAX_STATES], slopes[USER_MAX_STATES];
     const double t = own->scale * s;
     (void)forcing, (void)sides;
     to_own(own, x, user);
@@ -296,7 +296,7 @@ static void put_slopes(const part *p, size_t set, double sign, const double *fac
 /// Whether the slopes of lane i jump between the states on both sides of its own, where they are `lower` and the
 /// block's.
 static void look_for_jump(const part *p, size_t set, const block *b, size_t i, double step, const double *lower) {
-    double x[MOST_IN_LANES], d[MOST_IN_LANES], q[USER_MOST_PARAMETERS], below[MOST_IN_LANES], above[MOST_IN_LANES];
+    double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], below[MAX_IN_LANES], above[MAX_IN_LANES];
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
         x[k] = coordinate(p, 0, k)[i] * unit;
@@ -310,7 +310,7 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
 
 /// The derivative along a perturbation by differences, lane by lane with a step of its own.
 static void flow_beside(const part *p, size_t set, block *b) {
-    double step[MOST_LANES], half[MOST_LANES], size[MOST_LANES], length[MOST_LANES];
+    double step[MAX_LANES], half[MAX_LANES], size[MAX_LANES], length[MAX_LANES];
     memset(size, 0, sizeof size);
     memset(length, 0, sizeof length);
     for (size_t k = 0; k < p->from->dimension; k++) {
@@ -338,7 +338,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
 
 /// The derivative along a perturbation by the user's own function, one lane at a time.
 static void flow_along(const part *p, size_t set, block *b) {
-    double x[MOST_IN_LANES], d[MOST_IN_LANES], q[USER_MOST_PARAMETERS], out[MOST_IN_LANES];
+    double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], out[MAX_IN_LANES];
     const whirl_user_system *from = p->from;
     for (size_t i = 0; i < b->count; i++) {
         for (size_t k = 0; k < from->dimension; k++) {
@@ -359,7 +359,7 @@ static void flow(const lanes_view *view, size_t lanes) {
     const size_t all = view->vectors * lanes;
     const size_t most = BLOCK / (from->dimension > from->parameter_count ? from->dimension : from->parameter_count);
     block b;
-    b.row = most < MOST_LANES ? most : MOST_LANES;
+    b.row = most < MAX_LANES ? most : MAX_LANES;
     for (part p = {.view = view, .from = from, .row = view->stride * lanes}; p.first < all; p.first += b.row) {
         b.count = all - p.first < b.row ? all - p.first : b.row;
         begin_block(&p, &b);
@@ -473,7 +473,7 @@ static whirl_status make_probes(member *own) {
 
 static whirl_status make(member *own, const double *parameters) {
     const whirl_user_system *from = own->from;
-    double values[USER_MOST_PARAMETERS], period, common;
+    double values[USER_MAX_PARAMETERS], period, common;
     for (size_t k = 0; k < from->parameter_count; k++) values[k] = from->parameters[k].value;
     whirl_status status = user_period(from, values, &common);
     if (status.code == WHIRL_OK) status = user_period(from, parameters, &period);
@@ -498,7 +498,7 @@ static whirl_status make(member *own, const double *parameters) {
                                  .probe_count = from->station_count,
                                  .probes = from->stations,
                                  .model = own};
-    if (from->displacements > 0 && from->dimension <= MOST_IN_LANES) fill_lanes(own);
+    if (from->displacements > 0 && from->dimension <= MAX_IN_LANES) fill_lanes(own);
     return from->units ? make_probes(own) : status;
 }
 

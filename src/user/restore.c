@@ -71,7 +71,7 @@ whirl_status user_restore(const whirl_user_system *system, whirl_table *table) {
     const timed_fields f = fields_of(&table->layout);
     const bool velocities = system->displacements > 0 && f.section,
                nodes = f.nodes && (system->displacements > 0 || system->units);
-    double parameters[USER_MOST_PARAMETERS], common, period;
+    double parameters[USER_MAX_PARAMETERS], common, period;
     for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
     whirl_status status = user_period(system, parameters, &common);
     if (!table->blocks || (!velocities && !nodes && !f.period)) return status;

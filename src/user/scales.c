@@ -85,7 +85,7 @@ static whirl_status see_motion(const look *at, const whirl_machine *machine, con
 static whirl_status see_points(const whirl_study *study, const look *at) {
     const whirl_batch *batch = &study->batches[0];
     const size_t points[] = {0, batch->count / 2, batch->count - 1}, count = batch->count < 3 ? batch->count : 3;
-    double slopes[USER_MOST_STATES];
+    double slopes[USER_MAX_STATES];
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         whirl_batch one = *batch;

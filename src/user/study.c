@@ -18,7 +18,7 @@ typedef struct prepared {
 static whirl_status machine_at(const void *family, const whirl_batch *batch, double value, whirl_machine *machine) {
     const whirl_user_system *system = family;
     const double varied[USER_AXES] = {value, batch->second_value, batch->third_value};
-    double parameters[USER_MOST_PARAMETERS] = {0};
+    double parameters[USER_MAX_PARAMETERS] = {0};
     for (size_t k = 0; k < system->parameter_count; k++) parameters[k] = system->parameters[k].value;
     for (size_t i = 0; i < system->axis_count && i < USER_AXES; i++)
         if (i != 1 || *batch->second) parameters[system->axes[i].parameter] = varied[i];
@@ -153,7 +153,7 @@ static void name_clock(const whirl_user_system *system, whirl_table *table) {
 }
 
 static whirl_status describe(const whirl_user_system *system, whirl_result *result) {
-    double values[USER_MOST_PARAMETERS], period;
+    double values[USER_MAX_PARAMETERS], period;
     for (size_t k = 0; k < system->parameter_count; k++) values[k] = system->parameters[k].value;
     whirl_status status = user_period(system, values, &period);
     if (status.code != WHIRL_OK) return status;

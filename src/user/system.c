@@ -11,9 +11,8 @@ static const double two_pi = 6.283185307179586476925;
 
 whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_user_system **out) {
     *out = NULL;
-    if (dimension < 1 || dimension > USER_MOST_STATES)
-        return whirl_fail(WHIRL_BAD_INPUT, "a system of %zu coordinates, expected 1 to %d", dimension,
-                          USER_MOST_STATES);
+    if (dimension < 1 || dimension > USER_MAX_STATES)
+        return whirl_fail(WHIRL_BAD_INPUT, "a system of %zu coordinates, expected 1 to %d", dimension, USER_MAX_STATES);
     whirl_user_system *system = calloc(1, sizeof *system);
     if (system) {
         system->start = calloc(dimension, sizeof *system->start);
@@ -27,7 +26,7 @@ whirl_status whirl_user_system_new(const char *title, size_t dimension, whirl_us
     whirl_make_plain(system->title);
     system->dimension = dimension;
     system->period = two_pi;
-    system->speed = USER_MOST_PARAMETERS;
+    system->speed = USER_MAX_PARAMETERS;
     whirl_members_default(whirl_integrate_members(), &system->integrate);
     system->record = whirl_record_default();
     system->record.settle = true;
@@ -98,8 +97,8 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
     if (!isfinite(value)) return whirl_fail(WHIRL_BAD_INPUT, "%s is %g, expected a finite number", name, value);
     const whirl_status known = check_unit(name, unit);
     if (known.code != WHIRL_OK) return known;
-    if (system->parameter_count == USER_MOST_PARAMETERS)
-        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d parameters", USER_MOST_PARAMETERS);
+    if (system->parameter_count == USER_MAX_PARAMETERS)
+        return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d parameters", USER_MAX_PARAMETERS);
     whirl_parameter *one = grow((void **)&system->parameters, system->parameter_count, sizeof *one);
     if (!one) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a parameter");
     system->parameter_count++;
@@ -113,7 +112,7 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
 }
 
 whirl_status user_require_parameter(const whirl_user_system *system, const char *name, size_t *index) {
-    const char *names[USER_MOST_PARAMETERS];
+    const char *names[USER_MAX_PARAMETERS];
     *index = find_parameter(system, name);
     if (*index < system->parameter_count) return whirl_ok();
     for (size_t i = 0; i < system->parameter_count; i++) names[i] = system->parameters[i].name;
@@ -215,7 +214,7 @@ whirl_status whirl_user_system_period(whirl_user_system *system, double period) 
     if (!(period > 0.0) || !isfinite(period))
         return whirl_fail(WHIRL_BAD_INPUT, "the period is %g, expected a number above 0", period);
     system->period = period;
-    system->speed = USER_MOST_PARAMETERS;
+    system->speed = USER_MAX_PARAMETERS;
     return whirl_ok();
 }
 

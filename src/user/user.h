@@ -12,8 +12,8 @@
 #include "whirl/user_system.h"
 
 enum {
-    USER_MOST_STATES = 4096,
-    USER_MOST_PARAMETERS = 256,
+    USER_MAX_STATES = 4096,
+    USER_MAX_PARAMETERS = 256,
     USER_AXES = 3 ///< of a study
 };
 

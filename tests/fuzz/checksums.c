@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SIZES = 16, SIGNATURE = 4 };
+enum { MAX_SIZES = 16, SIGNATURE = 4 };
 
 static uint32_t turn(uint32_t word, int bits) {
     return word << bits | word >> (32 - bits);
@@ -63,7 +63,7 @@ static void add(checksum_list *sums, size_t start, size_t length) {
 static void find(checksum_list *sums, const uint8_t *bytes, size_t size) {
     for (size_t start = 0; start + SIGNATURE < size; start++) {
         if (!begins_structure(bytes + start)) continue;
-        for (size_t length = SIGNATURE; length < CHECKSUM_MOST && start + length + 4 <= size; length++) {
+        for (size_t length = SIGNATURE; length < CHECKSUM_MAX && start + length + 4 <= size; length++) {
             if (word_at(bytes + start + length) != lookup3(bytes + start, length)) continue;
             add(sums, start, length);
             break;
@@ -72,12 +72,12 @@ static void find(checksum_list *sums, const uint8_t *bytes, size_t size) {
 }
 
 const checksum_list *checksums_of(const uint8_t *bytes, size_t size) {
-    static checksum_list known[MOST_SIZES];
+    static checksum_list known[MAX_SIZES];
     static size_t count;
     static const uint8_t signature[] = {0x89, 'H', 'D', 'F'};
     for (size_t i = 0; i < count; i++)
         if (known[i].file_size == size) return &known[i];
-    if (count == MOST_SIZES || size < sizeof signature || memcmp(bytes, signature, sizeof signature) != 0) return NULL;
+    if (count == MAX_SIZES || size < sizeof signature || memcmp(bytes, signature, sizeof signature) != 0) return NULL;
     checksum_list sums = {.file_size = size};
     find(&sums, bytes, size);
     // A sound file has those of its superblock and of its root at least.

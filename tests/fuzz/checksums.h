@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { CHECKSUM_MOST = 4096 };
+enum { CHECKSUM_MAX = 4096 };
 
 /// `length` bytes from `start` on, followed by their checksum.
 typedef struct checksum {

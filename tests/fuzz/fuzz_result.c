@@ -90,7 +90,7 @@ size_t LLVMFuzzerCustomMutator(uint8_t *data, size_t size, size_t most, unsigned
     // Within one structure, for a change anywhere else would be one of numbers. The length stays, and so do the places.
     for (unsigned change = 0; change < 1 + seed / 4 % 3; change++) {
         const checksum *one = &sums->items[(seed / 12 + 7919u * change) % sums->count];
-        uint8_t part[CHECKSUM_MOST];
+        uint8_t part[CHECKSUM_MAX];
         memcpy(part, data + one->start, one->length);
         const size_t length = LLVMFuzzerMutate(part, one->length, one->length);
         memcpy(data + one->start, part, length);

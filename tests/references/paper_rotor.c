@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 8, BY = N + 1, MOST_ORDER = 28, MOST_EXTREMA = 64 };
+enum { N = 8, BY = N + 1, MAX_ORDER = 28, MAX_EXTREMA = 64 };
 
 #include "extended.h"
 
@@ -37,7 +37,7 @@ typedef struct number {
 
 /// Coefficients of powers of the time from an instant on.
 typedef struct series {
-    number at[MOST_ORDER + 1];
+    number at[MAX_ORDER + 1];
 } series;
 
 static void add_number(number *sum, real factor, const number *a) {
@@ -240,7 +240,7 @@ typedef struct period {
     real end[N], by[N][BY];
     int contacts; ///< that begin
     int extrema;  ///< of the disc's radius, with what it has beyond the gap there
-    real extremum[MOST_EXTREMA];
+    real extremum[MAX_EXTREMA];
 } period;
 
 /// A series' value and rate at h.
@@ -274,7 +274,7 @@ static real step_length(const expansion *e, real h, bool *switches, period *p) {
         const real beyond = value_at(&e->beyond, e->order, ends[n], &rate);
         *switches = e->touching ? beyond < 0.0L : beyond > 0.0L;
         if (*switches) return zero_between(e, false, from, ends[n]);
-        if (n == 0 && p->extrema < MOST_EXTREMA) p->extremum[p->extrema++] = sqrtl(beyond + gap * gap) - gap;
+        if (n == 0 && p->extrema < MAX_EXTREMA) p->extremum[p->extrema++] = sqrtl(beyond + gap * gap) - gap;
         from = ends[n];
     }
     return h;

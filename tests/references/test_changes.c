@@ -17,7 +17,7 @@
 #include "whirl/engine.h"
 #include "whirl/engine/ensemble.h"
 
-enum { N = 8, MOST_CHANGES = 4 };
+enum { N = 8, MAX_CHANGES = 4 };
 
 /// A box around all motions of the rotor, in clearances.
 static const double low[N] = {-1.0, -1.1, -0.6, -0.9, -0.6, -0.6, -0.6, -0.6},
@@ -43,7 +43,7 @@ typedef struct piece {
     settled orbit;
     int direction;
     double from, to;
-    change changes[MOST_CHANGES];
+    change changes[MAX_CHANGES];
 } piece;
 
 static const piece pieces[] = {
@@ -160,7 +160,7 @@ static size_t next_special(const whirl_branch *branch, size_t i) {
 
 static size_t count_changes(const piece *p) {
     size_t count = 0;
-    while (count < MOST_CHANGES && p->changes[count].kind != WHIRL_REGULAR) count++;
+    while (count < MAX_CHANGES && p->changes[count].kind != WHIRL_REGULAR) count++;
     return count;
 }
 
@@ -279,12 +279,12 @@ typedef struct motion {
     double from[N];
 } motion;
 
-enum { MOST_MOTIONS = 2 * PIECES * MOST_CHANGES };
+enum { MAX_MOTIONS = 2 * PIECES * MAX_CHANGES };
 
 typedef struct brute_force {
     const known *known;
     whirl_ensemble *ensemble;
-    motion motions[MOST_MOTIONS];
+    motion motions[MAX_MOTIONS];
     size_t count;
 } brute_force;
 

@@ -22,8 +22,8 @@ typedef struct row {
 /// Motions that come to rest more slowly, and tori, need more revolutions than are watched, and undetermined is right.
 static const double slow = -0.03; // per revolution
 
-enum { MOST_ROWS = 256 };
-static row rows[MOST_ROWS];
+enum { MAX_ROWS = 256 };
+static row rows[MAX_ROWS];
 static size_t row_count;
 
 static bool read_row(const char *line, row *to) {
@@ -36,7 +36,7 @@ static void read_rows(void) {
     FILE *table = fopen(REFERENCES "/element_motions.txt", "r");
     while (table && fgets(line, sizeof line, table)) {
         row *next = &rows[row_count];
-        row_count += row_count < MOST_ROWS && read_row(line, next) && strcmp(next->motion, "?") != 0;
+        row_count += row_count < MAX_ROWS && read_row(line, next) && strcmp(next->motion, "?") != 0;
     }
     if (table) fclose(table);
 }

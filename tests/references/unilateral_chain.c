@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { N = 4, MOST_ORDER = 32, MOST_EXTREMA = 64, MOST_POINTS = 64 };
+enum { N = 4, MAX_ORDER = 32, MAX_EXTREMA = 64, MAX_POINTS = 64 };
 
 #include "extended.h"
 
@@ -41,13 +41,13 @@ typedef struct period {
     real end[N], by[N][N + 1];
     int touches; ///< contacts that begin
     int extrema; ///< of q1 - 1, with its values there
-    real extremum[MOST_EXTREMA];
+    real extremum[MAX_EXTREMA];
 } period;
 
 /// Coefficients of the series of the motion and its five derivatives in powers of theta from an instant on.
 typedef struct series {
     int order;
-    real x[MOST_ORDER + 1][N], by[MOST_ORDER + 1][N][N + 1];
+    real x[MAX_ORDER + 1][N], by[MAX_ORDER + 1][N][N + 1];
 } series;
 
 /// x' = (A x + b)/W on one side of the contact, with b without the force.
@@ -111,7 +111,7 @@ static real step_length(const series *s, bool touching, real h, period *p) {
     for (int n = turns ? 0 : 1; n < 2; n++) {
         const real g = at(s, 0, ends[n]) - 1.0L;
         if (touching ? g < 0.0L : g > 0.0L) return root(s, 0, 1.0L, from, ends[n]);
-        if (n == 0 && p->extrema < MOST_EXTREMA) p->extremum[p->extrema++] = g;
+        if (n == 0 && p->extrema < MAX_EXTREMA) p->extremum[p->extrema++] = g;
         from = ends[n];
     }
     return h;
@@ -208,7 +208,7 @@ static void find_tangent(orbit *o, const real *before) {
 
 // ---------------------------------------------------------------- special points
 
-enum { FOLD, DOUBLING, PRODUCT_ONE, VALUE, GRAZE = VALUE + VALUES, TESTS = GRAZE + MOST_EXTREMA };
+enum { FOLD, DOUBLING, PRODUCT_ONE, VALUE, GRAZE = VALUE + VALUES, TESTS = GRAZE + MAX_EXTREMA };
 
 /// The function that is zero at special points of that kind.
 static real test_of(const orbit *o, int test) {
@@ -294,7 +294,7 @@ static int follow(const accuracy *a, special *points) {
             if (test >= GRAZE && next.period.extrema != here.period.extrema) continue;
             orbit o;
             if ((test_of(&here, test) > 0.0L) == (test_of(&next, test) > 0.0L)) continue;
-            if (!locate(a, &here, step, test, &o) || count == MOST_POINTS) return 0;
+            if (!locate(a, &here, step, test, &o) || count == MAX_POINTS) return 0;
             real along = length;
             for (int i = 0; i <= N; i++) along += here.tangent[i] * (o.u[i] - here.u[i]);
             note(&points[count++], &o, kind_of(&o, test), along);
@@ -344,7 +344,7 @@ static real multipliers_apart(const special *one, const special *other) {
 }
 
 int main(void) {
-    static special coarse[MOST_POINTS], fine[MOST_POINTS];
+    static special coarse[MAX_POINTS], fine[MAX_POINTS];
     const int count = follow(&(accuracy){160, 18}, coarse);
     real orbits = 0.0L, largest = 0.0L;
     if (count == 0 || follow(&(accuracy){240, 24}, fine) != count) {

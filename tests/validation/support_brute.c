@@ -21,7 +21,7 @@ double brute_mirrored(int number, int base) {
 
 static void rk4_step(const brute *b, int step, double *x) {
     const double h = 2.0 * pi / b->steps;
-    double k[4][MOST_STATE], at[MOST_STATE];
+    double k[4][MAX_STATE], at[MAX_STATE];
     for (int stage = 0; stage < 4; stage++) {
         const double part = stage == 0 ? 0.0 : stage == 3 ? 1.0 : 0.5, t = h * (step + part);
         for (int i = 0; i < b->dimension; i++) at[i] = x[i] + (stage ? part * h * k[stage - 1][i] : 0.0);

@@ -10,7 +10,7 @@ static const double pi = 3.14159265358979323846;
 /// The digits of a number in base 2 or 3, mirrored at the point.
 double brute_mirrored(int number, int base);
 
-enum { MOST_STATE = 8, LONGEST = 16, SEEN = 64 };
+enum { MAX_STATE = 8, LONGEST = 16, SEEN = 64 };
 
 /// A forced system in time tau of period 2 pi, [v, a] = f(tau, [x, v]).
 typedef struct brute {

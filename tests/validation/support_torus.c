@@ -16,7 +16,7 @@ static void carry(slope_fn slope, const void *model, size_t n, double period, in
     const double h = period / steps;
     for (int i = 0; i < steps; i++) {
         static const double share[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
-        double k[MOST_COORDINATES] = {0.0}, sum[MOST_COORDINATES] = {0.0}, at[MOST_COORDINATES];
+        double k[MAX_COORDINATES] = {0.0}, sum[MAX_COORDINATES] = {0.0}, at[MAX_COORDINATES];
         for (int stage = 0; stage < 4; stage++) {
             for (size_t j = 0; j < n; j++) at[j] = x[j] + share[stage] * h * k[j];
             slope(model, (i + share[stage]) * h, at, k);
@@ -28,7 +28,7 @@ static void carry(slope_fn slope, const void *model, size_t n, double period, in
 
 double *long_motion(slope_fn slope, const void *model, size_t n, double period, int steps, const double *start,
                     int settling, size_t count) {
-    double x[MOST_COORDINATES], *points = calloc(count * n, sizeof *points);
+    double x[MAX_COORDINATES], *points = calloc(count * n, sizeof *points);
     assert_non_null(points);
     memcpy(x, start, n * sizeof *x);
     for (int k = 0; k < settling; k++) carry(slope, model, n, period, steps, x);
@@ -67,7 +67,7 @@ static double square_between(size_t n, const double *a, const double *b) {
 /// The angle of the curve's point nearest to p, among equal ones.
 static double near_angle(const whirl_torus *torus, const double *p) {
     enum { LOOKS = 120 };
-    double nearest = INFINITY, angle = 0.0, x[MOST_COORDINATES];
+    double nearest = INFINITY, angle = 0.0, x[MAX_COORDINATES];
     for (int j = 0; j < LOOKS; j++) {
         whirl_torus_at(torus, 2.0 * pi * j / LOOKS, x);
         const double square = square_between(torus->dimension, x, p);
@@ -80,7 +80,7 @@ static double near_angle(const whirl_torus *torus, const double *p) {
 /// Newton's step to the nearest point.
 static double step_to_nearest(const whirl_torus *torus, const double *p, double angle) {
     const double h = 1e-4;
-    double slope = 0.0, bend = 0.0, x[3][MOST_COORDINATES];
+    double slope = 0.0, bend = 0.0, x[3][MAX_COORDINATES];
     for (int j = 0; j < 3; j++) whirl_torus_at(torus, angle + (j - 1) * h, x[j]);
     for (size_t i = 0; i < torus->dimension; i++) {
         const double d = (x[2][i] - x[0][i]) / (2.0 * h), dd = (x[2][i] - 2.0 * x[1][i] + x[0][i]) / (h * h);
@@ -91,7 +91,7 @@ static double step_to_nearest(const whirl_torus *torus, const double *p, double 
 }
 
 double distance_from(const whirl_torus *torus, const double *points, size_t count) {
-    double largest = 0.0, x[MOST_COORDINATES];
+    double largest = 0.0, x[MAX_COORDINATES];
     for (size_t m = 0; m < count; m++) {
         const double *p = points + m * torus->dimension;
         double angle = near_angle(torus, p);

@@ -9,7 +9,7 @@
 /// dx/dt of a model.
 typedef void (*slope_fn)(const void *model, double t, const double *x, double *slope);
 
-enum { MOST_COORDINATES = 8 };
+enum { MAX_COORDINATES = 8 };
 
 /// Sections [count][n] of a motion, one a period, after so many to settle: by the classical method of Runge and Kutta.
 /// Freed by free.

@@ -24,14 +24,14 @@ static double uniform(uint64_t *seed, double low, double high) {
 
 // ---------------------------------------------------------------- finite volumes around, a cosine series along
 
-enum { MOST_CELLS = 640, MODES = 10, POINTS = 10 };
+enum { MAX_CELLS = 640, MODES = 10, POINTS = 10 };
 
 /// Pressures at the cells from t = 0 to pi of one mode along the axis: that by A, odd in t, and that by B, even.
 /// (h^3 p')' - (k/r)^2 h^3 p = s, h = 1 - e cos t, r = L/D, by elimination; less those of a short film, -(r/k)^2 s/h^3,
 /// so that few modes are enough.
 static void solve_mode(double e, double r, double k, size_t cells, double odd[], double even[]) {
     const double dt = pi / (double)cells;
-    double *const by[2] = {odd, even}, share[MOST_CELLS];
+    double *const by[2] = {odd, even}, share[MAX_CELLS];
     for (int parity = 0; parity < 2; parity++) {
         double *p = by[parity], left = parity == 0 ? 2.0 * pow(1.0 - e, 3.0) : 0.0;
         for (size_t i = 0; i < cells; i++) {
@@ -71,8 +71,8 @@ static void forces_on_grid(double e, double r, size_t cells, size_t count, const
                                    0.9739065285171717};
     static const double weight[5] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
                                      0.0666713443086881};
-    static double odd[POINTS][MOST_CELLS], even[POINTS][MOST_CELLS];
-    double p[MOST_CELLS], q[MOST_CELLS];
+    static double odd[POINTS][MAX_CELLS], even[POINTS][MAX_CELLS];
+    double p[MAX_CELLS], q[MAX_CELLS];
     const double dt = pi / (double)cells;
     for (int z = 0; z < POINTS; z++)
         for (size_t i = 0; i < cells; i++) {

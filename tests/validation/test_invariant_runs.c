@@ -64,16 +64,16 @@ typedef struct kept_point {
     size_t batch, slot, size, dimension;
     double *numbers; ///< block [size], end [dimension]
 } kept_point;
-enum { MOST_KEPT = 64 };
+enum { MAX_KEPT = 64 };
 typedef struct kept_points {
     size_t count;
-    kept_point points[MOST_KEPT];
+    kept_point points[MAX_KEPT];
 } kept_points;
 
 static whirl_status keep(void *context, size_t batch, size_t slot, const double *block, size_t size, const double *end,
                          size_t dimension) {
     kept_points *all = context;
-    assert_true(all->count < MOST_KEPT);
+    assert_true(all->count < MAX_KEPT);
     kept_point *own = &all->points[all->count++];
     *own = (kept_point){batch, slot, size, dimension, malloc((size + dimension + 1) * sizeof(double))};
     assert_non_null(own->numbers);

@@ -14,7 +14,7 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/rotor.h"
 
-enum { MOST = 24, MOST_SWITCHES = 16 };
+enum { MOST = 24, MAX_SWITCHES = 16 };
 
 typedef struct machine {
     const char *name, *text;
@@ -49,7 +49,7 @@ static whirl_rotor *rotor_of(const machine *m) {
     require_ok(whirl_case_rotor(object, NULL, 0.0, &rotor));
     whirl_case_free(object);
     assert_true(whirl_rotor_system(rotor)->dimension <= MOST);
-    assert_true(whirl_rotor_system(rotor)->switch_count <= MOST_SWITCHES);
+    assert_true(whirl_rotor_system(rotor)->switch_count <= MAX_SWITCHES);
     return rotor;
 }
 

@@ -104,7 +104,7 @@ static whirl_result *run_springs(size_t rounds, bool stacked) {
 static void follow_springs(double (*seen)[2][2]) {
     for (int row = 0; row < LEVELS; row++)
         for (int down = 0; down < 2; down++) {
-            double x[MOST_STATE] = {0.0};
+            double x[MAX_STATE] = {0.0};
             level = 0.15 + 0.05 * row;
             for (int step = 0; step <= 10 * (SPEEDS - 1); step++) {
                 const int at = down ? 10 * (SPEEDS - 1) - step : step;
@@ -247,11 +247,11 @@ static void meet_rubbing(double *x) {
 /// The largest x of its section at every place, carried from the middle to both sides in small steps; NaN where it is
 /// no more.
 static void follow_rubbing(double *largest) {
-    double middle[MOST_STATE];
+    double middle[MAX_STATE];
     const int parts = 4;
     meet_rubbing(middle);
     for (int side = -1; side <= 1; side += 2) {
-        double x[MOST_STATE];
+        double x[MAX_STATE];
         memcpy(x, middle, sizeof x);
         for (int step = 0; MIDDLE * parts + side * step >= 0 && MIDDLE * parts + side * step <= (RATIOS - 1) * parts;
              step++) {

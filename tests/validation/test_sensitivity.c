@@ -38,12 +38,12 @@ typedef struct answer {
 
 typedef answer law(const given *g);
 
-enum { SPEED, SCALE, MASS, FIRST, MOST_KEYS = 9 };
+enum { SPEED, SCALE, MASS, FIRST, MAX_KEYS = 9 };
 
 /// An element, or keys of the station itself (kind ""), on a station that moves in x and y.
 typedef struct sample {
     const char *name, *kind;
-    whirl_setting words[4], numbers[MOST_KEYS];
+    whirl_setting words[4], numbers[MAX_KEYS];
     size_t states;
     law *law;
 } sample;
@@ -277,8 +277,8 @@ static whirl_status make_sample(const void *context, const whirl_batch *batch, d
     const family *own = context;
     const sample *of = own->of;
     double at[FIRST];
-    whirl_setting settings[4 + MOST_KEYS], disc[1 + MOST_KEYS];
-    const size_t words = count_of(of->words, 4), numbers = count_of(of->numbers, MOST_KEYS);
+    whirl_setting settings[4 + MAX_KEYS], disc[1 + MAX_KEYS];
+    const size_t words = count_of(of->words, 4), numbers = count_of(of->numbers, MAX_KEYS);
     whirl_design *design = NULL;
     whirl_rotor *rotor = NULL;
     (void)batch;
@@ -330,14 +330,14 @@ static void compare(const sample *of, size_t which, double *worst, double *beyon
     const family own = {of, which};
     const whirl_study study = {.machine = make_sample, .family = &own};
     const whirl_batch batch = {.count = 1};
-    const size_t n = 4 + of->states, numbers = FIRST + count_of(of->numbers, MOST_KEYS);
+    const size_t n = 4 + of->states, numbers = FIRST + count_of(of->numbers, MAX_KEYS);
     whirl_sensitivity *sensitivity;
     uint64_t seed = 11;
     require_ok(whirl_sensitivity_new(&study, &batch, value_of(of, which), 0.0, &sensitivity));
     assert_int_equal(whirl_sensitivity_machine(sensitivity)->dimension, n);
     for (int trial = 0; trial < 60; trial++) {
         double x[6], ours[6], error[6], size = 0.0, expected[6];
-        number p[FIRST + MOST_KEYS], slope[6];
+        number p[FIRST + MAX_KEYS], slope[6];
         const long double step = 1e-24L * value_of(of, which);
         const double tau = uniform(&seed, 0.0, two_pi), radius = uniform(&seed, 0.05, 0.9);
         const double angle = uniform(&seed, 0.0, two_pi);
@@ -364,7 +364,7 @@ static void compare(const sample *of, size_t which, double *worst, double *beyon
 static void every_element(void **unused) {
     (void)unused;
     for (size_t i = 0; i < COUNT_OF(samples); i++) {
-        const size_t numbers = FIRST + count_of(samples[i].numbers, MOST_KEYS);
+        const size_t numbers = FIRST + count_of(samples[i].numbers, MAX_KEYS);
         double worst = 0.0, beyond = 0.0;
         for (size_t which = 0; which < numbers; which++) compare(&samples[i], which, &worst, &beyond);
         check_within("Sensitivity", words("%s: by %zu numbers, part of the derivative", samples[i].name, numbers), 0.0,

@@ -55,10 +55,10 @@ static int by_frequency(const void *one, const void *other) {
     return a < b ? -1 : a > b;
 }
 
-enum { MOST_MODES = 2048 };
+enum { MAX_MODES = 2048 };
 
 /// The eigenvalues with positive frequencies, rad/s, by rising frequency; how many.
-static size_t frequencies_at(const whirl_rotor *rotor, const double *t, double complex found[MOST_MODES]) {
+static size_t frequencies_at(const whirl_rotor *rotor, const double *t, double complex found[MAX_MODES]) {
     const whirl_system *system = whirl_rotor_system(rotor);
     const size_t n = system->dimension;
     double *matrix = jacobian_of(system, t);
@@ -73,7 +73,7 @@ static size_t frequencies_at(const whirl_rotor *rotor, const double *t, double c
     return count;
 }
 
-static size_t frequencies(const whirl_rotor *rotor, double complex found[MOST_MODES]) {
+static size_t frequencies(const whirl_rotor *rotor, double complex found[MAX_MODES]) {
     return frequencies_at(rotor, NULL, found);
 }
 
@@ -104,7 +104,7 @@ static void a_rayleigh_shaft_converges_in_order_four(void **state) {
     double last[4] = {0};
     (void)state;
     for (int e = 0; e < 2; e++) {
-        double complex found[MOST_MODES];
+        double complex found[MAX_MODES];
         whirl_rotor *rotor = uniform_shaft(", shear: none", "", elements[e], 3000.0);
         assert_true(frequencies(rotor, found) >= 4);
         for (int i = 0; i < 4; i++) {
@@ -125,7 +125,7 @@ static void a_rayleigh_shaft_converges_in_order_four(void **state) {
 
 /// w_n^2 grows by 1 + N L^2/(n^2 pi^2 EI) under an axial force N.
 static void an_axial_force_raises_frequencies(void **state) {
-    double complex free_of[MOST_MODES], pulled[MOST_MODES];
+    double complex free_of[MAX_MODES], pulled[MAX_MODES];
     const double ei = 2.11e11 * pi / 64.0 * pow(0.08, 4.0);
     (void)state;
     whirl_rotor *rotor = uniform_shaft(", shear: none, rotary_inertia: no", "", 16, 1.0);
@@ -165,7 +165,7 @@ static void damping_is_that_of_its_law(void **state) {
                 {"internal, hysteretic", ", hysteretic_damping: 2e-4", 0.0, 0.0, 0.0, 2e-4}};
     static const char plain[] = ", shear: none, rotary_inertia: no, gyroscopic: no";
     const double speed = 900.0; // between the first and the second critical speed
-    double complex undamped[MOST_MODES], found[MOST_MODES];
+    double complex undamped[MAX_MODES], found[MAX_MODES];
     char keys[200];
     (void)state;
     whirl_rotor *rotor = uniform_shaft(plain, "", 4, speed);
@@ -198,7 +198,7 @@ static void flats_make_its_stiffness_unequal(void **state) {
         uniform_shaft(", shear: none, rotary_inertia: no", ", flats: 72 mm, flats_angle: 30 deg", 4, 100.0);
     for (int i = 0; i < 3; i++) {
         const double t = 2.0 * pi * i / 7.0;
-        double complex found[MOST_MODES];
+        double complex found[MAX_MODES];
         assert_true(frequencies_at(rotor, &t, found) >= 2);
         check_within("FE4", words("stiffer over softer frequency, turned by %d/7", i), sqrt(stiffer / softer),
                      cimag(found[1]) / cimag(found[0]), 1e-9);
@@ -219,7 +219,7 @@ static void flats_make_its_stiffness_unequal(void **state) {
 
 /// A shaft of another speed whirls as it would alone at that speed.
 static void a_second_shaft_turns_at_its_own_speed(void **state) {
-    double complex own[MOST_MODES], other[MOST_MODES];
+    double complex own[MAX_MODES], other[MAX_MODES];
     (void)state;
     whirl_rotor *rotor = uniform_shaft("", "", 4, 700.0), *second = uniform_shaft(", ratio: -1.4", "", 4, 500.0);
     const size_t count = frequencies(rotor, own);
@@ -233,7 +233,7 @@ static void a_second_shaft_turns_at_its_own_speed(void **state) {
 
 /// A mesh to a frequency is right up to there to 1e-4.
 static void a_mesh_is_as_fine_as_it_must(void **state) {
-    double complex found[MOST_MODES];
+    double complex found[MAX_MODES];
     (void)state;
     whirl_rotor *rotor = uniform_shaft(", shear: none, rotary_inertia: no, mesh_to: 2 kHz", "", 1, 1.0);
     const size_t count = frequencies(rotor, found);
@@ -268,7 +268,7 @@ static void masses_are_lumped_and_consistent_as_elsewhere(void **state) {
     static const char *const consistent[] = {"14.609", "15.325", "43.676", "47.211", "114.790", "122.001", "170.229"};
     static const char *const lumped[] = {"14.617", "15.330", "43.356", "46.938", "105.911", "112.770", "151.032"};
     static const double rappid[] = {14.6152, 15.3284, 43.3459, 46.9251, 105.902, 112.760, 150.907};
-    double complex found[MOST_MODES];
+    double complex found[MAX_MODES];
     (void)state;
     whirl_rotor *rotor = example_rotor("consistent");
     frequencies(rotor, found);
@@ -341,7 +341,7 @@ static void static_displacements_are_exact(void **state) {
 /// The error of the first six frequencies falls as more is kept; all modes are the full model.
 static void frequencies_come_nearer_as_more_is_kept(void **state) {
     static const char *const keys[] = {"modes: 0", "modes: 2", "modes: 4", "modes: 8", "modes: 512"};
-    double complex full[MOST_MODES], reduced[MOST_MODES];
+    double complex full[MAX_MODES], reduced[MAX_MODES];
     double last = INFINITY;
     (void)state;
     whirl_rotor *rotor = overhung("reduce: no", springs);
@@ -377,7 +377,7 @@ static whirl_rotor *two_shafts(const char *reduce) {
 
 /// Two discs in free space that a coupling joins: sqrt(2 k/m), and of tilts sqrt(2 k/I_d).
 static void a_coupling_joins_offsets_and_tilts(void **state) {
-    double complex found[MOST_MODES];
+    double complex found[MAX_MODES];
     (void)state;
     whirl_rotor *rotor =
         rotor_from("  speed: 1000 rpm\n  stations: {a: {mass: 3, diametral: 0.02}, b: {mass: 3, diametral: "
@@ -433,7 +433,7 @@ static void rigid_body_modes_are_told_apart(void **state) {
 }
 
 static void two_shafts_are_reduced_side_by_side(void **state) {
-    double complex full[MOST_MODES], reduced[MOST_MODES];
+    double complex full[MAX_MODES], reduced[MAX_MODES];
     (void)state;
     whirl_rotor *rotor = two_shafts("no");
     const size_t count = frequencies(rotor, full);

@@ -102,7 +102,7 @@ static int kind_of_point(const whirl_table *table, size_t point) {
 /// The kind that brute force comes to with so many steps.
 static int brute_kind(double force, size_t start, int steps) {
     const brute b = {duffing, force, 2, steps, 500};
-    double x[MOST_STATE];
+    double x[MAX_STATE];
     place_start(start, x);
     const outcome o = brute_follow(&b, x, 1e-5);
     return kind_of(&o);
@@ -203,7 +203,7 @@ static bool is_sought(const ratio *at, int period, double largest) {
 
 static bool brute_is_sought(const ratio *at, size_t start) {
     const brute b = {brute_paper_rotor, at->r_k, 8, 256, at->transient};
-    double x[MOST_STATE] = {0.0}, largest = -9.0;
+    double x[MAX_STATE] = {0.0}, largest = -9.0;
     if (start > 0) {
         x[0] = -1.1 + 2.2 * brute_mirrored((int)start, 2);
         x[1] = -1.1 + 2.2 * brute_mirrored((int)start, 3);

@@ -19,15 +19,15 @@
 #include "whirl/engine/linear.h"
 #include "whirl/engine/rotor.h"
 
-enum { MOST_STATIONS = 3, TEXT = 32 * 32 * 26 };
+enum { MAX_STATIONS = 3, TEXT = 32 * 32 * 26 };
 
 /// Discs that nothing joins, each on a bearing of its own, with the same axes of their tables.
 typedef struct discs {
     double speed, eccentricity, cross; ///< rad/s; m; N/m of a constant cross coupling that drives them forward
     const char *speeds, *frequencies;  ///< NULL: no such axis
     size_t count;
-    double mass[MOST_STATIONS];
-    const char *kxx[MOST_STATIONS], *cxx[MOST_STATIONS];
+    double mass[MAX_STATIONS];
+    const char *kxx[MAX_STATIONS], *cxx[MAX_STATIONS];
 } discs;
 
 static whirl_status build(const discs *d, bool asynchronous, double frequency, whirl_rotor **rotor) {
@@ -57,7 +57,7 @@ static whirl_status build(const discs *d, bool asynchronous, double frequency, w
 
 typedef struct member {
     whirl_rotor *rotor;
-    double start[4 * MOST_STATIONS];
+    double start[4 * MAX_STATIONS];
 } member;
 
 static void release(void *owner) {

@@ -7,7 +7,7 @@ import { quantitiesOf, quantityOf, type Quantity } from './quantities';
 import { FIELD } from './fields';
 
 /// Stronger growth and decay are all shown alike.
-const MOST_EXPONENT = 0.5;
+const MAX_EXPONENT = 0.5;
 const PERIODIC = 1;
 
 /// Numbers of the points as colours show them.
@@ -95,7 +95,7 @@ export function mapNumbersOf(
   const [low, high] = rangeOf(numbers);
   const { label } = found;
   if (id === 'exponent') {
-    const most = Math.min(MOST_EXPONENT, Math.max(-low, high) || MOST_EXPONENT);
+    const most = Math.min(MAX_EXPONENT, Math.max(-low, high) || MAX_EXPONENT);
     const clipped = low < -most || high > most ? `${label}, stronger ones alike` : label;
     return { label: clipped, numbers, palette: 'around', low: -most, high: most, logarithmic: false };
   }

@@ -23,7 +23,7 @@ import { partsOf, type Part } from './sweep';
 import type { FromWorker, PartLayout, PartPoints, Refusal, Task, ToWorker } from './wire';
 
 const STALE = { ok: false, why: 'stale' } as const;
-const MOST_WORKERS = 16;
+const MAX_WORKERS = 16;
 /// Behind everything that somebody waits for at this moment.
 const SWEEP_PRIORITY = 10;
 
@@ -99,7 +99,7 @@ class Pool implements Engine {
     this.core = parts.core;
     this.broken = parts.broken;
     const cores = typeof navigator === 'undefined' ? 1 : navigator.hardwareConcurrency;
-    const count = Math.min(Math.max(parts.workers ?? cores ?? 1, 1), MOST_WORKERS);
+    const count = Math.min(Math.max(parts.workers ?? cores ?? 1, 1), MAX_WORKERS);
     for (let i = 0; i < count; i++) this.seats.push(this.newSeat());
   }
 

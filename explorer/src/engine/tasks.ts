@@ -15,8 +15,8 @@ import type { Answer, FromWorker, PartRequest, Task } from './wire';
 
 /// Revolutions of the waveform of a point that asks for no number of them.
 const USUAL_WAVEFORM = 20;
-const MOST_CASES = 4;
-const MOST_CHOICES = 32;
+const MAX_CASES = 4;
+const MAX_CHOICES = 32;
 /// Milliseconds between two reports of a diagram's points: about two frames.
 const REPORT_EVERY = 30;
 
@@ -64,7 +64,7 @@ export class Tasks {
     this.cases.delete(key);
     this.cases.set(key, object);
     for (const [old, pointer] of this.cases) {
-      if (this.cases.size <= MOST_CASES) break;
+      if (this.cases.size <= MAX_CASES) break;
       if (pointer === object || this.inUse.has(pointer)) continue;
       this.cases.delete(old);
       this.core.caseFree(pointer);
@@ -116,7 +116,7 @@ export class Tasks {
     const method = this.core.planChoose(plan, this.methods.get(own) ?? (look && this.methods.get(any)) ?? '');
     if (!look) this.methods.set(own, method);
     this.methods.set(any, method);
-    for (const old of this.methods.keys()) if (this.methods.size > MOST_CHOICES) this.methods.delete(old);
+    for (const old of this.methods.keys()) if (this.methods.size > MAX_CHOICES) this.methods.delete(old);
   }
 
   private *describe(setting: Setting): Steps {

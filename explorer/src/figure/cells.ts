@@ -5,7 +5,7 @@ import { pixelOf } from './theme';
 import { SvgPen, type Pen } from './pen';
 
 /// As many cells are drawn as rectangles.
-const MOST_RECTANGLES = 20_000;
+const MAX_RECTANGLES = 20_000;
 
 export interface Sheet {
   readonly columns: number;
@@ -40,7 +40,7 @@ function seenOf(edges: readonly number[], low: number, high: number): Seen {
 export function drawCells(pen: Pen, sheet: Sheet, frame: Frame): void {
   const across = seenOf(sheet.x, frame.left, frame.left + frame.width);
   const up = seenOf(sheet.y, frame.top, frame.top + frame.height);
-  if ((across[1] - across[0]) * (up[1] - up[0]) > MOST_RECTANGLES) {
+  if ((across[1] - across[0]) * (up[1] - up[0]) > MAX_RECTANGLES) {
     drawRaster(pen, sheet, frame);
     return;
   }

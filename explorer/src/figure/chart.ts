@@ -83,8 +83,8 @@ interface Ticks {
 const NO_TICKS: Ticks = { at: [], text: [] };
 
 /// Parts of all heights that are shown.
-const LEAST_PART = 1e-4;
-const MOST_PART = 0.999;
+const MIN_PART = 1e-4;
+const MAX_PART = 0.999;
 
 export class Chart implements Figure {
   readonly root: HTMLElement;
@@ -140,8 +140,8 @@ export class Chart implements Figure {
     const [low, high] = [this.heightAt(bottom), this.heightAt(top)];
     const sizeOf = (range: Range) => (range[1] - range[0]) / (this.whole[1] - this.whole[0]);
     const size = sizeOf([low, high]);
-    if (!(size >= Math.min(LEAST_PART, sizeOf(this.yRange)))) return;
-    this.part = size < MOST_PART ? [low, high] : undefined;
+    if (!(size >= Math.min(MIN_PART, sizeOf(this.yRange)))) return;
+    this.part = size < MAX_PART ? [low, high] : undefined;
     this.show(this.xRange, this.whole);
   }
 

@@ -7,7 +7,7 @@ import type { Pen } from './pen';
 import { pixelOf, type Theme } from './theme';
 
 /// As many dots as an SVG holds as shapes; more of them become a picture inside it.
-const MOST_SHAPES = 20_000;
+const MAX_SHAPES = 20_000;
 
 const LAST_PERIODIC = 3;
 const EDGE = 8;
@@ -130,7 +130,7 @@ function drawShapes(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme): void 
 
 /// Draws the cloud; `shapes` asks for shapes rather than a picture where they are not too many.
 export function drawCloud(pen: Pen, cloud: Cloud, frame: Frame, colours: Theme, shapes: boolean): void {
-  if (shapes && pointsInside(cloud, frame) * cloud.column.rows <= MOST_SHAPES) {
+  if (shapes && pointsInside(cloud, frame) * cloud.column.rows <= MAX_SHAPES) {
     drawShapes(pen, cloud, frame, colours);
     return;
   }

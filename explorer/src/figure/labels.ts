@@ -19,7 +19,7 @@ export interface Label extends Place {
   readonly text: string;
 }
 
-const MOST_LABELS = 6;
+const MAX_LABELS = 6;
 
 /// The highest place of the curves in every column of pixels of the frame, its lower edge where there is none.
 export function skyline(frame: Frame, at: Float64Array, curves: readonly Float64Array[]): Float64Array {
@@ -77,7 +77,7 @@ export function placeLabels(
   const taken: Label[] = [];
   for (const peak of peaks) {
     const [x, y] = [frame.x(peak.frequency), frame.y(peak.amplitude)];
-    if (taken.length === MOST_LABELS) break;
+    if (taken.length === MAX_LABELS) break;
     if (x < frame.left || x > frame.left + frame.width) continue;
     const text = textOf(peak);
     const place = places(x, y, width(text) / 2, size, frame, top).find((each) =>

@@ -71,8 +71,8 @@ const SPEEDS = ['rpm', 'rad/s'] as const;
 const FREQUENCIES = ['order', 'Hz'] as const;
 const AMPLITUDES = ['0-p', 'p-p', 'rms'] as const;
 const NAME = /^[A-Za-z_][A-Za-z0-9_]{0,63}$/;
-const MOST_TEXT = 128;
-const MOST_ORBITS = 1_000_000;
+const MAX_TEXT = 128;
+const MAX_ORBITS = 1_000_000;
 
 function number(text: string | null): number {
   return text === null || text.trim() === '' ? NaN : Number(text);
@@ -96,10 +96,10 @@ function readSide(all: URLSearchParams, value: string, set: string, on: string):
   const assignments = new Map<string, string>();
   for (const text of all.getAll(set)) {
     const [, name = '', written = ''] = /^([^=]*)=(.*)$/s.exec(text) ?? [];
-    if (NAME.test(name) && written.trim() && written.length <= MOST_TEXT && !/[\r\n]/.test(written))
+    if (NAME.test(name) && written.trim() && written.length <= MAX_TEXT && !/[\r\n]/.test(written))
       assignments.set(name, written);
   }
-  const orbit = whole(all.get(on), 1, MOST_ORBITS);
+  const orbit = whole(all.get(on), 1, MAX_ORBITS);
   return { assignments, value: number(all.get(value)), ...(orbit === undefined ? {} : { orbit: orbit - 1 }) };
 }
 
@@ -130,15 +130,15 @@ export function readAddress(hash: string, fallback: Units): Address {
   const [low, high] = (all.get('range') ?? '').split(',').map(number);
   const units = (all.get('units') ?? '').split(',');
   return {
-    run: (all.get('run') ?? '').slice(0, MOST_TEXT),
-    part: (all.get('part') ?? '').slice(0, MOST_TEXT),
+    run: (all.get('run') ?? '').slice(0, MAX_TEXT),
+    part: (all.get('part') ?? '').slice(0, MAX_TEXT),
     parameter: NAME.test(all.get('par') ?? '') ? all.get('par')! : '',
     a: readSide(all, 'at', 'set', 'orbit'),
     b: all.has('b') ? readSide(all, 'b', 'bset', 'borbit') : undefined,
     quantity: readQuantity(all.get('q'), [], 'x'),
     mapQuantity: readQuantity(all.get('mq'), MAP_QUANTITIES, ''),
     mapLines: all.get('ml') === '1',
-    station: (all.get('st') ?? '').slice(0, MOST_TEXT),
+    station: (all.get('st') ?? '').slice(0, MAX_TEXT),
     range: Number.isFinite(low) && Number.isFinite(high) && low! < high! ? [low!, high!] : undefined,
     units: {
       length: oneOf(units[0] ?? null, LENGTHS, fallback.length),

@@ -27,7 +27,7 @@ export function howOf({ assignments, options }: Partial<Setting>): string {
 /// How well a diagram is computed.
 export type Quality = 'draft' | 'quick' | 'case';
 
-const MOST_LEFT = 16;
+const MAX_LEFT = 16;
 const COARSE_STEPS = 256;
 const GLIMPSE: Pass = {
   text: 'a first glimpse',
@@ -120,7 +120,7 @@ export class Sights {
 
   /// Takes away all from one on.
   private leave(from: number): void {
-    this.left = [...this.stack.splice(from).reverse(), ...this.left].slice(0, MOST_LEFT);
+    this.left = [...this.stack.splice(from).reverse(), ...this.left].slice(0, MAX_LEFT);
   }
 
   /// Shows a range that was shown before: the diagram that was looked at there, else that part of the present one.

@@ -34,7 +34,7 @@ import { Stack, type StackListener } from './stack';
 /// Up to how many times the highest speed frequencies are shown, unless all are.
 const ORDERS = 2;
 /// A mode of more damping answers no unbalance with a peak (amplification below 2.5, API 617): it is off the axis.
-const MOST_RATIO = 0.25;
+const MAX_RATIO = 0.25;
 /// CSS pixels between marks on a curve.
 const APART = 16;
 
@@ -176,7 +176,7 @@ export class CampbellView implements RestChart {
       .filter(({ frequency }) => frequency <= top);
     // Where all modes are damped more than that, they are shown.
     const most = Math.max(
-      MOST_RATIO,
+      MAX_RATIO,
       -1.5 *
         largestOf(
           seen.map(({ ratio }) => -ratio),

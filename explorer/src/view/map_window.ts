@@ -3,7 +3,7 @@ import type { MapAxis } from '../data/parameter_map';
 import type { Range } from '../figure/chart';
 
 /// Cells that are seen at least, along each axis.
-const LEAST_CELLS = 4;
+const MIN_CELLS = 4;
 
 /// One axis of the window, in SI.
 export class MapSpan {
@@ -55,7 +55,7 @@ export class MapSpan {
 
   private set(low: number, high: number): void {
     const [first, last] = this.whole.map(this.to) as [number, number];
-    const least = ((last - first) * Math.min(LEAST_CELLS, this.axis.values.length)) / this.axis.values.length;
+    const least = ((last - first) * Math.min(MIN_CELLS, this.axis.values.length)) / this.axis.values.length;
     const size = Math.max(high - low, least);
     if (size >= last - first) {
       this.range = undefined;

@@ -15,7 +15,7 @@ import { Panel, type Table } from './panel';
 /// Multipliers beyond this stand at the rim: the unit circle stays large enough to be read.
 const RIM = 2;
 /// Rows of the table on the page; all are in the data.
-const MOST_ROWS = 8;
+const MAX_ROWS = 8;
 
 function modulus({ real, imaginary }: Multiplier): number {
   return Math.hypot(real, imaginary);
@@ -50,13 +50,13 @@ export class MultipliersPanel extends Panel {
     const { orbit } = this;
     if (!orbit) return;
     const all = orbit.multipliers;
-    const left = all.length - MOST_ROWS;
+    const left = all.length - MAX_ROWS;
     this.note.textContent = orbit.rests
       ? 'eigenvalues per radian: unstable to the right of the axis'
       : `Floquet multipliers: unstable outside the circle${left > 0 ? `; ${left} smaller ones are in the data` : ''}`;
     this.figure.description = `${this.note.textContent}; ${orbit.label}`;
     // Of pairs the first one stands for both.
-    const rows = all.slice(0, MOST_ROWS).filter(({ imaginary }) => !(imaginary < 0));
+    const rows = all.slice(0, MAX_ROWS).filter(({ imaginary }) => !(imaginary < 0));
     this.rows.replaceChildren(
       numbersTable(
         'Multipliers in numbers',

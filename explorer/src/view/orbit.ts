@@ -28,7 +28,7 @@ export interface Trail {
   readonly text: string;
 }
 
-const MOST_REVOLUTIONS = 20;
+const MAX_REVOLUTIONS = 20;
 
 export class OrbitPanel extends Panel {
   readonly figure = new Round('Orbit', (pen, width, height, colours) => this.draw(pen, width, height, colours));
@@ -280,7 +280,7 @@ function drawCircles(pen: Pen, place: Place, subject: Subject, touching: boolean
 
 /// Revolutions that are drawn: a few of those of a periodic motion, as many as there are of others.
 function revolutionsShown(period: number, available: number): number {
-  return Math.min(available, period > 0 ? period : MOST_REVOLUTIONS);
+  return Math.min(available, period > 0 ? period : MAX_REVOLUTIONS);
 }
 
 function drawOrbit(pen: Pen, place: Place, subject: Subject, colours: Theme): void {

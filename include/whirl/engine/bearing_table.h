@@ -31,7 +31,7 @@ enum {
 };
 
 /// The Reynolds number up to which the factors of turbulence were fitted to 5 %.
-#define WHIRL_MOST_REYNOLDS 30000.0
+#define WHIRL_MAX_REYNOLDS 30000.0
 
 /// A warning of a point, or of the bearing as a whole; findings word it.
 typedef enum whirl_bearing_remark {

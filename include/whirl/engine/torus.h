@@ -19,9 +19,9 @@ extern "C" {
 
 /// Bounds of what tori are found with.
 enum {
-    WHIRL_LEAST_TORUS_NODES = 5,    ///< of a curve
-    WHIRL_MOST_TORUS_NODES = 1023,  ///< of a curve
-    WHIRL_LEAST_TORUS_SECTIONS = 64 ///< from which a torus is found
+    WHIRL_MIN_TORUS_NODES = 5,    ///< of a curve
+    WHIRL_MAX_TORUS_NODES = 1023, ///< of a curve
+    WHIRL_MIN_TORUS_SECTIONS = 64 ///< from which a torus is found
 };
 
 /// How tori are found.
@@ -72,7 +72,7 @@ typedef struct whirl_torus {
 /// on from them. `rotation` is its number as above, or NaN: then it is found from the points by weighted Birkhoff
 /// averages (Das, Saiki, Sander, Yorke 2017).
 ///
-/// WHIRL_BAD_INPUT with a sentence: fewer than WHIRL_LEAST_TORUS_SECTIONS points; points that repeat, that lie on no
+/// WHIRL_BAD_INPUT with a sentence: fewer than WHIRL_MIN_TORUS_SECTIONS points; points that repeat, that lie on no
 /// closed curve; no torus found; a curve that needs more nodes than allowed (which tells of a resonance nearby); as
 /// whirl_orbit_find. WHIRL_NO_MEMORY.
 whirl_status whirl_torus_find(const whirl_system *system, const double *points, size_t count, size_t revolutions,

@@ -52,7 +52,7 @@ void fill_seen(const whirl_record *record, size_t probe, size_t count, double *s
 void fill_shape(const whirl_system *system, const double *v, size_t row, size_t field, const block_view *view);
 
 /// A station whose motion is smaller than this share of its distance from the centre rests: it whirls in no sense.
-#define LEAST_MOTION 1e-6
+#define MIN_MOTION 1e-6
 
 /// Fields of what is watched (whirl/engine/watched.h): their numbers, their plans, and how they are filled from a
 /// record.

@@ -56,11 +56,11 @@ static whirl_estimate compare_halves(double (*mean)(const double *, size_t), con
 }
 
 whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t period) {
-    enum { FEWEST_SMOOTH = 16 };
+    enum { MIN_SMOOTH = 16 };
     const size_t half = count / 2, whole = half - half % period;
     whirl_estimate best = {NAN, NAN};
     if (whole > 0) best = compare_halves(block_mean, values + count - 2 * whole, whole);
-    if (half >= FEWEST_SMOOTH) {
+    if (half >= MIN_SMOOTH) {
         const whirl_estimate smooth = compare_halves(smooth_mean, values + count - 2 * half, half);
         if (!(best.error <= smooth.error)) best = smooth;
     }

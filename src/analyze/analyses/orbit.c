@@ -20,7 +20,7 @@ static const field_plan fields[FIELD_COUNT] = {
 
 /// Whether a station moves by no more than rounding.
 static bool orbit_rests(const double *low, const double *high, double max_radius) {
-    return hypot(high[0] - low[0], high[1] - low[1]) <= 2.0 * LEAST_MOTION * max_radius;
+    return hypot(high[0] - low[0], high[1] - low[1]) <= 2.0 * MIN_MOTION * max_radius;
 }
 
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {

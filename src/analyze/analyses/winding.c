@@ -97,7 +97,7 @@ static void describe(const whirl_record *record, size_t station, const block_vie
     const double contact = gap > 0.0 ? contact_share(&p, gap) : NAN;
     double winding = 0.0, direction = 0.0;
     *view_numbers(view, CONTACT, station) = contact;
-    if (p.count > 1 && p.reach > LEAST_MOTION * LEAST_MOTION * p.excursion) {
+    if (p.count > 1 && p.reach > MIN_MOTION * MIN_MOTION * p.excursion) {
         const turns t = count_turns(&p);
         winding = t.sum * (double)p.count / ((double)(p.count - 1) * revolutions);
         direction = t.backward >= constant_share ? -1.0 : t.backward <= 1.0 - constant_share ? 1.0 : 0.0;

@@ -152,10 +152,10 @@ static size_t shortest(const approach *a, const settling *s, size_t k, size_t re
 }
 
 size_t approach_tries(approach *a, const settling *s, int revolution) {
-    enum { LEAST_PAUSE = 4 };
+    enum { MIN_PAUSE = 4 };
     const size_t repeats = a->system->turns ? a->system->repeats : 1;
     if (a->orbit || revolution < a->next || repeats == 0) return 0;
-    a->next = revolution + (revolution / 16 > LEAST_PAUSE ? revolution / 16 : LEAST_PAUSE);
+    a->next = revolution + (revolution / 16 > MIN_PAUSE ? revolution / 16 : MIN_PAUSE);
     const double size = distance(a, settling_state(s, 0), NULL);
     for (size_t k = repeats; k <= LONGEST && k <= (size_t)a->options->record; k += repeats)
         if (orbits_pay(a->system->dimension, a->options, k, a->spent) && closes_in(a, s, k, revolution, size))
@@ -213,10 +213,10 @@ static bool measure(approach *a, bool *memory) {
 }
 
 whirl_status approach_take(approach *a, shot *s, const settling *states, int revolution) {
-    enum { LEAST_PAUSE = 8 };
+    enum { MIN_PAUSE = 8 };
     bool memory;
     a->spent += s->carried;
-    a->next = revolution + (revolution / 4 > LEAST_PAUSE ? revolution / 4 : LEAST_PAUSE);
+    a->next = revolution + (revolution / 4 > MIN_PAUSE ? revolution / 4 : MIN_PAUSE);
     a->orbit = s;
     if (measure(a, &memory))
         note_past(a, states);

@@ -114,7 +114,7 @@ const whirl_member *whirl_trace_members(void) {
               "relative tolerance of the orbits' integration"),
         TRACE(FLAG, "trace_tori", tori, "", WHIRL_KEY_CHOICE, "no", WHIRL_ANY, "yes|no|true|false",
               "yes: the tori that begin at Neimark-Sacker points of orbits are followed, too, stable or not"),
-        TRACE_WHOLE("trace_torus_nodes", torus_nodes, "63", WHIRL_LEAST_TORUS_NODES, WHIRL_MOST_TORUS_NODES,
+        TRACE_WHOLE("trace_torus_nodes", torus_nodes, "63", WHIRL_MIN_TORUS_NODES, WHIRL_MAX_TORUS_NODES,
                     "most nodes of the closed curve of a torus, with which it counts as rough; an even number is one "
                     "more"),
         TRACE_WHOLE("trace_torus_points", torus_points, "200", 1, 1000000, "most points of one branch of tori"),

@@ -185,7 +185,7 @@ static void end_revolution(const shooter *s, size_t lane, shot *of, size_t r, do
     of->carried += 1.0;
 }
 
-enum { MOST_STEPS = 8 };
+enum { MAX_STEPS = 8 };
 
 /// After a shot was carried to `end`: whether it goes on, from a node that was moved.
 static bool step(const shooter *s, shot *of, const double *end, double *room) {
@@ -232,7 +232,7 @@ static whirl_status go_on(const shooter *s, size_t lane, flight *f, double *end,
     end_revolution(s, lane, f->of, f->revolution++, end);
     *stays = bounded;
     if (!bounded || f->revolution < f->of->revolutions) return whirl_ok();
-    *stays = step(s, f->of, end, room) && ++f->steps < MOST_STEPS;
+    *stays = step(s, f->of, end, room) && ++f->steps < MAX_STEPS;
     return *stays ? begin(s, lane, f) : whirl_ok();
 }
 

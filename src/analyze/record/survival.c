@@ -11,7 +11,7 @@
 
 /// Copies that go side by side, and those of systems that go alone; revolutions that count at least, and those that are
 /// then looked at.
-enum { COPIES = 64, COPIES_ALONE = 32, LEAST_LIVED = 200, LOOKED_AT = 128 };
+enum { COPIES = 64, COPIES_ALONE = 32, MIN_LIVED = 200, LOOKED_AT = 128 };
 
 /// Mean lives that are excluded, over the revolutions that were watched.
 static const double long_against_watch = 2.0;
@@ -79,7 +79,7 @@ whirl_status whirl_record_survival(const whirl_system *system, const whirl_integ
                           COPIES);
     const double share = fmax(displacement, exp(-longest_parting * exponent));
     const int count = whirl_ensemble_takes(system, integrate) ? COPIES : COPIES_ALONE;
-    const int lived = (int)fmax(LEAST_LIVED, ceil(3.0 * long_against_watch * (double)record->section_count / count));
+    const int lived = (int)fmax(MIN_LIVED, ceil(3.0 * long_against_watch * (double)record->section_count / count));
     whirl_record_options options = whirl_record_default();
     options.transient = (int)ceil(-log(share) / exponent) + lived;
     options.record = options.watch = LOOKED_AT;

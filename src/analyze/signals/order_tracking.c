@@ -119,11 +119,11 @@ whirl_status whirl_signals_resample(const double *time, const double *values, si
     const whirl_status status = check(time, values, count, channels, instants, pulses, order);
     if (status.code != WHIRL_OK) return status;
     const size_t revolutions = pulses - 1;
-    if (samples < 3 || samples > WHIRL_SIGNALS_MOST / channels / revolutions)
+    if (samples < 3 || samples > WHIRL_SIGNALS_MAX / channels / revolutions)
         return whirl_fail(
             WHIRL_BAD_INPUT,
             "there are to be %zu samples per revolution, expected at least 3 and at most %d numbers in all", samples,
-            WHIRL_SIGNALS_MOST);
+            WHIRL_SIGNALS_MAX);
     for (size_t at = 0; at < revolutions * samples; at++) {
         const double part = (double)(at % samples + 1) / (double)samples;
         const double instant = instant_at(instants, pulses, at / samples, part);

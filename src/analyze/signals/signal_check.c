@@ -13,9 +13,9 @@ static whirl_status check_extent(const char *what, size_t count, size_t many, si
     if (count < fewest)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu %s, expected at least %zu", count, what, fewest);
     if (many == 0) return whirl_fail(WHIRL_BAD_INPUT, "there is no channel, expected at least 1");
-    if (count > WHIRL_SIGNALS_MOST / many)
+    if (count > WHIRL_SIGNALS_MAX / many)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu times %zu %s, expected at most %d numbers", many, count, what,
-                          WHIRL_SIGNALS_MOST);
+                          WHIRL_SIGNALS_MAX);
     return whirl_ok();
 }
 

@@ -24,9 +24,9 @@ static whirl_status check_turned(const double *x, const double *y, size_t count,
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples per revolution, expected 3 or more", samples);
     if (count % samples != 0)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu samples, expected whole revolutions of %zu", count, samples);
-    if (count / samples < WHIRL_SIGNALS_FEWEST_REVOLUTIONS)
+    if (count / samples < WHIRL_SIGNALS_MIN_REVOLUTIONS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu revolutions, expected at least %d for a spectrum",
-                          count / samples, WHIRL_SIGNALS_FEWEST_REVOLUTIONS);
+                          count / samples, WHIRL_SIGNALS_MIN_REVOLUTIONS);
     const whirl_status status = signal_check_channels(x, count, 1, 1);
     return status.code == WHIRL_OK && y ? signal_check_channels(y, count, 1, 1) : status;
 }
@@ -70,7 +70,7 @@ whirl_status whirl_signals_size(const double *values, size_t count, size_t chann
 }
 
 whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t dimension, double size, double *k) {
-    whirl_status status = signal_check_points(points, count, dimension, ZERO_ONE_FEWEST);
+    whirl_status status = signal_check_points(points, count, dimension, ZERO_ONE_MIN);
     if (status.code == WHIRL_OK) status = signal_check_size(size);
     if (status.code != WHIRL_OK) return status;
     const section all = {count, dimension, points};
@@ -80,12 +80,12 @@ whirl_status whirl_signals_zero_one(const double *points, size_t count, size_t d
 
 whirl_status whirl_signals_returns(const double *points, size_t count, size_t dimension, double size, double tolerance,
                                    int *period, double *distance) {
-    enum { FEWEST_POINTS = 5, MOST_POINTS = 20000 }; // every period is compared over all points
-    whirl_status status = signal_check_points(points, count, dimension, FEWEST_POINTS);
+    enum { MIN_POINTS = 5, MAX_POINTS = 20000 }; // every period is compared over all points
+    whirl_status status = signal_check_points(points, count, dimension, MIN_POINTS);
     if (status.code == WHIRL_OK) status = signal_check_size(size);
     if (status.code != WHIRL_OK) return status;
     if (!(tolerance >= 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "the tolerance is %g, expected 0 or more", tolerance);
-    const section all = {count, dimension, points}, last = section_tail(&all, MOST_POINTS);
+    const section all = {count, dimension, points}, last = section_tail(&all, MAX_POINTS);
     const recurrence found = recurrence_find(&last, last.count, size, tolerance);
     *period = found.period;
     *distance = found.distance;

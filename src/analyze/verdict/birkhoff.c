@@ -57,8 +57,8 @@ static void compare_halves(const section *all, size_t coordinate, double size, c
 }
 
 regularity regularity_find(const section *all, double size) {
-    enum { FEWEST_POINTS = 16 };
-    if (all->count < FEWEST_POINTS) return (regularity){NAN, NAN};
+    enum { MIN_POINTS = 16 };
+    if (all->count < MIN_POINTS) return (regularity){NAN, NAN};
     comparison sums = {0};
     for (size_t i = 0; i < all->dimension; i++) compare_halves(all, i, size, &sums);
     if (!(sums.early > 0.0)) return (regularity){16.0, 1.0}; // a single point

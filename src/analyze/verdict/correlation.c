@@ -33,12 +33,12 @@ static double spread(const section *all, const double *mean) {
 }
 
 correlation correlation_find(const section *all, double least) {
-    enum { MOST_POINTS = 1000, FEWEST_POINTS = 64 };
+    enum { MAX_POINTS = 1000, MIN_POINTS = 64 };
     const double forgotten = 0.2; // three standard errors of the correlation of 225 independent points
-    const section points = section_tail(all, MOST_POINTS);
+    const section points = section_tail(all, MAX_POINTS);
     const size_t longest = points.count / 4;
     correlation found = {NAN, NAN};
-    if (points.count < FEWEST_POINTS) return found;
+    if (points.count < MIN_POINTS) return found;
     double *mean = calloc(points.dimension, sizeof *mean);
     if (!mean) return found;
     for (size_t n = 0; n < points.count; n++)

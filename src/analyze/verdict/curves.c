@@ -8,7 +8,7 @@
 
 #include "section.h"
 
-enum { MOST_POINTS = 2000, MOST_CURVES = WHIRL_MAX_PERIOD, FEWEST_POINTS_A_CURVE = 12 };
+enum { MAX_POINTS = 2000, MAX_CURVES = WHIRL_MAX_PERIOD, MIN_POINTS_A_CURVE = 12 };
 
 /// An edge to the nearest point that was in the tree before.
 typedef struct edge {
@@ -148,7 +148,7 @@ static bool is_closed(const tree *t, const section *points, const part_path *pat
 
 static bool all_closed(const tree *t, const section *points, size_t parts) {
     descent *down = malloc(t->count * sizeof *down);
-    part_path paths[MOST_CURVES];
+    part_path paths[MAX_CURVES];
     if (!down) return false;
     longest_paths(t, parts, down, paths);
     free(down);
@@ -175,14 +175,14 @@ static int median_lag(tree *t) {
 
 closed_curves curves_find(const section *all) {
     const double clear_gap = 1.5; // between curves, over the longest edge on one
-    const section points = section_tail(all, MOST_POINTS);
+    const section points = section_tail(all, MAX_POINTS);
     closed_curves found = {0, 0};
-    if (points.count < FEWEST_POINTS_A_CURVE) return found;
+    if (points.count < MIN_POINTS_A_CURVE) return found;
     tree *t = tree_new(points.count);
     if (!t) return found;
     grow(t, &points);
-    for (size_t parts = points.count / FEWEST_POINTS_A_CURVE; parts >= 1 && found.count == 0; parts--) {
-        if (parts > MOST_CURVES) continue;
+    for (size_t parts = points.count / MIN_POINTS_A_CURVE; parts >= 1 && found.count == 0; parts--) {
+        if (parts > MAX_CURVES) continue;
         if (parts > 1 && t->longest[parts - 2].length < clear_gap * t->longest[parts - 1].length) continue;
         label_parts(t, parts - 1);
         if (visited_in_turn(t, parts) && all_closed(t, &points, parts)) found.count = (int)parts;

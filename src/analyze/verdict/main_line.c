@@ -6,7 +6,7 @@
 #include "analysis.h"
 #include "section.h"
 
-enum { FEWEST_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8 };
+enum { MIN_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8 };
 
 /// Bins within which a line counts as one of a whole order, or as standing still; and within which it is that of both
 /// halves.
@@ -78,7 +78,7 @@ static double unexplained(const whirl_record *record, size_t station, const whir
 main_line main_line_find(const whirl_record *record) {
     main_line found = {.order = NAN, .share = NAN, .trend = NAN};
     size_t station = 0;
-    if (record->sample_count == 0 || record->record_count < FEWEST_REVOLUTIONS) return found;
+    if (record->sample_count == 0 || record->record_count < MIN_REVOLUTIONS) return found;
     for (size_t s = 0; s < record->probe_count && s < MAX_STATIONS; s++) {
         whirl_spectrum *spectrum = spectrum_part(record, s, 0, record->sample_count);
         const whirl_line *line = spectrum ? largest_beside(spectrum) : NULL;

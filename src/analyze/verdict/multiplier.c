@@ -6,7 +6,7 @@
 
 #include "section.h"
 
-enum { FEWEST_RETURNS = 12, MOST_RETURNS = 64 };
+enum { MIN_RETURNS = 12, MAX_RETURNS = 64 };
 
 static double coordinate(const section *all, size_t n, size_t k, size_t i) {
     return all->points[(n + k) * all->dimension + i] - all->points[n * all->dimension + i];
@@ -32,7 +32,7 @@ static void add_return(const section *all, size_t n, size_t k, double square, pr
 static products collect(const section *all, size_t k, double size, double rounding) {
     const double most = 1e-2 * size, least = fmin(1e3 * rounding, 1e-4) * size;
     products sums = {0};
-    for (size_t end = all->count; end > 3 * k && sums.count < MOST_RETURNS; end--) {
+    for (size_t end = all->count; end > 3 * k && sums.count < MAX_RETURNS; end--) {
         const size_t n = end - 1 - 3 * k;
         const double first = section_distance(all, n, n + k), last = section_distance(all, n + 2 * k, n + 3 * k);
         if (first <= most && last >= least) add_return(all, n, k, first * first, &sums);
@@ -45,7 +45,7 @@ multiplier multiplier_find(const section *all, int period, double size, double r
     const multiplier none = {NAN, NAN};
     if (period < 1) return none;
     const products s = collect(all, (size_t)period, size, rounding);
-    if (s.count < FEWEST_RETURNS) return none;
+    if (s.count < MIN_RETURNS) return none;
     const double mu = s.p[0][1] / s.p[0][0];
     if (s.p[1][1] - mu * s.p[0][1] <= well_fit * s.p[1][1]) return (multiplier){mu, 0.0};
     // Normal equations of d2 = a d1 - b d0.

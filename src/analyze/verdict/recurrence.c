@@ -31,11 +31,11 @@ static double settling_trend(const section *all, size_t k, double size) {
     return (late + rounding) / (early + rounding);
 }
 
-enum { FEWEST_RETURNS = 4 };
+enum { MIN_RETURNS = 4 };
 
 /// The period up to 64 that returns within the tolerance, or best.
 static void try_short_periods(const section *all, double size, double tolerance, recurrence *found) {
-    for (size_t k = 1; k <= SHORT_PERIOD && k + FEWEST_RETURNS <= found->window; k++) {
+    for (size_t k = 1; k <= SHORT_PERIOD && k + MIN_RETURNS <= found->window; k++) {
         const double distance = return_distance(all, all->count - found->window, found->window, k) / size;
         found->longest = (int)k;
         if (found->period > 0 && !(distance < found->distance)) continue;

@@ -52,9 +52,9 @@ static line_count vertical_lines(const section *points, double radius, size_t sh
 whirl_status whirl_signals_recurrence(const double *points, size_t count, size_t dimension, double radius,
                                       size_t shortest, double *rate, double *determinism, double *laminarity,
                                       size_t *longest) {
-    if (count > WHIRL_SIGNALS_MOST_RECURRENCES)
+    if (count > WHIRL_SIGNALS_MAX_RECURRENCES)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu points, expected at most %d to compare with one another",
-                          count, WHIRL_SIGNALS_MOST_RECURRENCES);
+                          count, WHIRL_SIGNALS_MAX_RECURRENCES);
     const whirl_status status = signal_check_points(points, count, dimension, 2);
     if (status.code != WHIRL_OK) return status;
     if (!(radius >= 0.0)) return whirl_fail(WHIRL_BAD_INPUT, "the radius is %g, expected 0 or more", radius);

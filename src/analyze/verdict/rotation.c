@@ -10,7 +10,7 @@
 #include "numerics.h"
 #include "section.h"
 
-enum { FEWEST_POINTS = 24, ORDERED_POINTS = 2000 };
+enum { MIN_POINTS = 24, ORDERED_POINTS = 2000 };
 
 static const double two_pi = 6.283185307179586;
 
@@ -186,7 +186,7 @@ static bool goes_round(cloud *c, double number) {
 double rotation_number(const section *all, int curves) {
     const section points = section_tail(all, ROTATION_POINTS);
     double number = NAN;
-    if (curves < 1 || points.dimension < 2 || points.count / (size_t)curves < FEWEST_POINTS) return NAN;
+    if (curves < 1 || points.dimension < 2 || points.count / (size_t)curves < MIN_POINTS) return NAN;
     cloud *c = cloud_new(&points, (size_t)curves);
     if (!c) return NAN;
     find_axis(c, 0);

@@ -64,19 +64,19 @@ static bool add_further(size_t n, const double *power, double *p, double *room, 
 }
 
 bool metric_make(size_t n, const double *m, double *p, double *shrinks, double *room) {
-    enum { MOST_DOUBLINGS = 24 };
+    enum { MAX_DOUBLINGS = 24 };
     const size_t size = n * n;
     double *power = room;
     bool finite = true;
     int k = 0;
     memcpy(power, m, size * sizeof *m);
     for (size_t i = 0; i < size; i++) p[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
-    while (k < MOST_DOUBLINGS && add_further(n, power, p, room + size, &finite)) {
+    while (k < MAX_DOUBLINGS && add_further(n, power, p, room + size, &finite)) {
         multiply(n, power, false, power, room + size);
         memcpy(power, room + size, size * sizeof *power);
         k++;
     }
-    if (!finite || k == MOST_DOUBLINGS) return false;
+    if (!finite || k == MAX_DOUBLINGS) return false;
     memcpy(power, p, size * sizeof *p);
     if (!matrix_symmetric_modes(n, power, NULL, room + size, room + 2 * size)) return false;
     *shrinks = 1.0 - sqrt(fmax(1.0 - 1.0 / room[size + n - 1], 0.0));

@@ -82,7 +82,7 @@ closed_curves curves_find(const section *all);
 // ---------------------------------------------------------------- zero_one.c
 
 /// Points that it takes at least.
-enum { ZERO_ONE_FEWEST = 100 };
+enum { ZERO_ONE_MIN = 100 };
 
 /// K of the 0-1 test for chaos over the last 4000 points: near 1 in chaos, near 0 for regular motion (below 0 too).
 /// `size` is that of the motion. NaN for fewer points, or where nothing moves.

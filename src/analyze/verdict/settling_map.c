@@ -10,7 +10,7 @@
 #include "matrix.h"
 #include "section.h"
 
-enum { MAX_DIRECTIONS = 10, MAX_DIMENSION = 128, FEWEST_A_DIRECTION = 6 };
+enum { MAX_DIRECTIONS = 10, MAX_DIMENSION = 128, MIN_A_DIRECTION = 6 };
 
 /// Directions smaller than this part of the largest one, or than so many roundings, are noise.
 static const double least_direction = 1e-5, least_roundings = 1e3;
@@ -38,7 +38,7 @@ static size_t main_directions(const section *all, double least, double *axes, do
     if (!matrix_symmetric_modes(d, square, NULL, values, vectors)) return 0;
     const double largest = sqrt(fmax(values[d - 1], 0.0) / (double)steps);
     size_t count = 0;
-    while (count < d && count < MAX_DIRECTIONS && (count + 1) * FEWEST_A_DIRECTION <= steps) {
+    while (count < d && count < MAX_DIRECTIONS && (count + 1) * MIN_A_DIRECTION <= steps) {
         const double size = sqrt(fmax(values[d - 1 - count], 0.0) / (double)steps);
         if (!(size > fmax(least_direction * largest, least))) break;
         memcpy(axes + count * d, vectors + (d - 1 - count) * d, d * sizeof *axes);
@@ -97,11 +97,11 @@ static fit fit_points(const section *all, double least, double *room) {
 }
 
 settling_map settling_map_find(const section *all, double size, double rounding) {
-    enum { FEWEST_POINTS = 48 };
+    enum { MIN_POINTS = 48 };
     const double well_fit = 1e-2;
     const size_t d = all->dimension, half = all->count / 2;
     settling_map found = {{NAN, NAN}, NAN, NAN};
-    if (all->count < FEWEST_POINTS || d > MAX_DIMENSION) return found;
+    if (all->count < MIN_POINTS || d > MAX_DIMENSION) return found;
     double *room = malloc((MAX_DIRECTIONS * d + 2 * d * d + d) * sizeof *room);
     if (!room) return found;
     const double least = least_roundings * rounding * size;

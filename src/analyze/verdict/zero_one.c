@@ -8,7 +8,7 @@
 
 #include "section.h"
 
-enum { MOST_POINTS = 4000, FREQUENCIES = 25, MOST_LAGS = 50 };
+enum { MAX_POINTS = 4000, FREQUENCIES = 25, MAX_LAGS = 50 };
 
 static const double pi = 3.141592653589793238463;
 
@@ -74,9 +74,9 @@ static double correlate(const double *a, const double *b, size_t count) {
 
 /// K at one frequency.
 static double growth_at(const double *u, size_t count, double c) {
-    double p[MOST_POINTS], q[MOST_POINTS], lags[MOST_LAGS] = {0}, displacement[MOST_LAGS] = {0};
+    double p[MAX_POINTS], q[MAX_POINTS], lags[MAX_LAGS] = {0}, displacement[MAX_LAGS] = {0};
     const size_t longest = count / 10, averaged = count - longest;
-    const size_t used = longest < MOST_LAGS ? longest : MOST_LAGS;
+    const size_t used = longest < MAX_LAGS ? longest : MAX_LAGS;
     drive(u, count, c, p, q);
     for (size_t i = 0; i < used; i++) {
         const size_t lag = (i + 1) * longest / used;
@@ -97,9 +97,9 @@ static double median(double *values, size_t count) {
 }
 
 double zero_one_test(const section *all, double size) {
-    const section points = section_tail(all, MOST_POINTS);
-    double u[MOST_POINTS], growth[FREQUENCIES];
-    if (points.count < ZERO_ONE_FEWEST || !observe(&points, size, u)) return NAN;
+    const section points = section_tail(all, MAX_POINTS);
+    double u[MAX_POINTS], growth[FREQUENCIES];
+    if (points.count < ZERO_ONE_MIN || !observe(&points, size, u)) return NAN;
     for (size_t i = 0; i < FREQUENCIES; i++) {
         const double turn = fmod((double)(i + 1) * 0.6180339887498949, 1.0); // spread evenly, the same in every run
         growth[i] = growth_at(u, points.count, pi / 5.0 * (1.0 + 3.0 * turn));

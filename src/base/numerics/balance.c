@@ -14,10 +14,10 @@ static void off_diagonal_sums(size_t n, const double *a, size_t i, double *row, 
 }
 
 void matrix_balance(size_t n, double *a, double *scale) {
-    enum { MOST_SWEEPS = 32 };
+    enum { MAX_SWEEPS = 32 };
     bool changed = true;
     for (size_t i = 0; scale && i < n; i++) scale[i] = 1.0;
-    for (int sweep = 0; sweep < MOST_SWEEPS && changed; sweep++) {
+    for (int sweep = 0; sweep < MAX_SWEEPS && changed; sweep++) {
         changed = false;
         for (size_t i = 0; i < n; i++) {
             double row, column;

@@ -72,7 +72,7 @@ double mineral_oil_at_100(double at_40);
 // Every pair of poles is so in one form, whether it is complex or of two real ones, and stable; complex ones are no
 // sharper than g_j = half the distance of the samples about them.
 
-enum { RATIONAL_MOST_PAIRS = 4, RATIONAL_MOST_SAMPLES = 32, RATIONAL_MOST_SETS = 5, RATIONAL_ENTRIES = 4 };
+enum { RATIONAL_MAX_PAIRS = 4, RATIONAL_MAX_SAMPLES = 32, RATIONAL_MAX_SETS = 5, RATIONAL_ENTRIES = 4 };
 
 typedef struct rational_pair {
     double w, g; ///< rad/s
@@ -82,7 +82,7 @@ typedef struct rational_pair {
 typedef struct rational_fit {
     double constant[RATIONAL_ENTRIES], slope[RATIONAL_ENTRIES];
     size_t pair_count;
-    rational_pair pairs[RATIONAL_MOST_PAIRS];
+    rational_pair pairs[RATIONAL_MAX_PAIRS];
 } rational_fit;
 
 /// A matrix, row by row, real and imaginary parts.

@@ -9,24 +9,24 @@
 /// A set of so many samples has two rows, real and imaginary, for each; columns are functions of all poles, 1 and s
 /// and, for each entry, those by which poles move.
 enum {
-    MOST_POLES = 2 * RATIONAL_MOST_PAIRS,
-    MOST_ROWS = 2 * RATIONAL_MOST_SAMPLES,
-    MOST_COLUMNS = MOST_POLES + 2 + RATIONAL_ENTRIES * (MOST_POLES + 1)
+    MAX_POLES = 2 * RATIONAL_MAX_PAIRS,
+    MAX_ROWS = 2 * RATIONAL_MAX_SAMPLES,
+    MAX_COLUMNS = MAX_POLES + 2 + RATIONAL_ENTRIES * (MAX_POLES + 1)
 };
 
 /// Poles in units of the highest frequency; of a complex pair both stand together, that above the axis first.
 typedef struct pole_set {
     size_t count;
-    double real[MOST_POLES], imaginary[MOST_POLES];
+    double real[MAX_POLES], imaginary[MAX_POLES];
 } pole_set;
 
 /// What is fitted, with frequencies in units of the highest one.
 typedef struct fitting {
     size_t sets, count;
     double top, least; ///< rad/s; modulus of the slowest pole
-    double w[RATIONAL_MOST_SAMPLES];
+    double w[RATIONAL_MAX_SAMPLES];
     const rational_sample *samples; ///< [sets][count]
-    double weight[RATIONAL_MOST_SETS][RATIONAL_MOST_SAMPLES];
+    double weight[RATIONAL_MAX_SETS][RATIONAL_MAX_SAMPLES];
 } fitting;
 
 double rational_size(const rational_sample *of) {
@@ -52,7 +52,7 @@ static double complex inverse(double complex z) {
 /// from there on, and take all columns up to `columns` along (Golub, Van Loan 2013, 5.2).
 static void triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride, double *a) {
     for (size_t c = first; c < first + count && c < rows; c++) {
-        double size = 0.0, sum[MOST_COLUMNS] = {0.0};
+        double size = 0.0, sum[MAX_COLUMNS] = {0.0};
         for (size_t r = c; r < rows; r++) size += a[r * stride + c] * a[r * stride + c];
         size = a[c * stride + c] > 0.0 ? -sqrt(size) : sqrt(size);
         const double head = a[c * stride + c] - size, scale = size * head; // -|v|^2/2
@@ -70,7 +70,7 @@ static void triangularize(size_t rows, size_t first, size_t count, size_t column
 
 /// The shortest x [n] whose a x comes nearest to the last column of a [rows][n + 1].
 static bool solve_nearest(size_t rows, size_t n, double *a, double *x) {
-    double square[(MOST_POLES + 2) * (MOST_POLES + 2)];
+    double square[(MAX_POLES + 2) * (MAX_POLES + 2)];
     triangularize(rows, 0, n, n + 1, n + 1, a);
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < n; k++) square[i * n + k] = a[i * (n + 1) + k];
@@ -107,7 +107,7 @@ rational_sample rational_fit_value(const rational_fit *of, double w) {
 
 /// Real poles go in pairs by size.
 static void pair_up(const pole_set *poles, rational_fit *out) {
-    double real[MOST_POLES];
+    double real[MAX_POLES];
     size_t count = 0;
     out->pair_count = 0;
     for (size_t k = 0; k < poles->count; k++) {
@@ -132,7 +132,7 @@ static void put_functions(const fitting *f, const rational_fit *of, size_t k, do
 /// The best function of the only set with the pairs of io, in units of the highest frequency, and with its slope where
 /// that is `held`.
 static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
-    double a[MOST_ROWS * (MOST_POLES + 3)] = {0.0}, x[MOST_POLES + 2];
+    double a[MAX_ROWS * (MAX_POLES + 3)] = {0.0}, x[MAX_POLES + 2];
     const size_t n = 2 * io->pair_count + (held ? 1 : 2), stride = n + 1;
     for (int e = 0; e < RATIONAL_ENTRIES; e++) {
         for (size_t k = 0; k < f->count; k++) {
@@ -155,7 +155,7 @@ static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
 
 /// What is left of all sets with these poles: the root of the sum of squares.
 static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pairs, double *error) {
-    double a[MOST_ROWS * MOST_COLUMNS];
+    double a[MAX_ROWS * MAX_COLUMNS];
     *pairs = (rational_fit){.pair_count = 0};
     *error = 0.0;
     pair_up(poles, pairs);
@@ -209,7 +209,7 @@ static void tidy(const fitting *f, pole_set *poles) {
 /// What the scaling function that all entries share tells of the poles: rows [entries][poles + 1] of one set. What
 /// stands before it, the functions of the poles, 1 and s, is the same for all entries.
 static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, double *out) {
-    double a[MOST_ROWS * MOST_COLUMNS], own[MOST_ROWS * (MOST_POLES + 1)];
+    double a[MAX_ROWS * MAX_COLUMNS], own[MAX_ROWS * (MAX_POLES + 1)];
     const size_t n = poles->count, before = n + 2, stride = before + RATIONAL_ENTRIES * (n + 1);
     const size_t rows = 2 * f->count - before;
     for (size_t k = 0; k < f->count; k++) {
@@ -237,9 +237,9 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
 
 /// The zeros of the scaling function are the next poles.
 static bool relocate(const fitting *f, pole_set *poles) {
-    enum { MOST_ENTRIES = RATIONAL_MOST_SETS * RATIONAL_ENTRIES };
-    double a[(MOST_ENTRIES * (MOST_POLES + 1) + 1) * (MOST_POLES + 2)] = {0.0}, x[MOST_POLES + 2];
-    double matrix[MOST_POLES * MOST_POLES] = {0.0};
+    enum { MAX_ENTRIES = RATIONAL_MAX_SETS * RATIONAL_ENTRIES };
+    double a[(MAX_ENTRIES * (MAX_POLES + 1) + 1) * (MAX_POLES + 2)] = {0.0}, x[MAX_POLES + 2];
+    double matrix[MAX_POLES * MAX_POLES] = {0.0};
     const size_t n = poles->count, rows = f->sets * RATIONAL_ENTRIES * (n + 1) + 1;
     for (size_t set = 0; set < f->sets; set++)
         rows_of_set(f, poles, set, a + set * RATIONAL_ENTRIES * (n + 1) * (n + 2));
@@ -293,14 +293,14 @@ static fitting begin(size_t sets, size_t count, const double *w, const rational_
 
 bool rational_fit_poles(size_t sets, size_t count, const double *w, const rational_sample *samples, size_t pair_count,
                         rational_fit *out) {
-    enum { MOST_STEPS = 40 };
+    enum { MAX_STEPS = 40 };
     const fitting f = begin(sets, count, w, samples);
     pole_set poles = first_poles(&f, pair_count);
     double least, last;
     if (!error_of(&f, &poles, out, &least)) return false;
     last = least;
     // The best of all that they come by, until steps tell no more.
-    for (int step = 0; step < MOST_STEPS && pair_count > 0 && least > 1e-14; step++) {
+    for (int step = 0; step < MAX_STEPS && pair_count > 0 && least > 1e-14; step++) {
         rational_fit next;
         double error;
         if (!relocate(&f, &poles) || !error_of(&f, &poles, &next, &error)) return false;

@@ -6,7 +6,7 @@
 
 #include "plan.h"
 
-enum { MOST_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS + 64 };
+enum { MAX_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS + 64 };
 
 // ---------------------------------------------------------------- elements
 
@@ -59,16 +59,16 @@ static whirl_status element_path(const machine_parts *machine, const char *head,
 // ---------------------------------------------------------------- all names
 
 /// What the first word of a short name may be.
-static size_t collect_names(const case_content *content, const char *names[MOST_NAMES]) {
+static size_t collect_names(const case_content *content, const char *names[MAX_NAMES]) {
     const machine_parts *const machine = &content->machine;
     size_t count = 0;
     for (size_t i = 0; i < machine->stations.count; i++) names[count++] = machine->stations.names[i];
     for (size_t i = 0; i < machine->shafts.count; i++) names[count++] = machine->shafts.names[i];
     for (size_t i = 0; i < machine->materials.count; i++) names[count++] = machine->materials.names[i];
-    for (const whirl_group *const *group = whirl_element_groups(); *group && count < MOST_NAMES; group++)
+    for (const whirl_group *const *group = whirl_element_groups(); *group && count < MAX_NAMES; group++)
         if (count_kind(machine, (*group)->name) > 0) names[count++] = (*group)->name;
     const whirl_key *key;
-    for (size_t k = 0; count < MOST_NAMES && (key = whirl_group_at(&schema_study, k)) != NULL; k++)
+    for (size_t k = 0; count < MAX_NAMES && (key = whirl_group_at(&schema_study, k)) != NULL; k++)
         names[count++] = key->name;
     return count;
 }
@@ -92,7 +92,7 @@ static whirl_status refuse_number(const machine_parts *machine, const char *rest
 /// Says how a name must begin: where elements are named as the file lists them, or a key of the rotor stands alone.
 static whirl_status refuse_name(const case_content *content, const char *head, const char *rest) {
     const machine_parts *const machine = &content->machine;
-    const char *names[MOST_NAMES];
+    const char *names[MAX_NAMES];
     char advice[WHY_SIZE];
     const element_name element = split_element(head);
     if (strcmp(element.kind, "elements") == 0 && machine->element_count > 0) return refuse_number(machine, rest);

@@ -4,7 +4,7 @@
 #include "adaptive_lanes.inc"
 
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
-enum { SUMMED_TOGETHER = 2, MOST_TOGETHER = 4 };
+enum { SUMMED_TOGETHER = 2, MAX_TOGETHER = 4 };
 
 /// Where the rows of a set begin: the state's, set 0, or a perturbation's.
 typedef struct set_place {
@@ -23,7 +23,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
     const vec *q = VECTORS(q) + set.q, *v = VECTORS(v) + set.v, *h = VECTORS(lengths), c = v_set(dop853_c[number]);
     const vec *slopes = VECTORS(dop853.k[0]) + set.v;
     const size_t last = sums->count - 1;
-    vec position[MOST_TOGETHER], velocity[MOST_TOGETHER];
+    vec position[MAX_TOGETHER], velocity[MAX_TOGETHER];
     for (size_t r = 0; r < count; r++) position[r] = velocity[r] = v_set(0.0);
     for (size_t j = 0; j < last; j++) {
         const vec *slope = slopes + sums->place[j] + first;
@@ -42,7 +42,7 @@ VECTOR_INLINE void take_stage(const adaptive_lanes *lanes, int number, set_place
     }
 }
 
-/// One of the sums of slopes, for up to MOST_TOGETHER vectors of the rates from the first.
+/// One of the sums of slopes, for up to MAX_TOGETHER vectors of the rates from the first.
 VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums, size_t which, size_t first,
                              size_t count, vec *sum) {
     for (size_t r = 0; r < count; r++) sum[r] = v_set(0.0);
@@ -56,11 +56,11 @@ VECTOR_INLINE void sum_rates(const adaptive_lanes *lanes, const slope_sums *sums
 static void sum_states(const adaptive_lanes *lanes, const slope_sums *sums, set_place set, const vec *from, vec *out) {
     const size_t last = set.v + lanes->rates * lanes->stride;
     const vec *h = VECTORS(length), zero = v_set(0.0);
-    for (size_t i = set.v + lanes->degrees * lanes->stride; i < last; i += MOST_TOGETHER) {
-        vec sum[MOST_TOGETHER];
-        const size_t count = last - i < MOST_TOGETHER ? last - i : MOST_TOGETHER;
-        if (count == MOST_TOGETHER)
-            sum_rates(lanes, sums, VELOCITY, i, MOST_TOGETHER, sum);
+    for (size_t i = set.v + lanes->degrees * lanes->stride; i < last; i += MAX_TOGETHER) {
+        vec sum[MAX_TOGETHER];
+        const size_t count = last - i < MAX_TOGETHER ? last - i : MAX_TOGETHER;
+        if (count == MAX_TOGETHER)
+            sum_rates(lanes, sums, VELOCITY, i, MAX_TOGETHER, sum);
         else
             sum_rates(lanes, sums, VELOCITY, i, count, sum);
         for (size_t r = 0; r < count; r++)
@@ -74,7 +74,7 @@ static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v)
     for (size_t n = 0; n <= lanes->tangents; n++) {
         const set_place set = place_of_set(lanes, n);
         size_t i = 0;
-        for (; i + MOST_TOGETHER <= all; i += MOST_TOGETHER) take_stage(lanes, number, set, i, 1, MOST_TOGETHER, q, v);
+        for (; i + MAX_TOGETHER <= all; i += MAX_TOGETHER) take_stage(lanes, number, set, i, 1, MAX_TOGETHER, q, v);
         for (; i < all; i++) take_stage(lanes, number, set, i, 1, 1, q, v);
         sum_states(lanes, &lanes->dop853.sums.stage[number], set, VECTORS(v), v);
     }
@@ -106,7 +106,7 @@ VECTOR_INLINE void sum_errors(const adaptive_lanes *lanes, set_place set, size_t
                               vec *q5, vec *v5, vec *q3, vec *v3) {
     const slope_sums *sums = &lanes->dop853.sums.error;
     const vec *slopes = VECTORS(dop853.k[0]) + set.v;
-    vec total[MAX_SUMS][MOST_TOGETHER];
+    vec total[MAX_SUMS][MAX_TOGETHER];
     for (size_t s = 0; s < MAX_SUMS; s++)
         for (size_t r = 0; r < count; r++) total[s][r] = v_set(0.0);
     for (size_t j = 0; j < sums->count; j++) {

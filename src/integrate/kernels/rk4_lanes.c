@@ -209,7 +209,7 @@ static void move_rows(const rk4_lanes *lanes, double *ensemble, size_t k, vec *o
     }
 }
 
-enum { MOST_AT_ONCE = 8 }; ///< vectors of structures with loops of their own
+enum { MAX_AT_ONCE = 8 }; ///< vectors of structures with loops of their own
 #define INSTANCE_FILE "kernels/rk4_instance.inc"
 #include "../../rotor/instances.h"
 

@@ -26,7 +26,7 @@ static const double most_dop853 = 2.0 * PROBED * 1000.0, most_products = 3e9;
 static const double most_rodas5p = 4e9, telling_rodas5p = 64.0, usual_rodas5p = 500.0;
 
 /// Coordinates up to which eigenvalues are found in about a second; beyond, the norm bounds them.
-enum { MOST_SOLVED = 400 };
+enum { MAX_SOLVED = 400 };
 
 static whirl_status start(const whirl_system *system, const whirl_integrate_options *options, const char *name,
                           double most, whirl_integrator **integrator) {
@@ -50,7 +50,7 @@ static double part_done(const whirl_integrator *integrator) {
 static double stable_steps(phase_search *search) {
     const double safe = 2.0; // |z| up to which dop853 is stable in the whole left half plane
     if (search->norm * search->system->period <= safe * crawl) return 0.0;
-    if (search->system->dimension > MOST_SOLVED) return search->norm * search->system->period / safe;
+    if (search->system->dimension > MAX_SOLVED) return search->norm * search->system->period / safe;
     if (!phase_search_solve(search)) return 0.0;
     const double steps = phase_search_steps(search, dop853_amplification, crawl);
     return steps > crawl ? steps : 0.0;

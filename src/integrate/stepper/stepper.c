@@ -353,7 +353,7 @@ static whirl_motion accept(stepper *c, double until) {
 }
 
 whirl_motion stepper_step(stepper *c, double until) {
-    enum { MOST_STAYS = 8 };
+    enum { MAX_STAYS = 8 };
     for (int stays = 0;; stays++) {
         double theta = 1.0;
         size_t which = 0;
@@ -385,6 +385,6 @@ whirl_motion stepper_step(stepper *c, double until) {
         stepper_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
         // So near to the switch that the interpolant, good to the tolerance, contradicts the derivatives there.
-        if (stays >= MOST_STAYS && c->held[which] > 0) c->held[which] = CROSSING_ALONG;
+        if (stays >= MAX_STAYS && c->held[which] > 0) c->held[which] = CROSSING_ALONG;
     }
 }

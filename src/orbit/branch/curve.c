@@ -85,7 +85,7 @@ static double size_of(void *context, const double *u, const double *value) {
 }
 
 /// Points are near where they are looked for, or a shorter step finds them sooner.
-enum { MOST_STEPS = 8, MOST_HALVINGS = 2 };
+enum { MAX_STEPS = 8, MAX_HALVINGS = 2 };
 
 newton_result curve_correct(curve *c, const double *direction, double *u) {
     const size_t all = c->count + 1;
@@ -105,8 +105,8 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
                                             .share = &c->share,
                                             .scale = c->scale,
                                             .tolerance = c->tolerance,
-                                            .most_steps = MOST_STEPS,
-                                            .most_halvings = MOST_HALVINGS},
+                                            .most_steps = MAX_STEPS,
+                                            .most_halvings = MAX_HALVINGS},
                           u);
     free(from);
     return result;

@@ -72,7 +72,7 @@ static double next_place(const look sides[2], int missed) {
 /// Closes in on the end from both sides; there the equations are singular, so that it is not met itself. p is the
 /// nearest point that was found, if any.
 static whirl_status close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
-    enum { MOST_LOOKS = 16 };
+    enum { MAX_LOOKS = 16 };
     // The error of the parameter is of sixth order in the first; below the other lies the branch with the doubling.
     const double near = 1e-2, same = 1e-6;
     const size_t all = f->curve.count + 1;
@@ -85,7 +85,7 @@ static whirl_status close_in(follower *f, const waypoint *from, const waypoint *
         note(found, sides[0]);
         note(found, sides[1]);
     }
-    for (int k = 0, missed = 0; k < MOST_LOOKS && status.code == WHIRL_OK && fabs(found->list[0].apart) > near; k++) {
+    for (int k = 0, missed = 0; k < MAX_LOOKS && status.code == WHIRL_OK && fabs(found->list[0].apart) > near; k++) {
         const double at = next_place(sides, missed++);
         follower_predict(f, from, to, from, at, work);
         status = follower_find(f, work, follower_across(f, from, to, from, work + all), from->tangent, &trial);

@@ -18,7 +18,7 @@ typedef double complex number;
 /// extrapolated. It is halved until two coefficients agree so nearly: an orbit may bend faster than that, and a contact
 /// lie nearer.
 static const double reach = 0x1p-7, agreement = 0.01, noise = 1e-3;
-enum { MOST_HALVINGS = 5 };
+enum { MAX_HALVINGS = 5 };
 
 typedef struct forms {
     shooting *s;
@@ -26,7 +26,7 @@ typedef struct forms {
     size_t n;
     double step;
     double *matrix;         ///< [n][n] derivative of the map
-    double *images, *image; ///< [MOST_ABREAST][dimension] workspace; [n]
+    double *images, *image; ///< [MAX_ABREAST][dimension] workspace; [n]
     double *centre;         ///< [n] the image of the orbit itself
     double *sums[2];        ///< [n] at two lengths of step
     number *q, *p;          ///< [n]
@@ -38,8 +38,8 @@ typedef struct forms {
 /// Beginnings of motions, side by side.
 typedef struct looks {
     size_t count;
-    double h[MOST_ABREAST], weight[MOST_ABREAST];
-    size_t sum[MOST_ABREAST]; ///< which one it counts for
+    double h[MAX_ABREAST], weight[MAX_ABREAST];
+    size_t sum[MAX_ABREAST]; ///< which one it counts for
 } looks;
 
 /// images [count][dimension]: F(x + h u), over the orbit's time; or the forces at rest.
@@ -247,7 +247,7 @@ static double settle(forms *f, whirl_special kind, number root, double *work, nu
     const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
     const bool rests = shooting_rests(f->s);
     double first = NAN, second = NAN;
-    for (int k = 0; k <= MOST_HALVINGS + !rests; k++) {
+    for (int k = 0; k <= MAX_HALVINGS + !rests; k++) {
         f->step = ldexp(reach, -k) * (own > nothing ? own : 1.0);
         f->failed = false;
         const double third = compute(f, kind, root, work, vectors), apart = fabs(second - first);
@@ -261,7 +261,7 @@ static double settle(forms *f, whirl_special kind, number root, double *work, nu
 }
 
 double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, double angle) {
-    const size_t n = s->kept_count, all = MOST_ABREAST * s->dimension;
+    const size_t n = s->kept_count, all = MAX_ABREAST * s->dimension;
     if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
     if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && resonates(angle))) return NAN;
     const size_t spare = 9 * n > 4 * n * n + 2 * n ? 9 * n : 4 * n * n + 2 * n;

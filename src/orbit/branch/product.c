@@ -15,7 +15,7 @@
 
 /// Rounds through all factors: after them what is smaller by a factor of two is apart to rounding. What is like in size
 /// by as many powers of two need not be apart.
-enum { MOST_ROUNDS = 60, LIKE = 8 };
+enum { MAX_ROUNDS = 60, LIKE = 8 };
 
 typedef struct product {
     size_t n, count;
@@ -138,7 +138,7 @@ static bool find(product *p, double *room, whirl_multiplier *values) {
     const size_t n = p->n;
     for (size_t i = 0; i < n * n; i++) p->now[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
     bool apart = false;
-    for (int k = 0; k < MOST_ROUNDS && !apart; k++) {
+    for (int k = 0; k < MAX_ROUNDS && !apart; k++) {
         if (!go_round(p)) return false;
         apart = is_apart(p);
     }

@@ -57,7 +57,7 @@ static double aside(const bracket *r, double at) {
 /// found: p has no orbit.
 static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
                              double *at) {
-    enum { MOST_LOOKS = 80 };
+    enum { MAX_LOOKS = 80 };
     const size_t all = f->curve.count + 1;
     whirl_status status = whirl_ok();
     double *trial = malloc(2 * all * sizeof *trial), last = INFINITY;
@@ -65,7 +65,7 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
     bracket r = bracket_between(0.0, value_of(f, t, from), follower_length(f, from, to, trial), value_of(f, t, to));
     // Orbits are no surer than their tolerance.
     const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
-    for (int k = 0; k < MOST_LOOKS; k++) {
+    for (int k = 0; k < MAX_LOOKS; k++) {
         *at = bracket_next(&r);
         status = look(f, from, to, *at, trial, p);
         if (status.code == WHIRL_OK && !p->orbit && t->kind == WHIRL_BRANCHING) {
@@ -92,17 +92,17 @@ typedef struct finding {
     double at;
 } finding;
 
-enum { MOST_FINDINGS = 16 };
+enum { MAX_FINDINGS = 16 };
 
 typedef struct findings {
-    finding list[MOST_FINDINGS];
+    finding list[MAX_FINDINGS];
     size_t count;
 } findings;
 
 static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, findings *found) {
     finding one = {.point = {.second = NAN, .criticality = NAN, .special = t->kind, .touch = t->touch}};
     waypoint p;
-    if (found->count == MOST_FINDINGS) return whirl_ok();
+    if (found->count == MAX_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
     if (status.code == WHIRL_OK) status = close_in(f, t, from, to, &p, &one.at);
     const bool paired = t->kind == WHIRL_NEIMARK_SACKER || t->kind == WHIRL_HOPF;

@@ -140,8 +140,8 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
 
 /// The same of several, side by side where they go in lanes; ends [count][segments][dimension].
 static bool all_ends_beside(const orbit_equations *e, size_t count, const double *values, double period, double *ends) {
-    whirl_machine machines[MOST_BESIDE] = {0};
-    const whirl_system *systems[MOST_BESIDE];
+    whirl_machine machines[MAX_BESIDE] = {0};
+    const whirl_system *systems[MAX_BESIDE];
     const size_t size = e->s->count * e->s->dimension;
     bool good = e->s->lanes != NULL;
     for (size_t k = 0; k < count && good; k++) {

@@ -155,7 +155,7 @@ static void place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t 
 
 /// Room for motions beside; false where lanes do not carry them.
 static bool has_beside(shooting *s) {
-    const size_t some = MOST_BESIDE * s->count, lanes = some > MOST_ABREAST ? some : MOST_ABREAST;
+    const size_t some = MAX_BESIDE * s->count, lanes = some > MAX_ABREAST ? some : MAX_ABREAST;
     if (!s->lanes || s->beside) return s->beside;
     return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->beside).code == WHIRL_OK;
 }
@@ -212,7 +212,7 @@ bool shooting_renew(shooting *s, const whirl_system *system) {
 bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
                            double period, double *ends) {
     const size_t d = s->dimension, lanes = count * s->count;
-    if (count > MOST_BESIDE || !has_beside(s)) return false;
+    if (count > MAX_BESIDE || !has_beside(s)) return false;
     stretch(s, period);
     for (size_t lane = 0; lane < lanes; lane++) {
         const size_t j = lane % s->count;

@@ -7,8 +7,8 @@
 #include "whirl/engine/orbit.h"
 
 enum {
-    MOST_BESIDE = 2, ///< machines beside the present one
-    MOST_ABREAST = 8 ///< motions of the present one
+    MAX_BESIDE = 2, ///< machines beside the present one
+    MAX_ABREAST = 8 ///< motions of the present one
 };
 
 /// A machine with the workspace of an orbit's segments. Segment j of `count` leads from node j to node j + 1, the last
@@ -27,7 +27,7 @@ typedef struct shooting {
     part *parts;                    ///< [part_count]
     whirl_integrator **integrators; ///< [part_count] NULL where lanes carry the segments
     whirl_ensemble *lanes;          ///< segments side by side; NULL: integrators carry one after the other
-    whirl_ensemble *beside;         ///< [MOST_BESIDE count, MOST_ABREAST] for motions beside; NULL: not yet needed
+    whirl_ensemble *beside;         ///< [MAX_BESIDE count, MAX_ABREAST] for motions beside; NULL: not yet needed
     whirl_perturbations *columns;   ///< [count] of the segments in lanes
     double *unit;                   ///< [kept_count][dimension] unit perturbations
     double *vectors;                ///< [count][kept_count][dimension]
@@ -59,7 +59,7 @@ bool shooting_renew(shooting *s, const whirl_system *system);
 bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const *systems, const double *nodes,
                            double period, double *ends);
 
-/// Carries up to MOST_ABREAST motions x [count][dimension] over the whole of the orbit's time. False where one is not
+/// Carries up to MAX_ABREAST motions x [count][dimension] over the whole of the orbit's time. False where one is not
 /// bounded.
 bool shooting_map(shooting *s, size_t count, double *x, double period);
 

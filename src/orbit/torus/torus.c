@@ -22,9 +22,9 @@ whirl_status torus_check_options(const whirl_torus_options *o) {
                           "a torus to %g at its nodes and %g between them, expected numbers above 0, the second one "
                           "larger",
                           o->tolerance, o->accuracy);
-    if (o->most_nodes < WHIRL_LEAST_TORUS_NODES || o->most_nodes > WHIRL_MOST_TORUS_NODES || o->most_nodes % 2 == 0)
+    if (o->most_nodes < WHIRL_MIN_TORUS_NODES || o->most_nodes > WHIRL_MAX_TORUS_NODES || o->most_nodes % 2 == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "a torus of at most %zu nodes, expected an odd number from %d to %d",
-                          o->most_nodes, WHIRL_LEAST_TORUS_NODES, WHIRL_MOST_TORUS_NODES);
+                          o->most_nodes, WHIRL_MIN_TORUS_NODES, WHIRL_MAX_TORUS_NODES);
     if (o->most_steps < 1)
         return whirl_fail(WHIRL_BAD_INPUT, "a torus in %d steps of Newton's method, expected 1 or more", o->most_steps);
     return whirl_ok();
@@ -32,9 +32,9 @@ whirl_status torus_check_options(const whirl_torus_options *o) {
 
 static whirl_status check(const whirl_system *system, const double *points, size_t count, double rotation,
                           const whirl_torus_options *options) {
-    if (count < WHIRL_LEAST_TORUS_SECTIONS)
+    if (count < WHIRL_MIN_TORUS_SECTIONS)
         return whirl_fail(WHIRL_BAD_INPUT, "a torus from %zu sections, expected %d or more", count,
-                          WHIRL_LEAST_TORUS_SECTIONS);
+                          WHIRL_MIN_TORUS_SECTIONS);
     if (isfinite(rotation) && !(fabs(rotation) <= 1.0))
         return whirl_fail(WHIRL_BAD_INPUT, "a torus of rotation number %g, expected -1 to 1", rotation);
     for (size_t i = 0; i < count * system->dimension; i++)

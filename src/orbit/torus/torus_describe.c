@@ -129,7 +129,7 @@ size_t torus_nodes_wanted(torus_equations *e, const double *u, double error) {
         while (last > SPARE && rest_from(e, last - SPARE) <= slight) last--;
     }
     const size_t wanted = 2 * last + 1;
-    return wanted < WHIRL_LEAST_TORUS_NODES  ? WHIRL_LEAST_TORUS_NODES
+    return wanted < WHIRL_MIN_TORUS_NODES    ? WHIRL_MIN_TORUS_NODES
            : wanted > e->options->most_nodes ? e->options->most_nodes
                                              : wanted;
 }

@@ -10,7 +10,7 @@
 
 #include "numerics.h"
 
-enum { SETTLING = 256, FEWEST_STEPS = 512, MOST_STEPS = 8192 };
+enum { SETTLING = 256, MIN_STEPS = 512, MAX_STEPS = 8192 };
 
 typedef struct walk {
     size_t n, count;       ///< coordinates, nodes
@@ -21,7 +21,7 @@ typedef struct walk {
     double *matrix;        ///< [n][n]
     double *vectors;       ///< [n - 1][n] orthonormal, across the curve
     double *turned;        ///< [n]
-    double *growth;        ///< [MOST_STEPS][n - 1]
+    double *growth;        ///< [MAX_STEPS][n - 1]
 } walk;
 
 static double dot(size_t n, const double *a, const double *b) {
@@ -120,7 +120,7 @@ static bool go(walk *w, whirl_torus *torus) {
     if (!begin(w)) return false;
     for (size_t m = 0; m < SETTLING; m++)
         if (!step(w, w->growth)) return false;
-    for (size_t most = FEWEST_STEPS; most <= MOST_STEPS; most *= 2) {
+    for (size_t most = MIN_STEPS; most <= MAX_STEPS; most *= 2) {
         for (; count < most; count++)
             if (!step(w, w->growth + count * (w->n - 1))) return false;
         if (write_averages(w, count, missing_of(w), torus) < 1e-9) break;
@@ -136,7 +136,7 @@ static void say_nothing(whirl_torus *torus) {
 bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus *torus) {
     const size_t n = e->n, size = e->count * n;
     if (torus->exponent_count == 0) return true;
-    double *room = calloc(size + size * n + 3 * n + 2 * n * n + (size_t)MOST_STEPS * (n - 1), sizeof *room);
+    double *room = calloc(size + size * n + 3 * n + 2 * n * n + (size_t)MAX_STEPS * (n - 1), sizeof *room);
     if (!room) return false;
     walk w = {.n = n, .count = e->count, .angle = u[size], .curve = room, .factor = room + size};
     w.place = w.factor + size * n;

@@ -11,7 +11,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-enum { MOST_SECTIONS = 2048, MOST_HARMONICS = 24 };
+enum { MAX_SECTIONS = 2048, MAX_HARMONICS = 24 };
 
 /// The last sections, about their weighted mean.
 typedef struct cloud {
@@ -22,13 +22,13 @@ typedef struct cloud {
     double *mean;    ///< [n]
     double *real;    ///< [n] an average, of cosines and
     double *minus;   ///< [n] ... of sines
-    double *series;  ///< [2 MOST_HARMONICS + 1][n]
+    double *series;  ///< [2 MAX_HARMONICS + 1][n]
     double radius;   ///< largest coordinate of points
 } cloud;
 
 static cloud *cloud_new(const torus_equations *e, const double *states, size_t count) {
-    const size_t n = e->n, kept = count < MOST_SECTIONS ? count : MOST_SECTIONS, d = e->map->dimension;
-    cloud *c = calloc(1, sizeof *c + (kept * (2 * n + 1) + (4 + 2 * MOST_HARMONICS) * n) * sizeof(double));
+    const size_t n = e->n, kept = count < MAX_SECTIONS ? count : MAX_SECTIONS, d = e->map->dimension;
+    cloud *c = calloc(1, sizeof *c + (kept * (2 * n + 1) + (4 + 2 * MAX_HARMONICS) * n) * sizeof(double));
     double sum = 0.0;
     if (!c) return NULL;
     *c = (cloud){.count = kept, .n = n, .points = (double *)(c + 1)};
@@ -132,10 +132,10 @@ static void take_out(cloud *c, double turns) {
 /// harmonic is found from what the lower ones leave: of two that few sections hardly tell apart the lower one counts.
 static double misfit(cloud *c, double rotation) {
     const size_t n = c->n, size = c->count * n;
-    const size_t most = c->count / 8 < MOST_HARMONICS ? c->count / 8 : MOST_HARMONICS;
+    const size_t most = c->count / 8 < MAX_HARMONICS ? c->count / 8 : MAX_HARMONICS;
     double off = 0.0, all = 0.0;
     memcpy(c->left, c->points, size * sizeof *c->left);
-    memset(c->series, 0, (2 * MOST_HARMONICS + 1) * n * sizeof *c->series);
+    memset(c->series, 0, (2 * MAX_HARMONICS + 1) * n * sizeof *c->series);
     for (size_t h = 1; h <= most; h++) {
         const double turns = fmod((double)h * rotation, 1.0);
         average(c, turns);
@@ -191,8 +191,8 @@ static size_t harmonics_needed(const cloud *c) {
     enum { FEWEST = 3 };
     double largest = 0.0;
     size_t last = FEWEST, small = 0;
-    for (size_t h = 1; h <= MOST_HARMONICS; h++) largest = fmax(largest, harmonics_size(c->n, c->series, h));
-    for (size_t h = 1; h <= MOST_HARMONICS && small < 3; h++) {
+    for (size_t h = 1; h <= MAX_HARMONICS; h++) largest = fmax(largest, harmonics_size(c->n, c->series, h));
+    for (size_t h = 1; h <= MAX_HARMONICS && small < 3; h++) {
         small = harmonics_size(c->n, c->series, h) < 1e-3 * largest ? small + 1 : 0;
         if (small == 0 && h > last) last = h;
     }
@@ -205,7 +205,7 @@ static whirl_status write_curve(torus_equations *e, cloud *c, double rotation, d
     *u = torus_equations_resize(e, count) ? calloc(count * n + 2, sizeof **u) : NULL;
     if (!*u) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", count);
     memcpy(c->series, c->mean, n * sizeof *c->mean);
-    harmonics_spread(2 * MOST_HARMONICS + 1, n, c->series, 0.0, count, *u, NULL);
+    harmonics_spread(2 * MAX_HARMONICS + 1, n, c->series, 0.0, count, *u, NULL);
     (*u)[count * n] = two_pi * rotation;
     return whirl_ok();
 }

@@ -13,7 +13,7 @@
 
 typedef double complex number;
 
-enum { INSTANTS = 64, LEAST_ANGLES = 128 };
+enum { INSTANTS = 64, MIN_ANGLES = 128 };
 
 static const double two_pi = 6.283185307179586476925;
 
@@ -133,7 +133,7 @@ static bool grid_new(const whirl_torus *torus, grid *g) {
     *g = (grid){.dimension = d,
                 .nodes = torus->node_count,
                 .instants = INSTANTS * torus->revolutions,
-                .angles = torus->node_count > LEAST_ANGLES ? torus->node_count : LEAST_ANGLES};
+                .angles = torus->node_count > MIN_ANGLES ? torus->node_count : MIN_ANGLES};
     g->states = calloc((g->instants + 1) * g->nodes * d + (g->angles + 2 * g->instants) * d + 1, sizeof *g->states);
     g->harmonic = calloc(g->instants * (d + 2) + 1, sizeof *g->harmonic);
     if (!g->states || !g->harmonic) return false;

@@ -11,7 +11,7 @@
 /// A claim of one value is met by what lies within this share of it, and an order by one within that share.
 static const double NEAR_VALUE = 0.02, NEAR_ORDER = 0.05;
 
-enum { MOST_SHOWN = 4 };
+enum { MAX_SHOWN = 4 };
 
 typedef struct claim_range {
     const whirl_table *branches;
@@ -68,7 +68,7 @@ static void put_kind(const claim_range *of, whirl_special kind, char *text, size
     size_t shown = 0;
     const size_t count = count_changes(of, kind);
     put(text, size, *text ? ", %s%s" : "%s%s", count ? "" : "no ", whirl_special_name(kind));
-    for (size_t i = 0; i < of->branches->count && shown < MOST_SHOWN; i++)
+    for (size_t i = 0; i < of->branches->count && shown < MAX_SHOWN; i++)
         if (is_change(of, i, kind)) put(text, size, shown++ ? ", %.6g" : " at %.6g", of->branches->values[i]);
     if (count > shown) put(text, size, " and %zu more", count - shown);
 }

@@ -74,7 +74,7 @@ void claim_largest_over(const claim_view *view, const claim_census *census, char
 void claim_whirl_at(const claim_view *view, size_t point, char *text, size_t size);
 void claim_whirl_over(const claim_view *view, const claim_census *census, char *text, size_t size);
 
-enum { MOST_FINDINGS = 12, FINDING_SIZE = 240 };
+enum { MAX_FINDINGS = 12, FINDING_SIZE = 240 };
 
 /// A part of a claim beside what was found.
 typedef struct claim_finding {
@@ -86,7 +86,7 @@ typedef struct claim_finding {
 typedef struct claim_outcome {
     whirl_agreement agreement;
     size_t count;
-    claim_finding findings[MOST_FINDINGS];
+    claim_finding findings[MAX_FINDINGS];
     char note[FINDING_SIZE]; ///< where it was looked instead, or why nothing was compared; "" where neither applies
 } claim_outcome;
 

@@ -5,7 +5,7 @@
 
 #include "claim_parts.h"
 
-enum { MOST_LINES = 6 };
+enum { MAX_LINES = 6 };
 
 static double rub_at(const claim_view *view, size_t point) {
     return rub_share(view->table, point, view->result->contact_count);
@@ -126,13 +126,13 @@ void claim_dry_whip_over(const claim_view *view, const claim_census *census, cha
 void claim_lines_at(const claim_view *view, size_t point, char *text, size_t size) {
     const numbers lines = claim_lines(view, point);
     size_t used = (size_t)snprintf(text, size, lines.rows == 1 ? "line" : "lines");
-    for (size_t i = 0; i < lines.rows && i < MOST_LINES && used < size; i++)
+    for (size_t i = 0; i < lines.rows && i < MAX_LINES && used < size; i++)
         used += (size_t)snprintf(text + used, size - used, "%s %.3g", i ? "," : "", lines.at[5 * i]);
     if (used < size)
         snprintf(text + used, size - used,
-                 lines.rows == 0           ? ": none"
-                 : lines.rows > MOST_LINES ? " X, and smaller ones"
-                                           : " X");
+                 lines.rows == 0          ? ": none"
+                 : lines.rows > MAX_LINES ? " X, and smaller ones"
+                                          : " X");
 }
 
 void claim_band_at(const claim_view *view, size_t point, char *text, size_t size) {

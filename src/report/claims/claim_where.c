@@ -7,7 +7,7 @@
 
 #include "claim_parts.h"
 
-enum { MOST_RANGES = 5 };
+enum { MAX_RANGES = 5 };
 
 static bool speaks_of_points(const whirl_claim *claim) {
     for (const claim_part *part = claim_parts(); part->name; part++)
@@ -56,12 +56,12 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
         missed += misses;
         if (misses && first == SIZE_MAX) first = i;
         if (misses || first == SIZE_MAX) continue;
-        if (ranges++ < MOST_RANGES) append_range(text, size, of->table, first, i - 1, ranges > 1);
+        if (ranges++ < MAX_RANGES) append_range(text, size, of->table, first, i - 1, ranges > 1);
         first = SIZE_MAX;
     }
     char rest[96];
-    if (ranges > MOST_RANGES)
-        snprintf(rest, sizeof rest, " and in %zu more ranges (%zu of %zu points)", ranges - MOST_RANGES, missed,
+    if (ranges > MAX_RANGES)
+        snprintf(rest, sizeof rest, " and in %zu more ranges (%zu of %zu points)", ranges - MAX_RANGES, missed,
                  compared);
     else
         snprintf(rest, sizeof rest, " (%zu of %zu points)", missed, compared);

@@ -147,7 +147,7 @@ void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const w
     for (const claim_part *part = claim_parts(); part->name; part++) stated = stated || part->stated(claim);
     if (stated && of.count == 0) snprintf(outcome->note, sizeof outcome->note, "no point of the result lies there");
     const claim_view view = {claim, result, of.table, station};
-    for (const claim_part *part = claim_parts(); part->name && outcome->count < MOST_FINDINGS && of.count > 0; part++)
+    for (const claim_part *part = claim_parts(); part->name && outcome->count < MAX_FINDINGS && of.count > 0; part++)
         if (part->stated(claim)) compare_part(part, &view, &of, &outcome->findings[outcome->count++]);
     if (stated && of.count == 1 && near(claim->from, claim->to) && !near(of.nearest, claim->from))
         snprintf(outcome->note, sizeof outcome->note, "at the nearest point computed, %s = %.6g", claims->parameter,
@@ -158,7 +158,7 @@ void claim_compare(const whirl_claims *claims, const whirl_claim *claim, const w
 whirl_agreement whirl_claim_compare(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                                     char *found, size_t size) {
     claim_outcome outcome;
-    char text[(MOST_FINDINGS + 1) * (FINDING_SIZE + 2)] = "";
+    char text[(MAX_FINDINGS + 1) * (FINDING_SIZE + 2)] = "";
     size_t used = 0;
     claim_compare(claims, claim, result, &outcome);
     for (size_t i = 0; i < outcome.count; i++)

@@ -10,10 +10,10 @@
 #include "quantities.h"
 
 enum {
-    MANY_POINTS = 150,  ///< of a sweep: so many stand so close together that small dots are enough
-    GRID = 2000,        ///< dots nearer to each other than 1/GRID of the axis are drawn once
-    MOST_DOTS = 100000, ///< of a figure, so that its PDF stays small
-    LEAST_DOTS = 64     ///< of a point
+    MANY_POINTS = 150, ///< of a sweep: so many stand so close together that small dots are enough
+    GRID = 2000,       ///< dots nearer to each other than 1/GRID of the axis are drawn once
+    MAX_DOTS = 100000, ///< of a figure, so that its PDF stays small
+    MIN_DOTS = 64      ///< of a point
 };
 
 static const char grey[] = "#9A9A9A", dark[] = "#303030", rubbing[] = "#F3DFC5";
@@ -93,7 +93,7 @@ static int cell(double value, span range) {
 static void add_dots(whirl_figure *figure, whirl_series *to, const bifurcation *of, size_t point, size_t column,
                      dot *dots) {
     const numbers section = point_section(of->table, point, of->station);
-    const size_t share = MOST_DOTS / (of->table->count + 1), most = share > LEAST_DOTS ? share : LEAST_DOTS;
+    const size_t share = MAX_DOTS / (of->table->count + 1), most = share > MIN_DOTS ? share : MIN_DOTS;
     const size_t count = section.rows < most ? section.rows : most;
     const double length = whirl_shown_length(of->units, of->table, point);
     for (size_t k = 0; k < count; k++) {

@@ -137,7 +137,7 @@ static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) 
 
 /// The section of the sweep beside the branches.
 static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    enum { MOST_DOTS = 40000 };
+    enum { MAX_DOTS = 40000 };
     const whirl_table *sweep = whirl_result_role(v->of->result, WHIRL_ROLE_SURVEY);
     if (!sweep || !table_has(sweep, WHIRL_FIELD_POINCARE_SECTION)) return;
     whirl_series *dots = panel_named(figure, panel, WHIRL_DOTS, "sweep", "#C4C4C4", 0.27);
@@ -145,7 +145,7 @@ static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
         if (!whirl_table_done(sweep, i)) continue;
         const numbers section = point_section(sweep, i, v->station);
         const double length = whirl_shown_length(v->of->units, sweep, i);
-        const size_t most = MOST_DOTS / sweep->count + 8, first = section.rows > most ? section.rows - most : 0;
+        const size_t most = MAX_DOTS / sweep->count + 8, first = section.rows > most ? section.rows - most : 0;
         double before = NAN;
         for (size_t k = first; k < section.rows; k++) {
             const double at = length * section.at[4 * k + v->column];

@@ -10,7 +10,7 @@
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 
-enum { MOST_CRITICAL = 256 };
+enum { MAX_CRITICAL = 256 };
 
 /// Directions of whirl: forward, backward, to and fro.
 static const struct {
@@ -236,8 +236,8 @@ static whirl_side side_of(const whirl_table *table, const double *const *rows, s
 }
 
 static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v, bool damping) {
-    const double *rows[MOST_CRITICAL];
-    const size_t count = gather_critical(v->table, MOST_CRITICAL, rows);
+    const double *rows[MAX_CRITICAL];
+    const size_t count = gather_critical(v->table, MAX_CRITICAL, rows);
     whirl_series *rings = damping ? NULL : panel_named(figure, panel, WHIRL_DOTS, "critical speed", "#000000", 3.6);
     whirl_series *crosses = panel_named(figure, panel, WHIRL_DOTS, "threshold", "#CC0000", 3.6);
     whirl_series *right = damping ? NULL : panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);

@@ -208,7 +208,7 @@ void along_shape(whirl_figure *figure, whirl_panel *panel, const along_curve *of
 // ---------------------------------------------------------------- bifurcation
 // What a bifurcation diagram of a station shows, and what its panels share.
 
-enum { MOST_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
+enum { MAX_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
 
 typedef struct bifurcation {
     const whirl_result *result;
@@ -217,8 +217,8 @@ typedef struct bifurcation {
     size_t station;
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;
-    bool shaded;              ///< where the rotor rubs, which is seen where it does not everywhere
-    bool present[MOST_KINDS]; ///< kinds of points
+    bool shaded;             ///< where the rotor rubs, which is seen where it does not everywhere
+    bool present[MAX_KINDS]; ///< kinds of points
     size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
     const whirl_shown_units *units;
     double length, value; ///< what displacements and values of the parameter are multiplied by to be shown

@@ -11,7 +11,7 @@
 #include "quantities.h"
 #include "report_parts.h"
 
-enum { MOST_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
+enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 
 /// How strong the colour of a verdict is over white, by how far it can be trusted.
 static const double strength[LEVELS] = {[WHIRL_LOW] = 0.4, [WHIRL_FAIR] = 0.8, [WHIRL_HIGH] = 1.0};
@@ -307,7 +307,7 @@ static void add_plane(const map_drawing *map, const map_quantity *what, const do
 
 static size_t plane_count(const whirl_table *table) {
     const size_t all = whirl_table_planes(table);
-    return all < MOST_PLANES ? all : MOST_PLANES;
+    return all < MAX_PLANES ? all : MAX_PLANES;
 }
 
 static void write_caption(const map_drawing *map, const map_quantity *what, size_t station) {

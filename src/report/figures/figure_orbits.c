@@ -10,20 +10,20 @@
 #include "quantities.h"
 #include "report_parts.h"
 
-enum { MOST_STATIONS = 12, MOST_MOTIONS = 6, STEPS = 180 };
+enum { MAX_STATIONS = 12, MAX_MOTIONS = 6, STEPS = 180 };
 
 /// The motions that are drawn: the first so many with a waveform.
-static size_t motions_of(const whirl_table *table, size_t motions[MOST_MOTIONS]) {
+static size_t motions_of(const whirl_table *table, size_t motions[MAX_MOTIONS]) {
     size_t count = 0;
-    for (size_t i = 0; i < table->count && count < MOST_MOTIONS; i++)
+    for (size_t i = 0; i < table->count && count < MAX_MOTIONS; i++)
         if (whirl_table_done(table, i) && point_waveform(table, i, 0).at) motions[count++] = i;
     return count;
 }
 
 /// Stations with walls; those that motions come nearest to where there are more than are drawn, in their order.
 static size_t stations_of(const drawing *of, const whirl_table *table, const size_t *motions, size_t count,
-                          size_t stations[MOST_STATIONS]) {
-    double shares[MOST_STATIONS];
+                          size_t stations[MAX_STATIONS]) {
+    double shares[MAX_STATIONS];
     size_t used = 0;
     for (size_t s = 0; s < of->result->station_count; s++) {
         double share = 0.0;
@@ -37,8 +37,8 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
         size_t least = 0;
         for (size_t i = 1; i < used; i++)
             if (shares[i] < shares[least]) least = i;
-        if (used == MOST_STATIONS && share <= shares[least]) continue;
-        if (used == MOST_STATIONS) {
+        if (used == MAX_STATIONS && share <= shares[least]) continue;
+        if (used == MAX_STATIONS) {
             memmove(shares + least, shares + least + 1, (used - least - 1) * sizeof *shares);
             memmove(stations + least, stations + least + 1, (used - least - 1) * sizeof *stations);
             used--;
@@ -51,7 +51,7 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
 
 static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &orbits_figure, .table = table, .point = NO_POINT};
-    size_t motions[MOST_MOTIONS], stations[MOST_STATIONS];
+    size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
     if (!motions_beside(table)) return;
     const size_t count = motions_of(table, motions);
     if (count == 0 || stations_of(of, table, motions, count, stations) == 0) return;
@@ -88,7 +88,7 @@ static double add_wall(whirl_figure *figure, whirl_panel *panel, const machine_w
 /// gives the widest.
 static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                         size_t station, const size_t *motions, size_t count) {
-    double widest = 0.0, clearances[MOST_MOTIONS], gaps[MOST_MOTIONS];
+    double widest = 0.0, clearances[MAX_MOTIONS], gaps[MAX_MOTIONS];
     for (size_t k = 0; k < count; k++) {
         const machine_walls walls = machine_walls_at(of->machine, of->result, table, motions[k], station);
         const double scale = whirl_shown_length(of->units, table, motions[k]);
@@ -139,7 +139,7 @@ static void add_station(whirl_figure *figure, const drawing *of, const whirl_tab
 
 static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
-    size_t motions[MOST_MOTIONS], stations[MOST_STATIONS];
+    size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
     const size_t count = motions_of(table, motions), used = stations_of(of, table, motions, count, stations);
     for (size_t i = 0; i < used; i++) add_station(figure, of, table, stations[i], motions, count);
     snprintf(
@@ -147,7 +147,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         "Orbits of the last revolutions in time, about the middle of every clearance%s: full grey lines are the "
         "walls of films and seals, as far as the middle of the journal can go, dashed ones stators that may be "
         "touched; dots where an orbit is once a revolution, when the mark is at the x axis, arrows the way it goes.",
-        used == MOST_STATIONS ? ", of the stations that come nearest to a wall" : "");
+        used == MAX_STATIONS ? ", of the stations that come nearest to a wall" : "");
 }
 
 const figure_kind orbits_figure = {.list = list, .describe = describe};

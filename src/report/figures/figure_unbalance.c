@@ -136,7 +136,7 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
 /// are left out.
 static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe, double high,
                        double (*named)[2], size_t *count) {
-    enum { MOST_NAMED = 32 };
+    enum { MAX_NAMED = 32 };
     span range = span_empty();
     for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
     const double step = tick_step(range.high - range.low, 6);
@@ -153,7 +153,7 @@ static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, 
             !polar_place(v, point + 1, probe, other))
             continue;
         const double x = one[0] + share * (other[0] - one[0]), y = one[1] + share * (other[1] - one[1]);
-        bool meets = *count == MOST_NAMED;
+        bool meets = *count == MAX_NAMED;
         for (size_t i = 0; i < *count; i++)
             meets = meets || (fabs(named[i][0] - x) < 0.45 * high && fabs(named[i][1] - y) < 0.13 * high);
         series_add(figure, marks, x, y);

@@ -8,8 +8,8 @@
 #include "figure_kinds.h"
 
 enum {
-    MOST_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
-    MOST_LABELS = 8   ///< spectral lines that get their order written beside them
+    MAX_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
+    MAX_LABELS = 8   ///< spectral lines that get their order written beside them
 };
 
 static double order_size(const subject *of) {
@@ -143,14 +143,14 @@ static int label_text(const subject *of, const whirl_machine *named, double plac
 /// Adds the orders of the largest lines above them.
 static void add_line_labels(whirl_figure *figure, whirl_panel *panel, const subject *of, const scale *axis,
                             double highest, int full) {
-    peak peaks[2 * WHIRL_MAX_LINES], labelled[MOST_LABELS];
-    label placed[MOST_LABELS];
+    peak peaks[2 * WHIRL_MAX_LINES], labelled[MAX_LABELS];
+    label placed[MAX_LABELS];
     const size_t found = find_peaks(of, axis, full, peaks);
     whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
     int count = 0;
     whirl_machine own;
     const bool made = machine_at(of->machine, of->table, of->point, &own);
-    for (size_t k = 0; k < found && count < MOST_LABELS; k++) {
+    for (size_t k = 0; k < found && count < MAX_LABELS; k++) {
         if (peaks[k].height < 0.05 * peaks[0].height || fabs(peaks[k].place) > 0.97 * highest) continue;
         if (!peak_stands_alone(&peaks[k], labelled, count, 0.025 * highest)) continue;
         char text[32 + LINE_NAME_SIZE];
@@ -194,7 +194,7 @@ static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subj
 /// A column of the spectrum; bins that are too many are grouped, and the largest of a group is kept.
 static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject *of, const scale *axis, int column,
                          double direction) {
-    const size_t group = (of->spectrum.rows + MOST_BINS - 1) / MOST_BINS;
+    const size_t group = (of->spectrum.rows + MAX_BINS - 1) / MAX_BINS;
     for (size_t first = 0; first < of->spectrum.rows; first += group) {
         double most = 0.0, place = of->spectrum.at[5 * first];
         for (size_t k = first; k < first + group && k < of->spectrum.rows; k++) {

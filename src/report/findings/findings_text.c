@@ -82,7 +82,7 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
 // ---------------------------------------------------------------- aligned text
 // Rows below headings; or, where that is wider than a terminal and there are few rows, headings beside them.
 
-enum { MOST_WIDTH = 118, MOST_BESIDE = 3 };
+enum { MAX_WIDTH = 118, MAX_BESIDE = 3 };
 
 /// A sheet as texts, without empty columns, in a grid whose first line is the heading.
 typedef struct text_grid {
@@ -192,7 +192,7 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most) {
         fprintf(stream, " (%zu of %zu rows)", count, sheet->rows);
     fputs(":\n", stream);
     for (size_t c = 0; c < grid.columns; c++) width += grid.widths[c] + 2;
-    if (width > MOST_WIDTH && count <= MOST_BESIDE) well = grid_turn(&grid);
+    if (width > MAX_WIDTH && count <= MAX_BESIDE) well = grid_turn(&grid);
     if (well) grid_write(stream, &grid);
     grid_free(&grid);
     return well;

@@ -40,7 +40,7 @@ bool findings_write_table(FILE *stream, const whirl_findings *findings, const ch
 }
 
 /// Statements that say the same of many points are cut here: other forms have them all.
-enum { MOST_ALIKE = 20 };
+enum { MAX_ALIKE = 20 };
 
 /// Of how many statements up to `end` `what` is.
 static size_t statements_alike(const whirl_findings *findings, size_t end, const char *what) {
@@ -55,9 +55,9 @@ whirl_status whirl_findings_write_text(const whirl_findings *findings, FILE *str
     for (size_t i = 0; i < findings->statement_count; i++) {
         const whirl_statement *own = &findings->statements[i];
         const size_t before = statements_alike(findings, i, own->what);
-        const size_t all = before == MOST_ALIKE ? statements_alike(findings, findings->statement_count, own->what) : 0;
-        if (before == MOST_ALIKE) fprintf(stream, "  %s: %zu more, which JSON has\n", own->what, all - before);
-        if (before >= MOST_ALIKE) continue;
+        const size_t all = before == MAX_ALIKE ? statements_alike(findings, findings->statement_count, own->what) : 0;
+        if (before == MAX_ALIKE) fprintf(stream, "  %s: %zu more, which JSON has\n", own->what, all - before);
+        if (before >= MAX_ALIKE) continue;
         statement_text(own, text, sizeof text);
         fprintf(stream, "  %s\n", text);
     }

@@ -156,13 +156,13 @@ static int by_size(const void *left, const void *right) {
 /// At once: there at a multiple of the least size that is seen, and as large as at the points behind. A line that grows
 /// as a root of the parameter is there at less than 0.64 of the median of the next two to four points.
 static void edge_judge(const line_side *side, const line_track *track, bool first, line_edge *edge) {
-    enum { LOOKED_AT = 4, LEAST_KNOWN = 2 };
+    enum { LOOKED_AT = 4, MIN_KNOWN = 2 };
     static const double least_ratio = 0.75, least_over = 2.0;
     double behind[LOOKED_AT];
     size_t count = 0;
     for (; count < LOOKED_AT && count < track->last - track->first; count++)
         behind[count] = side->seen[first ? track->first + 1 + count : track->last - 1 - count].size;
-    edge->known = count >= LEAST_KNOWN;
+    edge->known = count >= MIN_KNOWN;
     if (!edge->known) return;
     qsort(behind, count, sizeof *behind, by_size);
     const double usual = 0.5 * (behind[(count - 1) / 2] + behind[count / 2]);
@@ -285,7 +285,7 @@ static void find_edges(const finder *of, const line_side *side, whirl_sheet *she
 // ---------------------------------------------------------------- locking
 
 /// Ratios p/q that lines lock at have a q up to this, and hold an order to `locked` at so many points in a row.
-enum { MAX_LOCKED = 8, LEAST_LOCKED = 3 };
+enum { MAX_LOCKED = 8, MIN_LOCKED = 3 };
 static const double locked = 1e-3;
 
 /// The q of the simplest ratio p/q that an order stands at; 0 where there is none.
@@ -309,7 +309,7 @@ static void find_locking(const finder *of, const line_side *side, whirl_sheet *s
             const double order = q ? round(side->seen[first].order * q) / q : 0.0;
             for (next = first + 1; next <= track->last && ratio_at(of, side, next) == q; next++)
                 if (fabs(side->seen[next].order - order) > locked) break;
-            if (q == 0 || next - first < LEAST_LOCKED) continue;
+            if (q == 0 || next - first < MIN_LOCKED) continue;
             sheet_row(of, sheet);
             cell_text(of, sheet, find_text(of->findings, "%.0f/%d", round(order * q), q));
             cell_number(of, sheet, of->table->values[first]);

@@ -94,7 +94,7 @@ static void find_limits(const finder *of, size_t point) {
 
 // ---------------------------------------------------------------- along the parameter
 
-enum { MOST_TOLD = 6 };
+enum { MAX_TOLD = 6 };
 
 /// A row of WHIRL_FIELD_MODES_CRITICAL in a sentence: "2753.2 rpm", "unstable from 6100 rpm", or, of a parameter that
 /// is not the speed, "unstable from q = 1e+07 N/m".
@@ -149,7 +149,7 @@ static void find_critical(const finder *of) {
         for (size_t i = 0; row && whirl_table_done(of->table, point) && i < field->rows; i++, row += field->columns) {
             if (!(row[0] >= 1.0 && row[0] <= 3.0)) continue;
             changes += row[0] > 1.5;
-            if (located++ < MOST_TOLD) phrase_change(of, &told, row);
+            if (located++ < MAX_TOLD) phrase_change(of, &told, row);
             sheet_row(of, sheet);
             cell_text(of, sheet, names[(int)row[0]]);
             cell_number(of, sheet, row[1]);
@@ -158,7 +158,7 @@ static void find_critical(const finder *of) {
         }
     }
     find_sheet_end(of);
-    if (located > MOST_TOLD) phrase_text(of, &told, " and %zu more", located - MOST_TOLD);
+    if (located > MAX_TOLD) phrase_text(of, &told, " and %zu more", located - MAX_TOLD);
     if (changes == 0) phrase_unstable(of, &told);
     if (told.count == 0)
         phrase_text(of, &told,

@@ -77,7 +77,7 @@ void found_at_rest(const page *to) {
 
 // ---------------------------------------------------------------- motions, and what summaries tell
 
-enum { MOST_RANGES = 12, MOST_LINES = 8, RANGE_SIZE = 512 };
+enum { MAX_RANGES = 12, MAX_LINES = 8, RANGE_SIZE = 512 };
 
 /// "P-1 from 1 to 3.25 rad/s; changing: P-3, chaotic from 3.3 to 3.5 rad/s"; false, and nothing, of too many ranges.
 static bool write_ranges(const page *to, size_t index, const whirl_table *table) {
@@ -88,7 +88,7 @@ static bool write_ranges(const page *to, size_t index, const whirl_table *table)
         intervals ? regime_intervals(table, to->results[index]->contact_count, intervals, table->count) : 0;
     size_t groups = 0;
     for (size_t i = 0; i < count; i += regime_group(&intervals[i], count - i)) groups++;
-    const bool few = groups > 0 && groups <= MOST_RANGES;
+    const bool few = groups > 0 && groups <= MAX_RANGES;
     for (size_t i = 0, group; i < count && few; i += group) {
         char name[RANGE_SIZE], range[VERDICT_SIZE];
         group = regime_group(&intervals[i], count - i);
@@ -127,13 +127,13 @@ static void write_lines(FILE *stream, char *text) {
     size_t count = 0;
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
         line += strspn(line, " ");
-        if (!*line || count++ >= MOST_LINES) continue;
+        if (!*line || count++ >= MAX_LINES) continue;
         fputs(count == 1 ? "<ul class=\"notes\">\n<li>" : "<li>", stream);
         plus_minus(line);
         html_text(stream, line);
         fputs("</li>\n", stream);
     }
-    if (count > MOST_LINES) fprintf(stream, "<li>and %zu more lines: see its table</li>\n", count - MOST_LINES);
+    if (count > MAX_LINES) fprintf(stream, "<li>and %zu more lines: see its table</li>\n", count - MAX_LINES);
     if (count > 0) fputs("</ul>\n", stream);
 }
 

@@ -4,7 +4,7 @@
 
 #include "page.h"
 
-enum { CELL_SIZE = 1024, MOST_ROWS = 80 };
+enum { CELL_SIZE = 1024, MAX_ROWS = 80 };
 
 void page_statements(const page *to, size_t result, const whirl_table *table) {
     const whirl_findings *findings = to->findings[result];
@@ -41,7 +41,7 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
 
 /// Of many points every so many are shown.
 static void write_sheet(const page *to, const whirl_sheet *sheet) {
-    const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MOST_ROWS : 1;
+    const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MAX_ROWS : 1;
     fputs("<h4>", to->stream);
     html_text(to->stream, sheet->title);
     fputs("</h4>\n", to->stream);

@@ -75,7 +75,7 @@ void page_attractors(const page *to, size_t index) {
 // ---------------------------------------------------------------- page_jumps
 // Jumps along the sweep: where one regime goes on but the motion does not.
 
-enum { MOST_JUMPS = 24 };
+enum { MAX_JUMPS = 24 };
 
 static void write_jump(const page *to, size_t index, const whirl_table *table, const whirl_jump *jump) {
     const whirl_verdict verdict = whirl_table_verdict(table, jump->from);
@@ -96,10 +96,10 @@ static void write_jump(const page *to, size_t index, const whirl_table *table, c
 
 void page_jumps(const page *to, size_t index) {
     const whirl_table *table = whirl_result_role(to->results[index], WHIRL_ROLE_SURVEY);
-    whirl_jump jumps[MOST_JUMPS];
+    whirl_jump jumps[MAX_JUMPS];
     char label[UNIT_LABEL_SIZE];
     size_t count;
-    if (!table || whirl_table_jumps(table, jumps, MOST_JUMPS, &count).code != WHIRL_OK || count == 0) return;
+    if (!table || whirl_table_jumps(table, jumps, MAX_JUMPS, &count).code != WHIRL_OK || count == 0) return;
     units_parameter_label(&to->units[index], table->parameter, label, sizeof label);
     fprintf(to->stream, "<h4 id=\"jumps-%zu\">Jumps within a regime</h4>\n", index + 1);
     fprintf(
@@ -115,7 +115,7 @@ void page_jumps(const page *to, size_t index) {
     fputs("</th><th>Regime</th><th>Station</th><th class=\"number\">Change, of the<br>motion's size</th>"
           "<th class=\"number\">From point to<br>point around</th></tr></thead>\n<tbody>\n",
           to->stream);
-    for (size_t i = 0; i < count && i < MOST_JUMPS; i++) write_jump(to, index, table, &jumps[i]);
+    for (size_t i = 0; i < count && i < MAX_JUMPS; i++) write_jump(to, index, table, &jumps[i]);
     fputs("</tbody></table></div>\n", to->stream);
-    if (count > MOST_JUMPS) fprintf(to->stream, "<p class=\"soft small\">And %zu more.</p>\n", count - MOST_JUMPS);
+    if (count > MAX_JUMPS) fprintf(to->stream, "<p class=\"soft small\">And %zu more.</p>\n", count - MAX_JUMPS);
 }

@@ -6,7 +6,7 @@
 #include "page.h"
 #include "report_parts.h"
 
-enum { SHOWN = 32, MOST_RANGES = 8, MOST_NAMES = 6 };
+enum { SHOWN = 32, MAX_RANGES = 8, MAX_NAMES = 6 };
 
 /// A table of a view, in the unit in which its parameter is shown.
 typedef struct shown_view {
@@ -21,9 +21,9 @@ static const char *plural(size_t count) {
 
 /// "P-1, P-2, chaotic": the motions of rows, each named once.
 static void write_motions(const shown_view *to, size_t first, size_t end) {
-    char names[MOST_NAMES][WHIRL_NAME_SIZE];
+    char names[MAX_NAMES][WHIRL_NAME_SIZE];
     size_t count = 0;
-    for (size_t i = first; i < end && count < MOST_NAMES; i++) {
+    for (size_t i = first; i < end && count < MAX_NAMES; i++) {
         const whirl_verdict verdict = whirl_table_verdict(to->table, i);
         size_t k = 0;
         regime_name(&verdict, names[count], sizeof names[count]);
@@ -31,7 +31,7 @@ static void write_motions(const shown_view *to, size_t first, size_t end) {
         if (k == count) html_printf(to->stream, "%s%s", count ? ", " : "", names[count]);
         count += k == count;
     }
-    if (count == MOST_NAMES) fputs(", &hellip;", to->stream);
+    if (count == MAX_NAMES) fputs(", &hellip;", to->stream);
 }
 
 /// The rows of one number: its motions, where it was met, and its shares.
@@ -104,13 +104,13 @@ static void write_side_by_side(const shown_view *to, size_t places) {
         size_t last = k;
         if (!(found[k] > 1.5)) continue;
         while (last + 1 < places && found[last + 1] > 1.5) last++;
-        if (ranges++ < MOST_RANGES) {
+        if (ranges++ < MAX_RANGES) {
             html_printf(to->stream, "%s %.5g", ranges == 1 ? ":" : ",", values[k] / to->unit);
             if (last > k) html_printf(to->stream, " to %.5g", values[last] / to->unit);
         }
         k = last;
     }
-    if (ranges > MOST_RANGES) fprintf(to->stream, " and %zu more ranges", ranges - MOST_RANGES);
+    if (ranges > MAX_RANGES) fprintf(to->stream, " and %zu more ranges", ranges - MAX_RANGES);
     if (several > 0) fputs(". ", to->stream);
     free(found);
 }

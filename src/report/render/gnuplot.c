@@ -12,7 +12,7 @@
 
 extern char **environ; // POSIX declares it nowhere
 
-enum { MOST_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
+enum { MAX_PROCESSES = 8, COMMAND_MISSING = 127, LOG_NAME_SIZE = 512 };
 
 void gnuplot_string(FILE *script, const char *text) {
     fputc('\'', script);
@@ -115,8 +115,8 @@ static pid_t start(const launch *how, const gnuplot_job *job) {
 /// The children that are running, with the job of each.
 typedef struct crew {
     size_t count;
-    pid_t child[MOST_PROCESSES];
-    size_t job[MOST_PROCESSES];
+    pid_t child[MAX_PROCESSES];
+    size_t job[MAX_PROCESSES];
 } crew;
 
 /// Waits for the oldest child; its exit status.
@@ -136,7 +136,7 @@ static int finish_oldest(crew *running, gnuplot_job *jobs) {
 
 static size_t process_count(void) {
     const long cores = sysconf(_SC_NPROCESSORS_ONLN);
-    return cores < 1 ? 1 : cores > MOST_PROCESSES ? MOST_PROCESSES : (size_t)cores;
+    return cores < 1 ? 1 : cores > MAX_PROCESSES ? MAX_PROCESSES : (size_t)cores;
 }
 
 static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count) {

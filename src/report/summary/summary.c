@@ -65,7 +65,7 @@ static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_
         if (held_told(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
 }
 
-enum { MOST_POINTS = 2, MOST_ROWS = 24 };
+enum { MAX_POINTS = 2, MAX_ROWS = 24 };
 
 static whirl_status print_table(FILE *out, const whirl_findings *findings, const whirl_shown_units *units,
                                 const whirl_table *table) {
@@ -89,7 +89,7 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
         fputs("  no point was computed\n", out);
         return status;
     }
-    if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MOST_POINTS, MOST_ROWS))
+    if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MAX_POINTS, MAX_ROWS))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
     return status;
 }

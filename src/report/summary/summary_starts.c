@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { MOST_RANGES = 6, MOST_ATTRACTORS = 12 };
+enum { MAX_RANGES = 6, MAX_ATTRACTORS = 12 };
 
 void summarize_share(FILE *out, const whirl_table *table, size_t point, const char *before) {
     if (!table->attractors) return;
@@ -32,7 +32,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
             high = fmax(high, table->attractors[i].share);
             met += table->attractors[i].starts > 0;
         }
-        if (told++ >= MOST_ATTRACTORS) continue;
+        if (told++ >= MAX_ATTRACTORS) continue;
         fprintf(out, "  attractor %zu: at %zu point%s, %.3g %%", one->number, points, summary_plural((double)points),
                 100.0 * low);
         if (high > low) fprintf(out, " to %.3g %%", 100.0 * high);
@@ -40,7 +40,7 @@ static void print_attractors(FILE *out, const whirl_table *table) {
         if (met < points) fprintf(out, "; at %zu found from neighbours alone", points - met);
         fputc('\n', out);
     }
-    if (told > MOST_ATTRACTORS) fprintf(out, "  and %zu more\n", told - MOST_ATTRACTORS);
+    if (told > MAX_ATTRACTORS) fprintf(out, "  and %zu more\n", told - MAX_ATTRACTORS);
 }
 
 /// Attractors of every place [places], to be freed; NULL without memory.
@@ -80,13 +80,13 @@ static whirl_status print_coexisting(FILE *out, const whirl_shown_units *units, 
         if (beside[place] < 2) continue;
         size_t last = place;
         while (last + 1 < places && beside[last + 1] > 1) last++;
-        if (ranges++ < MOST_RANGES) {
+        if (ranges++ < MAX_RANGES) {
             fputs(ranges == 1 ? ":" : ",", out);
             print_range(out, units, table, place, last);
         }
         place = last;
     }
-    if (ranges > MOST_RANGES) fprintf(out, " and %zu more ranges", ranges - MOST_RANGES);
+    if (ranges > MAX_RANGES) fprintf(out, " and %zu more ranges", ranges - MAX_RANGES);
     fputc('\n', out);
     free(beside);
     return whirl_ok();

@@ -123,7 +123,7 @@ double hertz_ball_load(double diameter, double race, double groove) {
     const double integral = 1.0003 + 0.5968 * along / across;
     // Half axes a = (6 k^2 E Q R/(pi E'))^(1/3) and a/k; the pressure is 3 Q/(2 pi a a/k).
     const double by_load = 6.0 * shape * shape * integral * radius / (pi * modulus);
-    const double root = HERTZ_MOST_BALL * 2.0 * pi / (3.0 * shape);
+    const double root = HERTZ_MAX_BALL * 2.0 * pi / (3.0 * shape);
     return root * root * root * by_load * by_load;
 }
 
@@ -132,7 +132,7 @@ double hertz_roller_load(double diameter, double race, double stiffness) {
     const double of_one = pow(2.0 * 3.84e-5, -10.0 / 9.0) * pow(1e3, 10.0 / 9.0);
     const double length = 1e-3 * pow(stiffness / of_one, 9.0 / 8.0);
     const double radius = 1.0 / (2.0 / diameter + 1.0 / race);
-    return 2.0 * pi * radius * length * HERTZ_MOST_ROLLER * HERTZ_MOST_ROLLER / modulus;
+    return 2.0 * pi * radius * length * HERTZ_MAX_ROLLER * HERTZ_MAX_ROLLER / modulus;
 }
 
 // ---------------------------------------------------------------- table

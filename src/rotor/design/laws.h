@@ -42,8 +42,8 @@ bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double c
 
 /// Pa in the middle of the contact, at which rolling elements and races keep a dent of 1e-4 of a rolling element's
 /// diameter: static load ratings of ball and roller bearings, ISO 76.
-#define HERTZ_MOST_BALL 4.2e9
-#define HERTZ_MOST_ROLLER 4.0e9
+#define HERTZ_MAX_BALL 4.2e9
+#define HERTZ_MAX_ROLLER 4.0e9
 
 /// The load, N, at that pressure between a ball and the inner race: diameter and radius of the race in m, radius of its
 /// groove over the diameter (0.52 as a rule).

@@ -12,7 +12,7 @@
 /// Of places and tilts for derivatives; forces are good to 1e-6 and better, differences are of fourth order.
 static const double difference = 0.02;
 
-enum { FINENESS = 960, ALONG = 24, COARSER = 4, MOST_STEPS = 60 };
+enum { FINENESS = 960, ALONG = 24, COARSER = 4, MAX_STEPS = 60 };
 
 /// R delta/c, beyond which no pad is looked for.
 static const double widest_tilt = 20.0;
@@ -359,7 +359,7 @@ static whirl_status look_first(const solver *s, const double load[2], whirl_pads
 static whirl_status find_coarsely(const solver *s, const double load[2], whirl_pads_state *state) {
     double lacking[2];
     whirl_status status = look_first(s, load, state);
-    for (int k = 0; k < MOST_STEPS && status.code == WHIRL_OK; k++) {
+    for (int k = 0; k < MAX_STEPS && status.code == WHIRL_OK; k++) {
         const double before = lack(s->bearing, state, load, lacking);
         if (before < 1e-6) return status;
         const step move = step_of(s->bearing, state, lacking);
@@ -382,7 +382,7 @@ static whirl_status find_coarsely(const solver *s, const double load[2], whirl_p
 /// Moves the journal and the tilts of pads on the finest grid by the derivatives of the coarse one, until all balances.
 static whirl_status polish(const solver *s, const double load[2], whirl_pads_state *state) {
     whirl_status status = whirl_ok();
-    for (int k = 0; k < MOST_STEPS && status.code == WHIRL_OK; k++) {
+    for (int k = 0; k < MAX_STEPS && status.code == WHIRL_OK; k++) {
         double lacking[2], slopes[WHIRL_MAX_PADS][2][2][2];
         memcpy(slopes, state->of_pads, sizeof slopes);
         status = look(s, state->at, false, false, state);

@@ -7,7 +7,7 @@
 #include "pad_tables.h"
 
 /// Solutions of cavities whose edge moves by a volume a pass are found on the next coarser grid first.
-enum { LEAST_AROUND = 24, LEAST_ALONG = 3, MOST_PASSES = 200 };
+enum { MIN_AROUND = 24, MIN_ALONG = 3, MAX_PASSES = 200 };
 
 struct pad_workspace {
     int around, along;   ///< that there is room for
@@ -187,7 +187,7 @@ static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_fil
     const double ratio = 1.0 / (film->ratio * film->ratio);
     const size_t count = unknowns(g->around, g->along);
     fill_source(g, at, work->source);
-    for (int pass = 0; pass < MOST_PASSES; pass++) {
+    for (int pass = 0; pass < MAX_PASSES; pass++) {
         fill_band(g, ratio, work->rest, work->band);
         decompose(work->band, count, (size_t)g->along);
         for (size_t k = 0; k < count; k++) work->pressure[k] = work->rest[k] ? 0.0 : work->source[k];
@@ -198,7 +198,7 @@ static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_fil
         }
         if (move_cavity(g, ratio, work->source, work->pressure, work->rest) == 0) return whirl_ok();
     }
-    return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the cavity of a pad's film does not settle in %d passes", MOST_PASSES);
+    return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the cavity of a pad's film does not settle in %d passes", MAX_PASSES);
 }
 
 // ---------------------------------------------------------------- what follows from the pressure
@@ -303,7 +303,7 @@ whirl_status pad_solve(pad_workspace *work, const pad_film *film, const pad_plac
     if (!(least_thickness(film, place) > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "the journal touches the pad: the film's thickness is %.3g clearances",
                           least_thickness(film, place));
-    while ((film->around >> levels) >= LEAST_AROUND && (film->along >> levels) >= LEAST_ALONG &&
+    while ((film->around >> levels) >= MIN_AROUND && (film->along >> levels) >= MIN_ALONG &&
            (film->around >> (levels - 1)) % 2 == 0 && (film->along >> (levels - 1)) % 2 == 0)
         levels++;
     pad_answer last = {.thinnest = 0.0};

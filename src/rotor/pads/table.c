@@ -20,8 +20,8 @@ static double *coefficient(double *all, int t, int w, int alpha) {
 
 /// S at a node.
 static whirl_status solve_node(const pad_film *film, pad_workspace *work, int t, int w, int k, double value[2]) {
-    const double thickness = pow(PAD_LEAST_T + PAD_STEP_T * t, 2.0), x = 1.0 - thickness,
-                 own = PAD_STEP_W * w - PAD_MOST_W;
+    const double thickness = pow(PAD_MIN_T + PAD_STEP_T * t, 2.0), x = 1.0 - thickness,
+                 own = PAD_STEP_W * w - PAD_MAX_W;
     const double v = 2.0 * own / (1.0 + own * own), scale = (1.0 - v * v) * thickness * thickness;
     const double y = v * largest_y(film->arc, x), alpha = PAD_STEP_ALPHA * k - PAD_HALF_TURN;
     const pad_place at = {.x = x, .y = y, .a = cos(alpha), .b = sin(alpha)};

@@ -103,13 +103,13 @@ static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) 
 
 // ---------------------------------------------------------------- alignment
 
-enum { MOST_COUPLINGS = 8 };
+enum { MAX_COUPLINGS = 8 };
 
 /// Nodes of those of the listed stations that this shaft has; how many.
-static size_t find_couplings(const beam *of, const char *list, size_t node[MOST_COUPLINGS]) {
+static size_t find_couplings(const beam *of, const char *list, size_t node[MAX_COUPLINGS]) {
     char name[WHIRL_NAME_SIZE];
     size_t count = 0;
-    while (count < MOST_COUPLINGS && name_list_next(&list, name)) {
+    while (count < MAX_COUPLINGS && name_list_next(&list, name)) {
         size_t n = 0;
         while (n < of->nodes && (station_of(of, n)->hidden || strcmp(station_of(of, n)->name, name) != 0)) n++;
         node[count] = n;
@@ -285,7 +285,7 @@ static void raise_given(const beam *of, double *elevation) {
 /// Raises the bearings behind the first two of the shaft for its couplings; elevation [2][supports]: of all bearings,
 /// and room for these.
 static whirl_status raise_aligned(const beam *of, const char *couplings, double *elevation) {
-    size_t node[MOST_COUPLINGS];
+    size_t node[MAX_COUPLINGS];
     const size_t count = find_couplings(of, couplings, node);
     double *further = elevation + of->supports;
     const whirl_status status = count > 0 ? align(of, count, node, further) : whirl_ok();

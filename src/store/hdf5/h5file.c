@@ -46,7 +46,7 @@ void h5_reason(char *text, size_t size) {
 
 herr_t h5_keep_plain(hid_t creation) {
     const herr_t timeless = H5Pset_obj_track_times(creation, false);
-    return timeless < 0 ? timeless : H5Pset_attr_phase_change(creation, H5_MOST_COMPACT, 0);
+    return timeless < 0 ? timeless : H5Pset_attr_phase_change(creation, H5_MAX_COMPACT, 0);
 }
 
 /// Access to these bytes, written so that HDF5 1.10 and later read it.
@@ -66,7 +66,7 @@ whirl_status h5_create(h5_bytes *bytes, int descriptor, hid_t *file) {
     *file = H5I_INVALID_HID;
     const hid_t access = access_to(bytes), creation = H5Pcreate(H5P_FILE_CREATE);
     if (access >= 0 && creation >= 0 && h5_keep_plain(creation) >= 0 &&
-        H5Pset_link_phase_change(creation, H5_MOST_COMPACT, 0) >= 0)
+        H5Pset_link_phase_change(creation, H5_MAX_COMPACT, 0) >= 0)
         *file = H5Fcreate(NO_PATH, H5F_ACC_TRUNC, creation, access);
     char text[200];
     h5_reason(text, sizeof text);

@@ -46,7 +46,7 @@ void h5_reason(char *text, size_t size);
 /// The most attributes or links that stand in the header of their object itself, and so all of them: the other way to
 /// store them (fractal heaps, B-trees) is larger for files like these, and HDF5 1.10 crashes where such a heap or tree
 /// is damaged and its checksum right.
-enum { H5_MOST_COMPACT = 65535 };
+enum { H5_MAX_COMPACT = 65535 };
 
 /// Settings of all objects (file, group, dataset) in the list by which they are created: attributes in the object's
 /// header, and no times, so that equal results are equal files.

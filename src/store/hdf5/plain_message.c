@@ -6,10 +6,10 @@
 #include <string.h>
 
 enum {
-    MOST_RANK = SHAPE_MAX_RANK,
-    LEAST_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
-    MOST_PAGE_BITS = 10,   ///< chunks whose places lie in one page: 2^10, as HDF5 has it
-    FLETCHER = 4           ///< bytes of the checksum behind a chunk
+    MAX_RANK = SHAPE_MAX_RANK,
+    MIN_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
+    MAX_PAGE_BITS = 10,  ///< chunks whose places lie in one page: 2^10, as HDF5 has it
+    FLETCHER = 4         ///< bytes of the checksum behind a chunk
 };
 
 /// Types of messages, IV.A.2.
@@ -38,7 +38,7 @@ static bool read_dataspace(plain_part *part, size_t *rank, uint64_t most, uint64
     *rank = (size_t)plain_number(part, 1);
     const unsigned flags = (unsigned)plain_number(part, 1), kind = (unsigned)plain_number(part, 1);
     *values = 1;
-    if (version != 2 || *rank > MOST_RANK || flags > 1 || kind > 1 || (kind == 0) != (*rank == 0)) return false;
+    if (version != 2 || *rank > MAX_RANK || flags > 1 || kind > 1 || (kind == 0) != (*rank == 0)) return false;
     for (size_t i = 0; i < *rank; ++i) {
         const uint64_t length = plain_number(part, 8);
         if (length > 0 && *values > most / length) return false;
@@ -127,7 +127,7 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
     array->entry = (size_t)plain_number(&header, 1), array->page_bits = (size_t)plain_number(&header, 1);
     array->entries = plain_number(&header, 8), array->block = plain_number(&header, 8);
     if (version != 0 || client != FILTERED || array->entry < 13 || array->entry > 20 || array->page_bits == 0 ||
-        array->page_bits > MOST_PAGE_BITS)
+        array->page_bits > MAX_PAGE_BITS)
         return false;
     return array->entries > 0 && array->entries <= source->size / array->entry;
 }
@@ -136,7 +136,7 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
 /// checksum of its own.
 static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
                          int *reason) {
-    enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MOST_PAGE_BITS) };
+    enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MAX_PAGE_BITS) };
     unsigned char bytes[MOST];
     const bool paged = array->entries > (uint64_t)1 << array->page_bits;
     if (!in_file(source->size, array->block, BLOCK + array->entries * array->entry + 4)) return false;
@@ -168,8 +168,8 @@ static bool read_layout(const byte_source *source, plain_part part, plain_object
     const unsigned version = (unsigned)plain_number(&part, 1), kind = (unsigned)plain_number(&part, 1);
     const unsigned flags = (unsigned)plain_number(&part, 1);
     const size_t rank = (size_t)plain_number(&part, 1), width = (size_t)plain_number(&part, 1);
-    if (version != 4 || kind != CHUNKED || rank < 2 || rank > MOST_RANK + 1 || width < 1 || width > 8) return false;
-    const uint64_t most = source->size > LEAST_CHUNK ? source->size : LEAST_CHUNK;
+    if (version != 4 || kind != CHUNKED || rank < 2 || rank > MAX_RANK + 1 || width < 1 || width > 8) return false;
+    const uint64_t most = source->size > MIN_CHUNK ? source->size : MIN_CHUNK;
     uint64_t stored = 1;
     object->chunk_rank = rank - 1;
     for (size_t i = 0; i < rank; ++i) {
@@ -189,7 +189,7 @@ static bool read_layout(const byte_source *source, plain_part part, plain_object
     }
     if (index != FIXED_ARRAY || flags != 0) return false;
     const uint64_t page_bits = plain_number(&part, 1), address = plain_number(&part, 8);
-    if (part.short_of || page_bits == 0 || page_bits > MOST_PAGE_BITS) return false;
+    if (part.short_of || page_bits == 0 || page_bits > MAX_PAGE_BITS) return false;
     return address == PLAIN_NOWHERE || check_fixed_array(source, address, stored, &object->reason);
 }
 

@@ -18,7 +18,7 @@ static void copy_point(const whirl_table *whole, size_t from, finished *out) {
 static whirl_status copy_finished(const whirl_table *whole, size_t count, finished *out) {
     const size_t bytes = 2 * sizeof(size_t) + 2 * sizeof(double) + sizeof(int);
     whirl_table *table = &out->table;
-    size_t *points = out->points = room_take(&out->room, count, bytes, ROOM_LEAST);
+    size_t *points = out->points = room_take(&out->room, count, bytes, ROOM_MIN);
     if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", count);
     table->slots = points + count;
     table->values = (double *)(table->slots + count);

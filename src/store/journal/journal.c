@@ -12,7 +12,7 @@
 #include "memory.h"
 #include "store.h"
 
-enum { MOST_BATCHES = 128 };
+enum { MAX_BATCHES = 128 };
 
 /// Most seconds that a finished point waits for the disk, but for the time of a revolution.
 static const double sync_interval = 5.0;
@@ -36,7 +36,7 @@ struct whirl_journal {
     double synced;
     size_t batch_count; ///< of the study; passes beyond the first have indices of their own (whirl_keeper)
     size_t points;      ///< of the first pass
-    batch_index batches[MOST_BATCHES];
+    batch_index batches[MAX_BATCHES];
     whirl_room *room;
     size_t looks; ///< at the index
     whirl_journal_found found;
@@ -52,7 +52,7 @@ static uint64_t start_of(const whirl_journal *journal) {
 static void free_journal(whirl_journal *journal) {
     if (!journal) return;
     journal_file_close(&journal->file);
-    for (size_t i = 0; i < MOST_BATCHES; ++i) room_drop(&journal->room, journal->batches[i].offset);
+    for (size_t i = 0; i < MAX_BATCHES; ++i) room_drop(&journal->room, journal->batches[i].offset);
     underway_close(journal->states);
     free(journal->pending);
     free(journal->identity.text);
@@ -60,7 +60,7 @@ static void free_journal(whirl_journal *journal) {
 }
 
 static batch_index new_index(whirl_journal *journal, size_t count) {
-    return (batch_index){count, room_take(&journal->room, count, sizeof(uint64_t), ROOM_LEAST)};
+    return (batch_index){count, room_take(&journal->room, count, sizeof(uint64_t), ROOM_MIN)};
 }
 
 static whirl_status make_index(whirl_journal *journal, const whirl_result *outline) {
@@ -74,7 +74,7 @@ static whirl_status make_index(whirl_journal *journal, const whirl_result *outli
 
 /// Where a frame's offset is noted; NULL for a point that the study has not, or where there is no memory.
 static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot) {
-    if (batch >= MOST_BATCHES || journal->batch_count == 0) return NULL;
+    if (batch >= MAX_BATCHES || journal->batch_count == 0) return NULL;
     batch_index *index = &journal->batches[batch];
     const size_t count = journal->batches[batch % journal->batch_count].count;
     if (slot >= count) return NULL;
@@ -97,8 +97,8 @@ static void *saved(void *context, size_t batch, size_t slot, double *revolutions
 }
 
 static whirl_status new_journal(const whirl_result *outline, const whirl_journal_part *part, whirl_journal **out) {
-    if (outline->table_count > MOST_BATCHES)
-        return whirl_fail(WHIRL_BAD_INPUT, "a journal has at most %d tables, not %zu", MOST_BATCHES,
+    if (outline->table_count > MAX_BATCHES)
+        return whirl_fail(WHIRL_BAD_INPUT, "a journal has at most %d tables, not %zu", MAX_BATCHES,
                           outline->table_count);
     whirl_journal *journal = *out = calloc(1, sizeof *journal);
     if (!journal) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
@@ -246,7 +246,7 @@ whirl_journal_found whirl_journal_look(const whirl_journal *journal) {
 }
 
 bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot) {
-    const batch_index *index = batch < MOST_BATCHES ? &journal->batches[batch] : NULL;
+    const batch_index *index = batch < MAX_BATCHES ? &journal->batches[batch] : NULL;
     return index && slot < index->count && index->offset && index->offset[slot] != 0;
 }
 

@@ -11,22 +11,22 @@ static int by_points(const void *left, const void *right) {
     return (a->first > b->first) - (a->first < b->first);
 }
 
-/// Adds a point to the attractor that it came to rest on, or to a new one; its index, MOST_ATTRACTORS for none.
+/// Adds a point to the attractor that it came to rest on, or to a new one; its index, MAX_ATTRACTORS for none.
 static whirl_status join(const whirl_table *table, size_t point, told_apart *told, size_t *which) {
-    *which = MOST_ATTRACTORS;
+    *which = MAX_ATTRACTORS;
     const whirl_regime regime = whirl_table_verdict(table, point).regime;
     if (regime == WHIRL_UNDETERMINED || regime == WHIRL_NOT_JUDGED) return whirl_ok();
     motion *own = motion_read(table, point);
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell attractors apart");
     size_t k = 0;
     while (k < told->count && !motion_is_same(told->motions[k], own)) k++;
-    if (k < told->count || k == MOST_ATTRACTORS) {
+    if (k < told->count || k == MAX_ATTRACTORS) {
         free(own);
     } else {
         told->found[k] = (whirl_attractor){.first = point};
         told->motions[told->count++] = own;
     }
-    if (k < MOST_ATTRACTORS) told->found[k].points += !whirl_table_from_neighbour(table, point);
+    if (k < MAX_ATTRACTORS) told->found[k].points += !whirl_table_from_neighbour(table, point);
     *which = k;
     return whirl_ok();
 }
@@ -46,7 +46,7 @@ whirl_status attractors_tell(const whirl_table *table, const size_t *points, siz
     *told = (told_apart){.count = 0};
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         const size_t point = points ? points[i] : i;
-        of[point] = MOST_ATTRACTORS;
+        of[point] = MAX_ATTRACTORS;
         if (!whirl_table_done(table, point)) continue;
         told->done += !whirl_table_from_neighbour(table, point);
         status = join(table, point, told, &of[point]);
@@ -71,7 +71,7 @@ static whirl_status weigh(const whirl_table *table, const size_t *of, told_apart
     for (size_t i = 0; i < grid; i++) {
         if (cover[i] == table->count) continue;
         told->done++;
-        if (of[cover[i]] < MOST_ATTRACTORS) told->found[of[cover[i]]].points++;
+        if (of[cover[i]] < MAX_ATTRACTORS) told->found[of[cover[i]]].points++;
     }
     take_shares(told);
     free(cover);
@@ -81,7 +81,7 @@ static whirl_status weigh(const whirl_table *table, const size_t *of, told_apart
 whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, whirl_attractor *attractors, size_t most,
                                     size_t *count) {
     told_apart told;
-    size_t *of = malloc((table->count + 1) * sizeof *of), number[MOST_ATTRACTORS + 1] = {0};
+    size_t *of = malloc((table->count + 1) * sizeof *of), number[MAX_ATTRACTORS + 1] = {0};
     *count = 0;
     if (!of) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell the attractors of %zu points apart", table->count);
     whirl_status status = attractors_tell(table, NULL, table->count, of, &told);

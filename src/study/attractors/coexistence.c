@@ -45,8 +45,8 @@ static bool list_points(search *s) {
 
 /// Room for as many attractors as a place may have.
 static bool make_room(search *s) {
-    if (s->count + MOST_ATTRACTORS <= s->room) return true;
-    const size_t room = 2 * s->room + MOST_ATTRACTORS;
+    if (s->count + MAX_ATTRACTORS <= s->room) return true;
+    const size_t room = 2 * s->room + MAX_ATTRACTORS;
     whirl_coexisting *items = realloc(s->items, room * sizeof *items);
     if (items) s->items = items;
     motion **motions = realloc(s->motions, room * sizeof(motion *));
@@ -252,7 +252,7 @@ static int by_number(const void *left, const void *right) {
 static void take_labels(const search *s, size_t *labels) {
     for (size_t i = 0; i < s->table->count; i++) {
         const size_t place = whirl_table_place(s->table, i), which = s->of[i];
-        labels[i] = which < MOST_ATTRACTORS ? s->items[s->begins[place] + which].number : 0;
+        labels[i] = which < MAX_ATTRACTORS ? s->items[s->begins[place] + which].number : 0;
     }
 }
 

@@ -143,10 +143,10 @@ static whirl_status measure_at(search *s, double value, double *result) {
 /// Closes in on the zero between a and b, where fa and fb have different signs. False where the mode is lost on the
 /// way, or jumps.
 static whirl_status close_in(search *s, double a, double fa, double b, double fb, bool *found) {
-    enum { MOST_STEPS = 100 };
+    enum { MAX_STEPS = 100 };
     const double jump = 1e-3 * fmax(fabs(fa), fabs(fb));
     bracket r = bracket_between(a, fa, b, fb);
-    for (int k = 0; k < MOST_STEPS; k++) {
+    for (int k = 0; k < MAX_STEPS; k++) {
         const double width = bracket_width(&r), middle = 0.5 * (r.a + r.b), c = bracket_next(&r);
         double fc;
         const whirl_status status = measure_at(s, c, &fc);

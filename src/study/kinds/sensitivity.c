@@ -8,7 +8,7 @@
 
 #include "lanes.h"
 
-enum { LEVELS = 7, MACHINES = 1 + 2 * LEVELS, MOST_HALVINGS = 40 };
+enum { LEVELS = 7, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
 
 struct whirl_sensitivity {
     double reach;
@@ -54,7 +54,7 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
     s->reach = reach > 0.0 ? reach : 0.125 * fabs(value);
     whirl_status status = build(s, study, batch, value);
-    for (int i = 0; i < MOST_HALVINGS && status.code == WHIRL_BAD_INPUT && s->machines[0].system; i++) {
+    for (int i = 0; i < MAX_HALVINGS && status.code == WHIRL_BAD_INPUT && s->machines[0].system; i++) {
         release(s);
         s->reach *= 0.5;
         status = build(s, study, batch, value);

@@ -19,7 +19,7 @@ typedef struct leg {
     first_error error;    ///< why nothing was
 } leg;
 
-enum { MOST_LEGS = 2 };
+enum { MAX_LEGS = 2 };
 
 static whirl_status machine_of(const rows *r, double value, whirl_machine *machine) {
     return r->run->study->machine(r->run->study->family, r->batch, value, machine);
@@ -29,8 +29,8 @@ static double span_of(const rows *r) {
     return fabs(r->batch->bounds[1] - r->batch->bounds[0]);
 }
 
-static void free_legs(leg legs[MOST_LEGS]) {
-    for (size_t i = 0; i < MOST_LEGS; i++) {
+static void free_legs(leg legs[MAX_LEGS]) {
+    for (size_t i = 0; i < MAX_LEGS; i++) {
         whirl_orbit_free(legs[i].orbit);
         whirl_branch_free(legs[i].branch);
         legs[i] = (leg){.orbit = NULL};
@@ -129,7 +129,7 @@ static bool has_room(const rows *r, size_t count) {
     return r->room - r->count >= 2 * count;
 }
 
-static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
+static void follow(rows *r, size_t count, leg legs[MAX_LEGS]) {
     const whirl_family family = rows_family(r);
     whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / count);
     options.found = rows_found;
@@ -144,7 +144,7 @@ static void follow(rows *r, size_t count, leg legs[MOST_LEGS]) {
 
 /// Adds the points of the branches that were found; legs that could not be followed are left out. Behind one that was
 /// stopped nothing is added: it would be kept as if that one had not been found.
-static whirl_status add_found(rows *r, size_t count, size_t parent, const leg legs[MOST_LEGS]) {
+static whirl_status add_found(rows *r, size_t count, size_t parent, const leg legs[MAX_LEGS]) {
     const bool going = rows_go_on(r);
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
@@ -161,7 +161,7 @@ static whirl_status add_found(rows *r, size_t count, size_t parent, const leg le
 // ---------------------------------------------------------------- where branches begin
 
 /// Where a motion settles, once for each leg.
-static whirl_status settle(const rows *r, size_t count, leg legs[MOST_LEGS]) {
+static whirl_status settle(const rows *r, size_t count, leg legs[MAX_LEGS]) {
     whirl_status status = settled_orbit(r->run->study, r->batch, legs[0].value, &legs[0].orbit);
     for (size_t i = 1; i < count && status.code == WHIRL_OK; i++) {
         legs[i].orbit = whirl_orbit_copy(legs[0].orbit);
@@ -171,7 +171,7 @@ static whirl_status settle(const rows *r, size_t count, leg legs[MOST_LEGS]) {
 }
 
 /// Follows a branch in both directions, which has to succeed.
-static whirl_status follow_both(rows *r, size_t count, leg legs[MOST_LEGS]) {
+static whirl_status follow_both(rows *r, size_t count, leg legs[MAX_LEGS]) {
     follow(r, count, legs);
     // A branch that closes is all there is: the other direction leads along the same one.
     if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
@@ -185,7 +185,7 @@ static whirl_status begin_at(rows *r, double value) {
     const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
     const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
     const size_t count = value > low && value < high ? 2 : 1;
-    leg legs[MOST_LEGS] = {{.value = value, .direction = value < high ? 1 : -1}, {.value = value, .direction = -1}};
+    leg legs[MAX_LEGS] = {{.value = value, .direction = value < high ? 1 : -1}, {.value = value, .direction = -1}};
     whirl_status status = whirl_ok();
     if (!rows_recall(r, count)) {
         status = settle(r, count, legs);
@@ -199,7 +199,7 @@ static whirl_status begin_at(rows *r, double value) {
 }
 
 /// The orbits on both sides of a crossing, or on the one side of what begins at a doubling or Hopf point.
-static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOST_LEGS]) {
+static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
     const whirl_branch_options options = settled_options(r->batch, 1);
     const whirl_family family = rows_family(r);
     const size_t sides = point->special == WHIRL_BRANCHING ? 2 : 1;
@@ -226,7 +226,7 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MOS
 
 /// The symmetric branch of a pitchfork at which the branch of a row ends, in both directions: from beside the
 /// pitchfork, where there is that one alone, so that one of them passes it.
-static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_point *point, leg legs[MOST_LEGS]) {
+static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
     const double aside = 1e-3 * span_of(r), before = r->table->values[row - 1];
     const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
     const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
@@ -240,7 +240,7 @@ static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_poin
     const bool new = status.code == WHIRL_OK && !is_known(r, orbit, value, NULL);
     legs[0] = (leg){.orbit = orbit, .value = value, .direction = 1};
     legs[1] = (leg){.orbit = new ? whirl_orbit_copy(orbit) : NULL, .value = value, .direction = -1};
-    return legs[1].orbit ? MOST_LEGS : 0;
+    return legs[1].orbit ? MAX_LEGS : 0;
 }
 
 static bool has_others(const rows *r, const whirl_branch_point *point) {
@@ -251,11 +251,11 @@ static bool has_others(const rows *r, const whirl_branch_point *point) {
 
 /// Follows the branches that begin at a special point, unless they are known.
 static whirl_status follow_others(rows *r, const whirl_trace *at) {
-    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    leg legs[MAX_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
     const bool pitchfork = at->end == WHIRL_END_MIRRORED && r->at > 0;
     whirl_status status = whirl_ok();
     size_t count = 0;
-    if (!rows_recall(r, MOST_LEGS))
+    if (!rows_recall(r, MAX_LEGS))
         count = pitchfork ? leave_pitchfork(r, r->at, &at->point, legs) : leave(r, &at->point, legs);
     if (count > 0 && has_room(r, count)) {
         follow(r, count, legs);
@@ -263,7 +263,7 @@ static whirl_status follow_others(rows *r, const whirl_trace *at) {
         status = add_found(r, count, at->branch, legs);
     }
     free_legs(legs);
-    r->next += MOST_LEGS;
+    r->next += MAX_LEGS;
     return status;
 }
 
@@ -316,15 +316,15 @@ static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
     return false;
 }
 
-static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MOST_LEGS]) {
+static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MAX_LEGS]) {
     const whirl_plane plane = {machine_in_plane, r};
-    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / MOST_LEGS);
+    whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / MAX_LEGS);
     const double bounds[2] = {fmin(r->batch->second_bounds[0], r->batch->second_bounds[1]),
                               fmax(r->batch->second_bounds[0], r->batch->second_bounds[1])};
     options.found = rows_found;
     options.context = r;
 #pragma omp parallel for schedule(dynamic) num_threads(r->run->threads)
-    for (int i = 0; i < MOST_LEGS; i++) {
+    for (int i = 0; i < MAX_LEGS; i++) {
         const whirl_status status = whirl_curve_follow(&plane, start, r->batch->second_value, i == 0 ? 1 : -1, bounds,
                                                        &options, &legs[i].branch);
         first_error_note(&legs[i].error, &status);
@@ -333,14 +333,14 @@ static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MOST
 
 /// The curve through a special point; none where it cannot be followed.
 static whirl_status trace_curve(rows *r, const whirl_trace *start) {
-    leg legs[MOST_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
+    leg legs[MAX_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
     whirl_status status = whirl_ok();
-    if (!rows_recall(r, MOST_LEGS) && !is_on_curve(r, &start->point) && has_room(r, MOST_LEGS)) {
+    if (!rows_recall(r, MAX_LEGS) && !is_on_curve(r, &start->point) && has_room(r, MAX_LEGS)) {
         follow_curve(r, &start->point, legs);
-        status = add_found(r, MOST_LEGS, start->branch, legs);
+        status = add_found(r, MAX_LEGS, start->branch, legs);
     }
     free_legs(legs);
-    r->next += MOST_LEGS;
+    r->next += MAX_LEGS;
     return status;
 }
 

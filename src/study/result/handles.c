@@ -242,8 +242,8 @@ void whirl_table_words(const whirl_table *table, size_t point, char *name, char 
 /// Of a basin, in which all starts are one place.
 static whirl_status number_basin(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
     size_t *labels = numbers ? numbers : malloc((table->count + 1) * sizeof *labels), count;
-    whirl_attractor found[MOST_ATTRACTORS];
-    whirl_status status = labels ? whirl_table_attractors(table, labels, found, MOST_ATTRACTORS, &count)
+    whirl_attractor found[MAX_ATTRACTORS];
+    whirl_status status = labels ? whirl_table_attractors(table, labels, found, MAX_ATTRACTORS, &count)
                                  : whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
     for (size_t i = 0; i < table->count && status.code == WHIRL_OK; i++) {
         const whirl_attractor *one = labels[i] > 0 ? &found[labels[i] - 1] : NULL;

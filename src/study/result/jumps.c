@@ -15,7 +15,7 @@ enum {
 
 /// A jump changes more than this share of the motion's size, and this many times as much as the steps around it. Near a
 /// fold the steps of a continuous branch grow as square roots do, the last to 4 times the median of the 4 before it.
-static const double LEAST_CHANGE = 0.03, LEAST_RATIO = 8.0;
+static const double MIN_CHANGE = 0.03, MIN_RATIO = 8.0;
 
 /// From one point to the next.
 typedef struct step {
@@ -94,9 +94,9 @@ whirl_status whirl_table_jumps(const whirl_table *table, whirl_jump *jumps, size
     const bool memory = steps && bounds;
     if (memory) find_steps(table, field->repeat, bounds, steps);
     for (size_t i = 0; memory && i + 1 < table->count; i++) {
-        if (!(steps[i].change > LEAST_CHANGE)) continue;
+        if (!(steps[i].change > MIN_CHANGE)) continue;
         const double usual = usual_change(steps, table->count - 1, i);
-        if (!(steps[i].change > LEAST_RATIO * usual)) continue;
+        if (!(steps[i].change > MIN_RATIO * usual)) continue;
         if (*count < most) jumps[*count] = (whirl_jump){i, i + 1, steps[i].station, steps[i].change, usual};
         ++*count;
     }

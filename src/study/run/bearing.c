@@ -43,7 +43,7 @@ static void remark_flow(const whirl_bearing *of, whirl_bearing_point *point) {
         remark(to, count, WHIRL_FILM_LAMINAR);
     else if (taylor < 2.0 * FIRST_VORTICES)
         remark(to, count, WHIRL_FILM_BETWEEN);
-    if (point->reynolds > WHIRL_MOST_REYNOLDS) remark(to, count, WHIRL_FILM_BEYOND);
+    if (point->reynolds > WHIRL_MAX_REYNOLDS) remark(to, count, WHIRL_FILM_BEYOND);
 }
 
 static void remark_oil(const whirl_bearing *of, whirl_bearing_point *point) {

@@ -11,7 +11,7 @@
 static const int first_length = 3;
 
 /// Neighbours on either side that are looked at, and the points that a batch must have for its neighbours to count.
-enum { REACH = 2, FEWEST_NEIGHBOURS = 16 };
+enum { REACH = 2, MIN_NEIGHBOURS = 16 };
 
 /// Chaos that nothing but a refuge speaks against goes on, until a copy of it has ended there.
 static bool is_chaotic(const whirl_table *table, size_t slot) {
@@ -22,7 +22,7 @@ static bool is_chaotic(const whirl_table *table, size_t slot) {
 
 /// Whether chaos ends close to the point, as far as its sweep tells.
 static bool is_near_an_end(const whirl_batch *batch, const whirl_table *table, size_t slot) {
-    if (batch->count < FEWEST_NEIGHBOURS) return true;
+    if (batch->count < MIN_NEIGHBOURS) return true;
     const size_t first = slot / batch->count * batch->count, place = slot - first;
     const size_t low = place > REACH ? place - REACH : 0;
     for (size_t i = low; i <= place + REACH && i < batch->count; i++)

@@ -109,7 +109,7 @@ static whirl_status make_ends(study_run *run) {
         const bool carries = batch->carry != WHIRL_CARRY_NONE || batch->neighbours > 0;
         if (!carries && !batch->confirm && !study_is_refined(study)) continue;
         run->ends[i] =
-            room_take(&run->room, run->result->tables[i].count * run->dimension, sizeof *run->ends[i], ROOM_LEAST);
+            room_take(&run->room, run->result->tables[i].count * run->dimension, sizeof *run->ends[i], ROOM_MIN);
         if (!run->ends[i]) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ends of carried points");
     }
     return whirl_ok();

@@ -57,8 +57,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     table->integrate = batch->integrate;
     table->integrate.stop = NULL;
     table->record = batch->record;
-    table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_LEAST);
-    table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_LEAST);
+    table->values = room_take(&table->room, table->count, sizeof *table->values, ROOM_MIN);
+    table->branch = room_take(&table->room, table->count, sizeof *table->branch, ROOM_MIN);
     if (!table->values || !table->branch)
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the values of %zu points", table->count);
     fill_values(table, batch);
@@ -70,7 +70,7 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
 /// no more of it than they use.
 static whirl_status make_blocks(whirl_table *table, size_t large) {
     const bool closed_up = table->refine > 0 || table->neighbours > 0;
-    const size_t least = closed_up ? PTRDIFF_MAX : large > ROOM_LEAST ? large : ROOM_LEAST;
+    const size_t least = closed_up ? PTRDIFF_MAX : large > ROOM_MIN ? large : ROOM_MIN;
     table->blocks = room_take(&table->room, table->count * table->layout.size + 1, sizeof *table->blocks, least);
     return table->blocks ? whirl_ok()
                          : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
@@ -87,7 +87,7 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->result->table_count && status.code == WHIRL_OK; i++) {
         whirl_table *table = &run->result->tables[i];
-        table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_LEAST);
+        table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_MIN);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
         // Beside other points no state is kept.

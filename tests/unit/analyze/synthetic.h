@@ -8,7 +8,7 @@
 
 #include "whirl/engine/analyze.h"
 
-enum { MOST_DIMENSIONS = 8 };
+enum { MAX_DIMENSIONS = 8 };
 
 /// Carries z over one step, and the tangent v with it.
 typedef void (*map_fn)(const double *parameters, size_t step, double *z, double *v);
@@ -18,7 +18,7 @@ typedef struct map_system {
     map_fn map;
     void (*embed)(const double *z, double *point);
     size_t dimension, section_dimension;
-    double parameters[4], start[MOST_DIMENSIONS];
+    double parameters[4], start[MAX_DIMENSIONS];
 } map_system;
 
 static inline double normalize(double *v, size_t dimension) {
@@ -53,7 +53,7 @@ static inline whirl_record *record_map(const map_system *system, size_t transien
     record->growth = record->section + watch * d;
     record->low = record->growth + watch;
     record->high = record->low + d;
-    double z[MOST_DIMENSIONS], v[MOST_DIMENSIONS];
+    double z[MAX_DIMENSIONS], v[MAX_DIMENSIONS];
     memcpy(z, system->start, sizeof z);
     for (size_t i = 0; i < system->dimension; i++) v[i] = 1.0 / (double)(i + 1);
     for (size_t n = 0; n < transient + watch; n++) {

@@ -24,7 +24,7 @@ static void assert_refused(whirl_status status, const char *words) {
 
 // ---------------------------------------------------------------- a shaft that runs up
 
-enum { RATE = 10000, SECONDS = 2, COUNT = RATE * SECONDS, MOST_PULSES = COUNT / 2 + 1, CHANNELS = 2 };
+enum { RATE = 10000, SECONDS = 2, COUNT = RATE * SECONDS, MAX_PULSES = COUNT / 2 + 1, CHANNELS = 2 };
 
 /// Turns of a shaft whose speed, in turns a second, grows from `speed` by `growth` a second.
 typedef struct run_up {
@@ -39,7 +39,7 @@ static double time_of(const run_up *run, double turns) {
     return 2.0 * turns / (run->speed + sqrt(run->speed * run->speed + 2.0 * run->growth * turns));
 }
 
-static double time_at[COUNT], voltage[COUNT], values[CHANNELS * COUNT], instants[MOST_PULSES];
+static double time_at[COUNT], voltage[COUNT], values[CHANNELS * COUNT], instants[MAX_PULSES];
 
 /// A keyphasor whose voltage rises in proportion to the angle from -5 V to 5 V about each whole turn, and falls again a
 /// fifth of a turn later.

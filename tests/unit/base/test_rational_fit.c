@@ -10,7 +10,7 @@
 
 #include "numerics.h"
 
-enum { SAMPLES = RATIONAL_MOST_SAMPLES };
+enum { SAMPLES = RATIONAL_MAX_SAMPLES };
 
 static const rational_fit two_pairs = {
     .constant = {1e6, 2e5, -3e5, 2e6},
@@ -84,7 +84,7 @@ static void with_poles_to_spare(void **state) {
     rational_sample samples[SAMPLES];
     (void)state;
     take(&two_pairs, 0.0, 900.0, SAMPLES, w, samples);
-    for (size_t pairs = 2; pairs <= RATIONAL_MOST_PAIRS; pairs++) {
+    for (size_t pairs = 2; pairs <= RATIONAL_MAX_PAIRS; pairs++) {
         rational_fit found;
         assert_true(make(SAMPLES, w, samples, pairs, &found));
         assert_true(apart(&two_pairs, &found, 0.0, 900.0) < 1e-9);
@@ -119,7 +119,7 @@ static void with_noise(void **state) {
                 random = random * 1664525u + 1013904223u;
                 samples[k].entry[e][part] *= 1.0 + 1e-3 * (2.0 * random / 4294967296.0 - 1.0);
             }
-    for (size_t pairs = 2; pairs <= RATIONAL_MOST_PAIRS; pairs++) {
+    for (size_t pairs = 2; pairs <= RATIONAL_MAX_PAIRS; pairs++) {
         rational_fit found;
         assert_true(make(SAMPLES, w, samples, pairs, &found));
         assert_true(apart(&two_pairs, &found, 0.0, 900.0) < 5e-3);

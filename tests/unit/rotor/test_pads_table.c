@@ -113,7 +113,7 @@ static void test_smooth(void **state) {
     assert_int_equal(pad_table_number(&key, &table).code, WHIRL_OK);
     assert_int_equal(pad_table_hold(table, NULL).code, WHIRL_OK);
     for (int along = 0; along < 3; along++) {
-        const double node[] = {PAD_LEAST_T + 9 * PAD_STEP_T, 3 * PAD_STEP_W, 5 * PAD_STEP_ALPHA};
+        const double node[] = {PAD_MIN_T + 9 * PAD_STEP_T, 3 * PAD_STEP_W, 5 * PAD_STEP_ALPHA};
         double force[7][2];
         for (int k = 0; k < 7; k++) {
             double at[] = {0.8, 0.1, 0.5};

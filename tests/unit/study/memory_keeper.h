@@ -11,21 +11,21 @@
 #define KEEPER_SLOTS 128 // a test that needs more says so
 #endif
 
-enum { MOST_SLOTS = KEEPER_SLOTS, MOST_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MOST_DIMENSION = 4 };
+enum { MAX_SLOTS = KEEPER_SLOTS, MAX_PASSES = 4 * (WHIRL_MAX_ROUNDS + 1), BLOCK = 512, MAX_DIMENSION = 4 };
 
 /// `limit` is how many points it takes before it fails, -1: all.
 typedef struct memory_keeper {
     size_t slots, dimension;
     int kept, recalled, limit;
-    bool known[MOST_PASSES][MOST_SLOTS];
-    double blocks[MOST_PASSES][MOST_SLOTS][BLOCK], ends[MOST_PASSES][MOST_SLOTS][MOST_DIMENSION];
+    bool known[MAX_PASSES][MAX_SLOTS];
+    double blocks[MAX_PASSES][MAX_SLOTS][BLOCK], ends[MAX_PASSES][MAX_SLOTS][MAX_DIMENSION];
     whirl_keeper keeper; ///< of a run whose result may ask it for blocks
 } memory_keeper;
 
 static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, const double *block, size_t size,
                                        const double *end, size_t dimension) {
     memory_keeper *memory = context;
-    assert_true(pass < MOST_PASSES && slot < memory->slots && size <= BLOCK && !memory->known[pass][slot]);
+    assert_true(pass < MAX_PASSES && slot < memory->slots && size <= BLOCK && !memory->known[pass][slot]);
     assert_true(dimension == (pass == 0 ? memory->dimension : 0));
     if (memory->kept == memory->limit) return whirl_fail(WHIRL_IO_ERROR, "there is no room");
     memcpy(memory->blocks[pass][slot], block, size * sizeof *block);
@@ -38,7 +38,7 @@ static inline whirl_status memory_keep(void *context, size_t pass, size_t slot, 
 static inline bool memory_recall(void *context, size_t pass, size_t slot, double *block, size_t size, double *end,
                                  size_t dimension) {
     memory_keeper *memory = context;
-    assert_true(pass < MOST_PASSES && slot < memory->slots && dimension == (pass == 0 ? memory->dimension : 0));
+    assert_true(pass < MAX_PASSES && slot < memory->slots && dimension == (pass == 0 ? memory->dimension : 0));
     if (!memory->known[pass][slot]) return false;
     memcpy(block, memory->blocks[pass][slot], size * sizeof *block);
     memcpy(end, memory->ends[pass][slot], dimension * sizeof *end);
@@ -49,7 +49,7 @@ static inline bool memory_recall(void *context, size_t pass, size_t slot, double
 static inline memory_keeper *keeper_new(size_t slots, size_t dimension) {
     memory_keeper *memory = calloc(1, sizeof *memory);
     assert_non_null(memory);
-    assert_true(slots <= MOST_SLOTS && dimension <= MOST_DIMENSION);
+    assert_true(slots <= MAX_SLOTS && dimension <= MAX_DIMENSION);
     memory->slots = slots;
     memory->dimension = dimension;
     memory->limit = -1;

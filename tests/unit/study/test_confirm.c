@@ -240,8 +240,8 @@ static void test_recalled_points_change_no_bit(void **state) {
         whirl_result_free(run_kept(&s, memory, WHIRL_OK));
         for (unsigned step = 2; step <= 16; step *= 2) {
             int known = 0;
-            for (unsigned p = 0; p < MOST_PASSES; p++)
-                for (unsigned i = 0; i < MOST_SLOTS; i++) {
+            for (unsigned p = 0; p < MAX_PASSES; p++)
+                for (unsigned i = 0; i < MAX_SLOTS; i++) {
                     memory->known[p][i] = memory->known[p][i] && (7 * p + 3 * i) % step != 1;
                     known += memory->known[p][i];
                 }

@@ -19,10 +19,10 @@ enum { RUNS = 4, LARGEST = 5 };
 typedef struct table {
     const whirl_study *study;
     memory_keeper *keepers[RUNS];
-    bool known[2][MOST_SLOTS]; ///< before the runs begin, at the first tolerance and the second
-    size_t dealt[2];           ///< pieces of both passes
-    size_t run;                ///< which one is at it
-    size_t left[2];            ///< pieces that it may still be dealt
+    bool known[2][MAX_SLOTS]; ///< before the runs begin, at the first tolerance and the second
+    size_t dealt[2];          ///< pieces of both passes
+    size_t run;               ///< which one is at it
+    size_t left[2];           ///< pieces that it may still be dealt
     bool gathered;
 } table;
 

@@ -8,7 +8,7 @@
 #define KERNEL_SWITCHES_OF(own) blades_of(own)
 #define KERNEL_CURVED
 
-enum { MOST_BLADES = KERNEL_SWITCHES };
+enum { MAX_BLADES = KERNEL_SWITCHES };
 
 /// The casing's radius in length scales; p - 1; f_k with the sign of the rotation; theta' by tau; theta_0; cosine and
 /// sine of the angle between blades; a length scale in metres with the sign of the rotation; W of 1 N by a length scale
@@ -25,8 +25,8 @@ enum {
     BLADE_METRES,
     BLADE_WATTS,
     BLADE_STIFFNESSES,
-    BLADE_LENGTHS = BLADE_STIFFNESSES + MOST_BLADES,
-    BLADE_NUMBERS = BLADE_LENGTHS + MOST_BLADES
+    BLADE_LENGTHS = BLADE_STIFFNESSES + MAX_BLADES,
+    BLADE_NUMBERS = BLADE_LENGTHS + MAX_BLADES
 };
 
 enum { BLADE_POWERED = 0x100, BLADE_RUBS = 0x200 };

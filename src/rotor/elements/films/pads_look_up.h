@@ -113,8 +113,8 @@ VECTOR_INLINE void pads_products(const vec t[4], const vec w[4], double weight[4
 }
 
 VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *spot) {
-    const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
-    const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
+    const pads_axis on_t = pads_on_axis(t, PAD_MIN_T, PAD_STEP_T, PAD_T_NODES - 1);
+    const pads_axis on_w = pads_on_axis(w, -PAD_MAX_W, PAD_STEP_W, PAD_W_NODES - 1);
     const pad_table *of[VECTOR_LANES];
     pads_tables(table, of);
     for (size_t lane = 0; lane < VECTOR_LANES; lane++) spot->rows[lane] = of[lane]->rows;
@@ -132,8 +132,8 @@ VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *sp
 
 /// `lean` of a table (pads/pad_tables.h) between its nodes, linear along both axes.
 VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
-    const pads_axis on_t = pads_on_axis(t, PAD_LEAST_T, PAD_STEP_T, PAD_T_NODES - 1);
-    const pads_axis on_w = pads_on_axis(w, -PAD_MOST_W, PAD_STEP_W, PAD_W_NODES - 1);
+    const pads_axis on_t = pads_on_axis(t, PAD_MIN_T, PAD_STEP_T, PAD_T_NODES - 1);
+    const pads_axis on_w = pads_on_axis(w, -PAD_MAX_W, PAD_STEP_W, PAD_W_NODES - 1);
     double row[VECTOR_LANES], column[VECTOR_LANES], corner[4][VECTOR_LANES];
     const pad_table *of[VECTOR_LANES];
     pads_tables(table, of);

@@ -6,11 +6,11 @@
 #define KERNEL_SWITCHES 0
 #define KERNEL_PHASED 1
 
-enum { MOST_ORDERS = 8 };
+enum { MAX_ORDERS = 8 };
 
 /// The parts of the orders: steady, by cos tau, by sin tau, by cos 2 tau, ... Then, in SI, FX and FY on the driving
 /// shaft, MX and MY on both.
-enum { REACTION_PARTS, REACTION_FORCES = 2 * MOST_ORDERS + 1, REACTION_NUMBERS = REACTION_FORCES + 6 };
+enum { REACTION_PARTS, REACTION_FORCES = 2 * MAX_ORDERS + 1, REACTION_NUMBERS = REACTION_FORCES + 6 };
 
 #include "generic.h"
 #include "registry.h"
@@ -52,9 +52,9 @@ static whirl_status check(const key_value *values) {
                               values[key].number, values[DISTANCE].number);
     if (values[BETWEEN].station[0] == GROUND || values[BETWEEN].station[1] == GROUND)
         return whirl_fail(WHIRL_BAD_INPUT, "joins the ground, expected two stations");
-    if (values[ORDERS].count > MOST_ORDERS + 1)
+    if (values[ORDERS].count > MAX_ORDERS + 1)
         return whirl_fail(WHIRL_BAD_INPUT, "has orders up to %zu, expected at most %d", values[ORDERS].count - 1,
-                          MOST_ORDERS);
+                          MAX_ORDERS);
     return whirl_ok();
 }
 

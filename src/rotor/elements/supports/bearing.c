@@ -14,11 +14,11 @@ enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PA
 /// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the
 /// table's frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
 enum {
-    MOST_PAIRS = 4,
+    MAX_PAIRS = 4,
     BEARING_SIDEWAYS = 0,
     BEARING_ELEVATION,
     BEARING_PAIRS,
-    BEARING_ERROR_AT = BEARING_PAIRS + MOST_PAIRS * PAIR_NUMBERS,
+    BEARING_ERROR_AT = BEARING_PAIRS + MAX_PAIRS * PAIR_NUMBERS,
     BEARING_ERROR,
     BEARING_WORST,
     BEARING_REST,
@@ -98,7 +98,7 @@ static const whirl_key keys[KEY_COUNT] = {
         "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
         "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
         "and impellers out, and keep others"),
-    [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MOST_PAIRS), NULL,
+    [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MAX_PAIRS), NULL,
                "of the rational function that in time stands for tables over frequencies, an even number; fewer where "
                "there are fewer than n + 2 frequencies",
                "Gustavsen, Semlyen 1999", NULL},
@@ -370,10 +370,10 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
 /// Poles are those of the table as a whole, of some of its speeds, so that the function is as smooth over the speed as
 /// the table; its numbers those of the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
-    rational_sample samples[(size_t)RATIONAL_MOST_SETS * RATIONAL_MOST_SAMPLES];
+    rational_sample samples[(size_t)RATIONAL_MAX_SETS * RATIONAL_MAX_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
     const size_t pairs = pair_count(values), most = speeds->given ? speeds->count : 1;
-    const size_t sets = most < RATIONAL_MOST_SETS ? most : RATIONAL_MOST_SETS, count = frequencies->count;
+    const size_t sets = most < RATIONAL_MAX_SETS ? most : RATIONAL_MAX_SETS, count = frequencies->count;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sets && status.code == WHIRL_OK; i++)
         status = sample_all(values, speeds->given ? speeds->list[i * (most - 1) / (sets > 1 ? sets - 1 : 1)] : speed,
@@ -406,8 +406,8 @@ static whirl_status make_fit(const key_value *values, const assembly *to, coeffi
 static whirl_status build_in_time(const key_value *values, assembly *to, element *out) {
     rational_fit fit;
     coefficients rest;
-    _Static_assert((int)MOST_PAIRS == (int)RATIONAL_MOST_PAIRS && (int)WHIRL_MAX_LIST <= (int)RATIONAL_MOST_SAMPLES &&
-                       KERNEL_STATES == 2 * KERNEL_AXES * (int)MOST_PAIRS,
+    _Static_assert((int)MAX_PAIRS == (int)RATIONAL_MAX_PAIRS && (int)WHIRL_MAX_LIST <= (int)RATIONAL_MAX_SAMPLES &&
+                       KERNEL_STATES == 2 * KERNEL_AXES * (int)MAX_PAIRS,
                    "a fit has room for a table");
     const whirl_status status = make_fit(values, to, &rest, &fit, out);
     if (status.code != WHIRL_OK) return status;

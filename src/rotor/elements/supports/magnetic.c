@@ -28,7 +28,7 @@ enum {
     MAGNETIC_FORCE,
     MAGNETIC_GAP,
     MAGNETIC_BIAS,
-    MAGNETIC_MOST,
+    MAGNETIC_MAX,
     MAGNETIC_BY_CURRENT,
     MAGNETIC_BY_PLACE,
     MAGNETIC_AMPERE,
@@ -310,7 +310,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->number[MAGNETIC_FORCE] = strength(values) * cos(values[POLE_ANGLE].number) / (of_force * of_force);
     out->number[MAGNETIC_GAP] = values[GAP].number / length;
     out->number[MAGNETIC_BIAS] = values[BIAS].number * ampere;
-    out->number[MAGNETIC_MOST] = values[MAX_CURRENT].given ? values[MAX_CURRENT].number * ampere : NO_LIMIT;
+    out->number[MAGNETIC_MAX] = values[MAX_CURRENT].given ? values[MAX_CURRENT].number * ampere : NO_LIMIT;
     out->number[MAGNETIC_BY_CURRENT] = values[CURRENT_STIFFNESS].number / ampere;
     out->number[MAGNETIC_BY_PLACE] = values[PLACE_STIFFNESS].number * length;
     out->number[MAGNETIC_COS] = cos(values[ANGLE].number);
@@ -379,7 +379,7 @@ static bool range(const element *own, size_t index, const element_seen *seen, el
         return true;
     }
     *out = (element_range){"control current", "A", "at which a coil is at its limit", NAN, 0.0};
-    out->most = fmin(bias, number[MAGNETIC_MOST] - bias) / ampere;
+    out->most = fmin(bias, number[MAGNETIC_MAX] - bias) / ampere;
     for (size_t at = before; at < 2 * (size_t)loop_order(own) && factor != 0.0; at += (size_t)loop_order(own))
         out->reached =
             fmax(out->reached, fabs(factor) / ampere * fmax(seen->state_high[at], 0.0 - seen->state_low[at]));

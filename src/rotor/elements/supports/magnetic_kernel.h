@@ -59,7 +59,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
 
 /// Of a coil, within its limits; where sides [MAGNETIC_LIMITS] are held, as these have it.
 static inline num KERNEL(limited)(const kernel_view *view, num current, const vec *sides) {
-    const vec zero = v_set(0.0), most = view->number[MAGNETIC_MOST * view->stride];
+    const vec zero = v_set(0.0), most = view->number[MAGNETIC_MAX * view->stride];
     const vec above = sides ? sides[MAGNETIC_ABOVE * view->stride] : n_value(current);
     const vec below = sides ? sides[MAGNETIC_BELOW * view->stride] : v_sub(most, n_value(current));
     const num lifted = n_select(v_less(zero, above), current, n_set(0.0));
@@ -93,7 +93,7 @@ static inline void KERNEL(along_axes)(const kernel_view *view, const num *d, num
 static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
                                     const num *s, num *values) {
     const size_t stride = view->stride;
-    const num bias = n_of(view->number[MAGNETIC_BIAS * stride]), most = n_of(view->number[MAGNETIC_MOST * stride]);
+    const num bias = n_of(view->number[MAGNETIC_BIAS * stride]), most = n_of(view->number[MAGNETIC_MAX * stride]);
     num u[2], current[2], slope[KERNEL_STATES];
     (void)w;
     KERNEL(along_axes)(view, d, u);

@@ -283,7 +283,7 @@ static double depth_at(const element *own, double radius) {
 /// The pressure goes with the load to the power 1/3, of rollers 1/2.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool line = own->law & ROLLING_LINE;
-    const double most = line ? HERTZ_MOST_ROLLER : HERTZ_MOST_BALL, yield = own->number[ROLLING_YIELD];
+    const double most = line ? HERTZ_MAX_ROLLER : HERTZ_MAX_BALL, yield = own->number[ROLLING_YIELD];
     const double share = depth_at(own, seen->radius) / yield, power = line ? 5.0 / 9.0 : 0.5;
     *out = (element_range){"Hertz pressure", "Pa", "to which contacts are elastic", most, NAN};
     out->reached = share < 0.0 ? 0.0 : most * pow(share, power);
