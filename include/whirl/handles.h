@@ -1,8 +1,8 @@
-/// Results through handles: pointers, functions and plain numbers alone.
+/// Handles for results: an interface of pointers, functions and plain numbers.
 ///
-/// For programs that are not compiled against the other headers (Python, Julia, MATLAB, ...), with whirl/job.h: no
-/// struct of the library crosses these functions by its members but whirl_status, so that structs may grow. Texts are
-/// UTF-8. What is returned by pointer is borrowed from the handle that it was asked of, and lives as long as that one.
+/// With whirl/job.h it serves programs that are not compiled against the other headers (Python, Julia, MATLAB, ...).
+/// whirl_status is the only struct whose members these functions expose, so that all others may grow. Texts are UTF-8.
+/// A returned pointer is borrowed from the handle passed in, and lives as long as that handle.
 ///
 ///     table = whirl_result_table(result, "sweep");
 ///     radius = whirl_table_column(table, whirl_table_field_index(table, "orbit/max_radius"), shape, &stride);
@@ -20,226 +20,226 @@
 extern "C" {
 #endif
 
-/// What a run found (whirl/engine/result.h).
+/// The result of a run (whirl/engine/result.h).
 typedef struct whirl_result whirl_result;
 
-/// The points of one part of a study, in a result.
+/// The points of one part of a study.
 typedef struct whirl_table whirl_table;
 
-/// Where finished points are kept (whirl/engine/study.h, whirl/engine/journal.h).
+/// Storage for finished points outside of a run (whirl/engine/study.h, whirl/engine/journal.h).
 typedef struct whirl_keeper whirl_keeper;
 
 // ---------------------------------------------------------------- results
 
-/// Reads a file of whirl_result_write. WHIRL_BAD_INPUT with a sentence for a file that is not one.
+/// Reads a result file. WHIRL_BAD_INPUT with a sentence for a file of another kind.
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 
-/// Reads all of a file but the numbers of its points, whose tables then have no blocks. Errors as whirl_result_read.
+/// Reads all of a result file except the blocks of its points. Errors as whirl_result_read.
 whirl_status whirl_result_read_outline(const char *path, whirl_result **outline);
 
-/// Writes the result as an HDF5 file: to a temporary name beside `path`, synced, then renamed, so that no half
-/// file is ever left. Points that are not done are left out. The layout of the file is described in
-/// docs/result-file.md.
+/// Writes the result as an HDF5 file: to a temporary name in the folder of `path`, synced, then renamed, so that no
+/// partly written file remains. Omits points that are not done. docs/result-file.md describes the layout.
 whirl_status whirl_result_write(const whirl_result *result, const char *path);
 
-/// Reads a file of whirl_result_write back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR
-/// that names what differs.
+/// Reads a result file back and compares all of it with the result, numbers bit for bit. WHIRL_IO_ERROR names the
+/// difference.
 whirl_status whirl_result_verify(const whirl_result *result, const char *path);
 
-/// Frees a result and all that belongs to it; NULL is none.
+/// Frees a result and everything that belongs to it; accepts NULL.
 void whirl_result_free(whirl_result *result);
 
-/// Returns false for names of files that would pass for something else than a result: "a.csv", "a.txt", "a.yaml".
+/// Returns false for file names that suggest another format than a result: "a.csv", "a.txt", "a.yaml".
 bool whirl_result_name_fits(const char *path);
 
-/// Appends a fact; a name that is there already gets the new value.
+/// Appends a fact, or replaces the value of the fact with that name.
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value);
 
-const char *whirl_result_title(const whirl_result *result);     ///< The title of the case, "" where it has none.
+const char *whirl_result_title(const whirl_result *result);     ///< The title of the case, "" if it has none.
 const char *whirl_result_case_name(const whirl_result *result); ///< The name of the case file.
 const char *whirl_result_case_text(const whirl_result *result); ///< The case file, byte for byte.
-double whirl_result_speed(const whirl_result *result);          ///< Of the shaft, rad/s.
+double whirl_result_speed(const whirl_result *result);          ///< The speed of the shaft, rad/s.
 double whirl_result_force_scale(const whirl_result *result);    ///< N per unit of force.
-bool whirl_result_is_partial(const whirl_result *result);       ///< Whether the run was stopped before its end.
+bool whirl_result_is_partial(const whirl_result *result);       ///< True if the run was stopped before its end.
 
-/// What a result has lists of.
+/// Lists of a result.
 typedef enum whirl_list {
     WHIRL_LIST_PARAMETERS = 0, ///< texts "unit" and "text", number "value" in SI
     WHIRL_LIST_STATIONS,       ///< numbers as whirl_probe_members names them ("clearance", "gap", "x", ...)
-    WHIRL_LIST_CONTACTS,       ///< names alone
+    WHIRL_LIST_CONTACTS,       ///< names only
     WHIRL_LIST_FACTS,          ///< text "value"
-    WHIRL_LIST_TABLES          ///< names alone; see whirl_result_table
+    WHIRL_LIST_TABLES          ///< names only; see whirl_result_table
 } whirl_list;
 
-size_t whirl_result_count(const whirl_result *result, whirl_list list); ///< Items of a list.
+size_t whirl_result_count(const whirl_result *result, whirl_list list); ///< Number of items of a list.
 
-/// The name of an item; NULL where there is none of that index.
+/// Returns the name of an item; NULL if the index is past the end.
 const char *whirl_result_name(const whirl_result *result, whirl_list list, size_t index);
 
-/// A text of an item, by the names above; NULL where there is none.
+/// Returns a text of an item, by the names above; NULL if there is none.
 const char *whirl_result_text(const whirl_result *result, whirl_list list, size_t index, const char *what);
 
-/// A number of an item, by the names above; NaN where there is none.
+/// Returns a number of an item, by the names above; NaN if there is none.
 double whirl_result_number(const whirl_result *result, whirl_list list, size_t index, const char *what);
 
-/// Chooses the units in which figures show the result's numbers, in the words of `units` in a case: "um, rpm, Hz, p-p".
-/// "" or NULL takes the choice back, also the case's own. WHIRL_BAD_INPUT for words that are no units.
+/// Chooses the units in which figures show the result, in the words of `units` in a case: "um, rpm, Hz, p-p". "" or
+/// NULL resets the choice, also that of the case. WHIRL_BAD_INPUT for words that are not units.
 whirl_status whirl_result_show_in(whirl_result *result, const char *units);
 
-/// The unit in which figures show a parameter: its name, at most `size` bytes ("" of plain numbers); gives its size in
-/// SI.
+/// Returns the unit in which figures show a parameter, as its size in SI, and writes its name, at most `size` bytes (""
+/// for plain numbers).
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size);
 
-/// Finds the value [count] of a parameter that is nearest to one that a person tells: a number in SI, "628", or with
-/// any unit of the parameter, "6000 rpm"; values that are no numbers are left out. WHIRL_BAD_INPUT with a sentence
-/// where `told` is no such number, or lies farther beyond all values than the last step there (of a lone value: 1 %).
+/// Finds the value [count] of a parameter nearest to `told`: a number in SI, "628", or with any unit of the parameter,
+/// "6000 rpm". Skips values that are not finite. WHIRL_BAD_INPUT with a sentence if `told` is not such a number, or
+/// lies beyond all values by more than the last step there (for a single value: 1 %).
 whirl_status whirl_nearest_value(const whirl_result *result, const char *parameter, const double *values, size_t count,
                                  const char *told, size_t *index);
 
-/// What lengths in the scale of the case are multiplied by in figures, and the name of the unit that makes them so, at
-/// most `size` bytes. Sets `*over` where that is the symbol of a length which they are divided by ("x / c").
+/// Returns the factor by which figures multiply lengths in the scale of the case, and writes the name of the resulting
+/// unit, at most `size` bytes. Sets `*over` if the name is the symbol of a length that divides them ("x / c").
 double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over);
 
-/// What amplitudes, which results hold zero to peak, are multiplied by besides, and how they are counted ("p-p", "0-p"
-/// where nobody asked).
+/// Returns the further factor for amplitudes, which results hold zero to peak, and writes how they are counted ("p-p";
+/// "0-p" by default).
 double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size);
 
-/// The unit of frequencies in Hz, and its name; 0 and "" for orders of the running speed.
+/// Returns the unit of frequencies in Hz, and writes its name; 0 and "" for orders of the running speed.
 double whirl_result_shown_frequency(const whirl_result *result, char *name, size_t size);
 
 // ---------------------------------------------------------------- tables
 
-/// The table of that name, or NULL.
+/// Returns the table of that name, or NULL.
 const whirl_table *whirl_result_table(const whirl_result *result, const char *name);
 
 const char *whirl_table_name(const whirl_table *table);      ///< "sweep", "map", ...
-const char *whirl_table_parameter(const whirl_table *table); ///< What varies, or "".
-const char *whirl_table_varied(const whirl_table *table);    ///< What varies besides, in a map or curves, or "".
-const char *whirl_table_stacked(const whirl_table *table);   ///< What varies from plane to plane of a map, or "".
+const char *whirl_table_parameter(const whirl_table *table); ///< The varied parameter, or "".
+const char *whirl_table_varied(const whirl_table *table); ///< The second varied parameter, of a map or curves, or "".
+/// The third varied parameter, from plane to plane of a map, or "".
+const char *whirl_table_stacked(const whirl_table *table);
 
-size_t whirl_table_points(const whirl_table *table); ///< Points, done or not (whirl_table_done).
+size_t whirl_table_points(const whirl_table *table); ///< Number of points, done or not (whirl_table_done).
 
-/// Whether a point is done. Only the results of runs that were stopped have points that are not; a file has but those
-/// that are.
+/// Returns true if the point is done. Only results of stopped runs, while in memory, have points that are not; files
+/// contain only points that are done.
 bool whirl_table_done(const whirl_table *table, size_t point);
 
-/// Which point of the study a point is: its own index, but in a result that was read and is partial.
+/// Returns the index of a point in its study: the index itself, except in a partial result that was read from a file.
 size_t whirl_table_slot(const whirl_table *table, size_t point);
 
-/// Places of the study in its parameters, which has one point, or one from each of several starts, at each; of a
-/// refined map all of its grid, whether they are computed or not.
+/// Returns the number of parameter values of the study (for a map: of combinations). Each has one point, or one for
+/// each of several starts. For a refined map: all of its grid, computed or not.
 size_t whirl_table_places(const whirl_table *table);
 
-/// rad/s of the phase by which sections are taken, at a point: revolutions are turns of it, and orders multiples of its
-/// rate. NaN where that changes from point to point in a way that is not told.
+/// Returns the rate, rad/s, of the phase whose turns are revolutions at a point: sections are taken once in each, and
+/// orders are multiples of it. NaN if the rate varies between points and is not recorded.
 double whirl_table_clock(const whirl_result *result, const whirl_table *table, size_t point);
 
-/// The place of a point, from 0, in the order of the values: of a map row by row, plane by plane.
+/// Returns the index of the point's parameter value, from 0, in the order of values; of a map row by row, plane by
+/// plane.
 size_t whirl_table_place(const whirl_table *table, size_t point);
 
-/// Points of a row of a map whose points all are there, row by row along the parameter, in one list; else 0.
+/// Returns the number of points of a row of a map whose grid is complete and stored row by row; else 0.
 size_t whirl_table_row(const whirl_table *table);
 
-/// Points of the grid of a map: all of a refined one's, whether they are computed or not; of other tables the same as
-/// the points that the study has.
+/// Returns the number of points of a map's grid, in a refined map computed or not; for other tables the number of
+/// points of the study.
 size_t whirl_table_grid(const whirl_table *table);
 
-/// Rows of the grid of a map, in each of its planes; 0 where a table is no map.
+/// Returns the number of rows in each plane of a map; 0 for other tables.
 size_t whirl_table_rows(const whirl_table *table);
 
-/// Planes of a map, 1 where it has no third parameter: its points follow each other row by row, plane by plane. 0 where
-/// a table is no map.
+/// Returns the number of planes of a map, 1 if it has no third parameter; 0 for other tables. Points are stored row by
+/// row, plane by plane.
 size_t whirl_table_planes(const whirl_table *table);
 
-/// [whirl_table_points] the parameter in SI, NaN where nothing varies.
+/// Returns the parameter at each point [whirl_table_points] in SI, NaN if nothing varies.
 const double *whirl_table_values(const whirl_table *table);
 
-/// The value of the second parameter at a point of a map or of curves, in SI; NaN where there is none.
+/// Returns the second parameter at a point of a map or of curves, in SI; NaN if there is none.
 double whirl_table_second(const whirl_table *table, size_t point);
 
-/// The value of the third parameter at a point of a map with planes, in SI; NaN where there is none.
+/// Returns the third parameter at a point of a map with planes, in SI; NaN if there is none.
 double whirl_table_third(const whirl_table *table, size_t point);
 
-/// The length scale of a point, m per unit of length: of all its lengths. That of the result for a table NULL.
+/// Returns the length scale of a point, m per unit of length; that of the result if `table` is NULL.
 double whirl_result_length_scale(const whirl_result *result, const whirl_table *table, size_t point);
 
-/// [whirl_table_points] +1 carried from the first value on, -1 from the last, 0 not carried.
+/// Returns the branch of each point [whirl_table_points]: +1 carried from the first value on, -1 from the last, 0 not
+/// carried.
 const int *whirl_table_branch(const whirl_table *table);
 
-size_t whirl_table_field_count(const whirl_table *table); ///< Fields of a point.
+size_t whirl_table_field_count(const whirl_table *table); ///< Number of fields of a point.
 
-/// The index of the field of that name; whirl_table_field_count where there is none.
+/// Returns the index of the field of that name; whirl_table_field_count if there is none.
 size_t whirl_table_field_index(const whirl_table *table, const char *name);
 
 const char *whirl_table_field_name(const whirl_table *table, size_t field);    ///< "orbit/max_radius"
-const char *whirl_table_field_unit(const whirl_table *table, size_t field);    ///< As in whirl_field.
+const char *whirl_table_field_unit(const whirl_table *table, size_t field);    ///< In the notation of whirl_field.
 const char *whirl_table_field_meaning(const whirl_table *table, size_t field); ///< One line.
 const char *whirl_table_field_extent(const whirl_table *table, size_t field);  ///< "point", "station" or "contact"
 
-/// Whether a field of that name has rows, however many of them options leave: then one row is an array, too. False of
-/// names that are not known.
+/// Returns true if fields of that name have rows, whatever number of rows the options give (a single row is an array,
+/// too). False for unknown names.
 bool whirl_field_has_rows(const char *name);
 
-/// What one unit of a field is in SI, and the name of that in at most `size` bytes ("m"): NaN for lengths where the
-/// parameter changes the scale (whirl_result_length_scale).
+/// Returns the size in SI of one unit of a field, and writes the SI unit's name, at most `size` bytes ("m"). NaN for
+/// lengths if the parameter changes the length scale (whirl_result_length_scale).
 double whirl_table_field_si(const whirl_result *result, const whirl_table *table, size_t field, char *name,
                             size_t size);
 
-/// Where the numbers of a field lie: those of a point, `shape` = {stations or contacts (1: it is of the point), rows,
-/// columns}, one after the other, and those of the next point `stride` doubles on. NULL where the table's blocks are
-/// not in memory (whirl_table_copy), as in an outline.
+/// Returns the numbers of a field. Those of a point are contiguous, `shape` = {stations or contacts (1: of the point),
+/// rows, columns}; those of the next point follow `stride` doubles later. NULL if the table's blocks are not in memory
+/// (whirl_table_copy), as in an outline.
 const double *whirl_table_column(const whirl_table *table, size_t field, size_t shape[3], size_t *stride);
 
-/// Copies the numbers of a field, all points, into numbers [points][shape]. WHIRL_IO_ERROR where a block is lost.
+/// Copies a field at all points into numbers [points][shape]. WHIRL_IO_ERROR if a block is lost.
 whirl_status whirl_table_copy(const whirl_table *table, size_t field, double *numbers);
 
-/// The verdict on a point in words ("P-2") and why, each at most `size` bytes; both "" where the table has none.
+/// Writes the verdict on a point ("P-2") and its reason, each at most `size` bytes; both "" if the table has none.
 void whirl_table_words(const whirl_table *table, size_t point, char *name, char *reason, size_t size);
 
-/// What the points of a basin, or of a table with several starts a place, came to rest on: of every point the number of
-/// its attractor, from 1 for that of most starts (0: not done, or without a verdict); the share of the starts, of the
-/// basin or of the place, that lead to it (NaN: not told); and the standard error of the share, were the starts drawn
-/// at random. Each [whirl_table_points], or NULL: not wanted. 0 and NaN for all points of other tables.
-/// WHIRL_NO_MEMORY.
+/// Finds the attractor of each point of a basin, or of a table with several starts for each parameter value: its
+/// number, from 1 for the attractor of most starts (0: not done, or without a verdict); the share of starts of the
+/// basin or value that lead to it (NaN: not reported); and the standard error of that share for starts drawn at random.
+/// Each array is [whirl_table_points], or NULL if not wanted. 0 and NaN at all points of other tables. WHIRL_NO_MEMORY.
 whirl_status whirl_table_attractor_numbers(const whirl_table *table, size_t *numbers, double *shares, double *errors);
 
-/// An option of the table's integration or record by index from 0: its name, and its value as text ("dop853", "1e-9").
-/// NULL past the last.
+/// Returns the name of an option of the table's integration or record, by index from 0, and writes its value ("dop853",
+/// "1e-9"). NULL past the last.
 const char *whirl_table_option(const whirl_table *table, size_t index, char *text, size_t size);
 
-/// A figure of a result by its name (NULL: the first), as the JSON document of docs/figures.md; units as reports take
-/// them, panels ("x,exponent") and logarithmic axes ("x", "y", "xy") that are chosen, or NULL each. *json is freed by
-/// whirl_text_free. WHIRL_BAD_INPUT with a sentence for a figure, panel or unit that there is none of.
+/// Builds a figure of a result by its name (NULL: the first) as the JSON document of docs/figures.md. `units` as in
+/// reports, `panels` ("x,exponent") and logarithmic axes `log` ("x", "y", "xy"); NULL each for the default. *json is
+/// freed by whirl_text_free. WHIRL_BAD_INPUT with a sentence for an unknown figure, panel or unit.
 whirl_status whirl_result_figure(const whirl_result *result, const char *name, const char *units, const char *panels,
                                  const char *log, char **json);
 
-/// What `whirl balance` answers to the text of a file on balancing (docs/guide/14-balancing.md), as its JSON document;
-/// `name` stands for the file in messages, and its folder is where the model is looked for. Where anything is wrong
-/// with the file or its model, all of it is written to `problems` as whirl_case_check does. *json is freed by
-/// whirl_text_free.
+/// Answers a balancing file as `whirl balance` does (docs/guide/14-balancing.md), as a JSON document. `name` is the
+/// file's name in messages; the model is searched for in its folder. Writes every problem of the file or its model to
+/// `problems` as whirl_case_check does. *json is freed by whirl_text_free.
 whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
                                 char **json);
 
-/// The figures of a result, a line each: name, tabulator, title. *lines is freed by whirl_text_free.
+/// Lists the figures of a result, one line each: name, tab, title. *lines is freed by whirl_text_free.
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
 
-/// What was found of machines at rest, of branches, tori and spectra (docs/result-file.md, "Findings as JSON"): the
-/// sheet of that name ("peaks", or "TABLE/peaks" where several tables have one), or of a name NULL all statements and
-/// sheets. `units` as reports take them, or NULL; `format` is "text" or "json", of a sheet also "csv" or "latex". *text
-/// is freed by whirl_text_free. WHIRL_BAD_INPUT with a sentence for a sheet, unit or format that there is none of.
+/// Writes findings on machines at rest, branches, tori and spectra (docs/result-file.md, "Findings as JSON"): the sheet
+/// `sheet` ("peaks", or "TABLE/peaks" if several tables have one), or, if NULL, all statements and sheets. `units` as
+/// in reports, or NULL; `format` is "text" or "json", for a sheet also "csv" or "latex". *text is freed by
+/// whirl_text_free. WHIRL_BAD_INPUT with a sentence for an unknown sheet, unit or format.
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);
 
-/// The sheets of a result, a line each: name, by which whirl_result_findings knows it, tabulator, title. *lines is
-/// freed by whirl_text_free.
+/// Lists the sheets of a result, one line each: name for whirl_result_findings, tab, title. *lines is freed by
+/// whirl_text_free.
 whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
 
-void whirl_text_free(char *text); ///< Frees such a text; NULL is none.
+void whirl_text_free(char *text); ///< Frees a text returned by these functions; accepts NULL.
 
-/// What `whirl bearing` answers to the text of a file on a bearing (docs/guide/15-bearings.md), as its JSON document,
-/// and its figures (curves, sommerfeld, locus) as a list of the documents of docs/figures.md; figures: NULL where they
-/// are not wanted. `name` stands for the file in messages; threads: 0 for one a core. All that is wrong with the file
-/// is written to `problems` as whirl_case_check does. *json and *figures are freed by whirl_text_free.
+/// Answers a bearing file as `whirl bearing` does (docs/guide/15-bearings.md), as a JSON document, and writes its
+/// figures (curves, sommerfeld, locus) as a list of the documents of docs/figures.md; figures NULL: not wanted. `name`
+/// is the file's name in messages; threads 0: one a core. Writes every problem of the file to `problems` as
+/// whirl_case_check does. *json and *figures are freed by whirl_text_free.
 whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
                                 size_t size, char **json, char **figures);
 

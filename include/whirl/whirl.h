@@ -1,14 +1,14 @@
 /// whirl: nonlinear dynamics of rotating machines. Includes the stable interface, to be read in this order:
 ///
-///     status.h       how functions tell of errors
-///     version.h      which version this is
+///     status.h       how functions report errors
+///     version.h      the version of the library
 ///     handles.h      results and their tables
 ///     job.h          cases and their runs
 ///     user_system.h  systems of your own
 ///     signals.h      measured signals
 ///
-/// Programs that use nothing else run with every later library of the same number (docs/abi.md). All else that the
-/// library can do is in whirl/engine.h.
+/// Programs that include only these headers run with every later library of the same ABI number (docs/abi.md). The rest
+/// of the library is in whirl/engine.h.
 #ifndef WHIRL_H
 #define WHIRL_H
 
