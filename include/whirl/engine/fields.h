@@ -1,6 +1,6 @@
-/// Names of the numbers that results hold, "analysis/quantity": what whirl_table_field, whirl_layout_field and their
-/// like are asked for. Each stands here once: what analyses write, C, Python, Octave and the explorer have it from
-/// here, so that a misspelt name does not compile. Units, extents and meanings: whirl_field, docs/result-file.md.
+/// Names of the fields of results, "analysis/quantity", for whirl_table_field, whirl_layout_field and similar
+/// functions. This is the only list: the analyses, C, Python, Octave and the explorer take the names from here, so that
+/// a misspelt name does not compile. Units, extents and meanings: whirl_field, docs/result-file.md.
 #ifndef WHIRL_FIELDS_H
 #define WHIRL_FIELDS_H
 

@@ -1,7 +1,5 @@
-/// Recording a motion: what is gathered of it while the integrator runs.
-///
-/// States once per revolution, waveforms, extremes, contact statistics and the growth of a small perturbation; what
-/// analyses (whirl/engine/analyze.h) turn into numbers.
+/// Recording a motion: states once per revolution, waveforms, extremes, contact statistics and the growth of a small
+/// perturbation, gathered while the integrator runs. Analyses (whirl/engine/analyze.h) turn a record into numbers.
 #ifndef WHIRL_RECORD_H
 #define WHIRL_RECORD_H
 
@@ -18,274 +16,273 @@
 extern "C" {
 #endif
 
-/// What is followed of small perturbations while a motion is watched.
+/// Perturbations that are followed while a motion is watched.
 typedef enum whirl_growth {
     WHIRL_GROWTH_NONE = 0, ///< none
-    WHIRL_GROWTH_LARGEST,  ///< one, by a second trajectory, which any system has
+    WHIRL_GROWTH_LARGEST,  ///< one, by a second trajectory; possible for any system
     WHIRL_GROWTH_ALL       ///< as many as the state has coordinates, by the system's Jacobian
 } whirl_growth;
 
-/// Most revolutions that cases and result files may say.
+/// Largest numbers of revolutions in cases and result files.
 enum { WHIRL_MAX_TRANSIENT = 1000000000, WHIRL_MAX_RECORD = 100000000 };
 
-/// How branches of orbits are looked for.
+/// Options of the search for branches of orbits.
 typedef struct whirl_trace_options {
-    /// Where the first orbit is looked for: "settled", where a motion has settled after the transient; "start", from
-    /// the initial state; "linear", from the forced response of the machine linearized about its rest. The last two
-    /// find unstable orbits, too.
+    /// Start of the search for the first orbit: "settled", where a motion has settled after the transient; "start",
+    /// the initial state; "linear", the forced response of the machine linearized about its equilibrium. The last two
+    /// also find unstable orbits.
     char begin[WHIRL_NAME_SIZE];
-    bool rest;             ///< branches of equilibria, in place of orbits
-    int revolutions;       ///< of the first orbit; 0: after how many the settled motion comes back
+    bool rest;             ///< follow branches of equilibria instead of orbits
+    int revolutions;       ///< revolutions of the first orbit; 0: the period of the settled motion
     int longest;           ///< most revolutions of an orbit
-    int switches;          ///< times that a branch is left for those that begin along it
+    int switches;          ///< most switches from one branch to those that begin along it
     int segments;          ///< as in whirl_orbit_options
     int points;            ///< most points of all branches
     double step;           ///< whirl_branch_options.most_step
-    double rtol;           ///< of the integrator
-    bool tori;             ///< those that begin at Neimark-Sacker points are followed
-    int torus_nodes;       ///< most of a torus' curve; see whirl_trace_torus_nodes
-    int torus_points;      ///< most of one branch of tori
+    double rtol;           ///< relative tolerance of the integrator
+    bool tori;             ///< also follow the tori that begin at Neimark-Sacker points
+    int torus_nodes;       ///< most nodes of a torus' curve; see whirl_trace_torus_nodes
+    int torus_points;      ///< most points of one branch of tori
     double torus_step;     ///< whirl_torus_branch_options.most_step
     double torus_accuracy; ///< whirl_torus_options.accuracy
 } whirl_trace_options;
 
-/// Most nodes of a torus' curve: what the options say, made odd.
+/// Returns the most nodes of a torus' curve: the option, made odd.
 size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 
-/// Its members, as cases say them (part "branch") and results of branches have them; static, ended by one without a
-/// part.
+/// Returns the members of the options for cases (part "branch") and results of branches; static, ended by a member
+/// without a part.
 const whirl_member *whirl_trace_members(void);
 
-/// What is recorded of a motion, and how long.
+/// Length and contents of the record of a motion.
 typedef struct whirl_record_options {
-    int transient; ///< revolutions that pass before anything is recorded, >= 0
+    int transient; ///< revolutions before the record, >= 0
     int record;    ///< revolutions recorded, >= 1
-    /// Revolutions before the end over which the Poincare section and the growth of a perturbation are followed,
-    /// record <= watch <= transient + record; 0: the record and the second half of the transient, of which at most
-    /// the larger of 1000 and record.
+    /// Last revolutions in which the Poincare section and the growth of a perturbation are followed, record <= watch <=
+    /// transient + record; 0: the record and the second half of the transient, but of that at most the larger of 1000
+    /// and record.
     int watch;
-    int waveform_revolutions; ///< last revolutions whose waveform is kept as a result, 0 <= ... <= record
-    /// Samples of the waveform a revolution, at least (the next divisor of steps_per_revolution is taken).
+    int waveform_revolutions; ///< last revolutions whose waveform is stored in results, 0 <= ... <= record
+    /// Least samples of the waveform per revolution (the next divisor of steps_per_revolution is used).
     int samples_per_revolution;
     double highest_order; ///< spectra are kept up to this order of the running speed
-    bool bearings; ///< of critical speed maps: the parameter is the stiffness of springs in the place of bearings, N/m
-    /// End the transient early, but for 64 revolutions, where the motion has settled on a periodic orbit to 1e-11.
+    bool bearings; ///< for critical speed maps: the parameter is the stiffness of springs that replace bearings, N/m
+    /// End the transient, but for 64 revolutions, when the motion has settled on a periodic orbit to 1e-11.
     bool settle;
-    int modes;                        ///< modes that are kept, >= 1
-    double running_low, running_high; ///< rad/s, between which the machine runs; 0: not said
-    double trip;                      ///< rad/s, up to which clearances are looked at; 0: all speeds
-    double probe_angle;               ///< of the first probe of every station, rad from the x axis towards y
-    int antinodes_of;                 ///< number of the forward mode whose antinodes have unbalances by rule; 0: none
+    int modes;                        ///< number of modes in results, >= 1
+    double running_low, running_high; ///< range of running speed, rad/s; 0: not given
+    double trip;                      ///< speed, rad/s, up to which clearances are checked; 0: all speeds
+    double probe_angle;               ///< angle of the first probe of every station, rad from the x axis towards y
+    int antinodes_of;                 ///< forward mode whose antinodes have unbalances by rule; 0: none
     char placed_at[WHIRL_NAME_SIZE];  ///< station that has an unbalance by rule, or ""
     char probes_at[WHIRL_NAME_SIZE];  ///< stations whose probes scale responses, or ""
-    double placed_weight;             ///< kg that it goes by; 0: what hangs over there
-    double placed_factor;             ///< times as large are unbalances by rule
-    char coupling[WHIRL_NAME_SIZE];   ///< of statics: stations that carry neither moment nor shear, or ""
-    double gas_density;               ///< kg/m3, of stability: the average of the gas; 0: not said
-    bool spectra;                     ///< keep whole spectra, not only their peaks
-    bool waveform;                    ///< waveforms are needed (for spectra or to be kept)
-    /// Look for the orbits of motions that have come to rest, by Newton's method; with `settle` also before they have,
-    /// and end the transient where the motion cannot but come to rest on one.
+    double placed_weight;             ///< mass for the rule of this unbalance, kg; 0: the overhanging mass there
+    double placed_factor;             ///< factor of unbalances by rule
+    char coupling[WHIRL_NAME_SIZE];   ///< statics: stations without moment and shear, or ""
+    double gas_density;               ///< stability, kg/m3: mean density of the gas; 0: not given
+    bool spectra;                     ///< store whole spectra, not only their peaks
+    bool waveform;                    ///< record waveforms (for spectra, or to be stored)
+    /// Search for the orbits of settled motions by Newton's method. With `settle`, also search before they have
+    /// settled, and end the transient when the motion is certain to settle on one.
     bool orbits;
     whirl_growth growth;       ///< costs one trajectory while watched, or as many as there are coordinates
-    whirl_trace_options trace; ///< of branches alone
+    whirl_trace_options trace; ///< for branches only
 } whirl_record_options;
 
-/// Its members, as cases say them (parts "integrate" and "keep", and "detail" for what details say anew) and results
-/// have them; static, ended by one without a part.
+/// Returns the members of the options for cases (parts "integrate" and "keep", and "detail" for options that a detail
+/// replaces) and results; static, ended by a member without a part.
 const whirl_member *whirl_record_members(void);
 
-/// The defaults of whirl_record_members and whirl_trace_members, but settle false.
+/// Returns the defaults of whirl_record_members and whirl_trace_members, but with settle false.
 whirl_record_options whirl_record_default(void);
 
-/// Revolutions watched, with the default resolved.
+/// Returns the number of watched revolutions, with the default resolved.
 int whirl_record_watch(const whirl_record_options *options);
 
-/// Samples of a waveform a revolution: the smallest divisor of `steps_per_revolution` that is at least
+/// Returns the samples of a waveform per revolution: the smallest divisor of `steps_per_revolution` that is at least
 /// options->samples_per_revolution.
 int whirl_record_samples(const whirl_record_options *options, int steps_per_revolution);
 
-/// WHIRL_BAD_INPUT with a sentence where options mean nothing or contradict each other.
+/// Returns WHIRL_BAD_INPUT with a sentence if an option is out of range or options contradict each other.
 whirl_status whirl_record_options_check(const whirl_record_options *options);
 
-/// The same, and where all perturbations are to be followed and the system gives no Jacobian or the method takes none
-/// along.
+/// Checks the same, and that all perturbations can be followed if they are requested: the system needs a Jacobian, and
+/// a method that carries them.
 whirl_status whirl_record_check(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options);
 
-/// How long the steps of a fixed-step method were for the motion; NaN where they were not looked at (methods with a
-/// tolerance).
+/// Accuracy of the steps of a fixed-step method for a motion; NaN if they were not checked (methods with a tolerance).
 typedef struct whirl_step_quality {
-    double growth; ///< whirl_step_check.growth, of the revolutions that were looked at: above 1 the step is unstable
-    double error;  ///< of a revolution by the steps, over the size of the motion
-    double factor; ///< times as many steps are needed, 1 where these are good
+    double growth; ///< whirl_step_check.growth of the checked revolutions: above 1 the step is unstable
+    double error;  ///< error of a revolution by the steps, over the size of the motion
+    double factor; ///< factor by which the number of steps should grow, 1 if it is sufficient
 } whirl_step_quality;
 
-/// What became of the search for the orbit that a motion has come to rest on.
+/// Outcomes of the search for the orbit of a settled motion.
 typedef enum whirl_orbit_search {
-    WHIRL_ORBIT_UNSOUGHT = 0, ///< the motion does not return, the search would cost too much, or there is no Jacobian
-    WHIRL_ORBIT_STABLE,       ///< the motion is on it, and all multipliers are within the unit circle
-    WHIRL_ORBIT_UNSTABLE,     ///< a multiplier is on the unit circle or beyond it
-    WHIRL_ORBIT_ELSEWHERE,    ///< the nearest one is not where the motion is
-    WHIRL_ORBIT_NONE          ///< Newton's method found none
+    /// no search: the motion does not return, it would cost too much, or there is no Jacobian
+    WHIRL_ORBIT_UNSOUGHT = 0,
+    WHIRL_ORBIT_STABLE,    ///< the motion is on the orbit, and all multipliers are inside the unit circle
+    WHIRL_ORBIT_UNSTABLE,  ///< a multiplier is on the unit circle or beyond it
+    WHIRL_ORBIT_ELSEWHERE, ///< the nearest orbit is not that of the motion
+    WHIRL_ORBIT_NONE       ///< Newton's method found none
 } whirl_orbit_search;
 
-/// The periodic orbit of a motion that has come to rest.
+/// The periodic orbit of a settled motion.
 typedef struct whirl_record_orbit {
-    whirl_orbit_search search; ///< what became of the search
-    int period;                ///< revolutions after which it closes
-    double residual;           ///< by which it fails to close, over its largest coordinate
-    double distance;           ///< of the motion's last state from it, over the size of the motion
-    double modulus;            ///< of the largest multiplier
-    size_t multiplier_count;   ///< coordinates that do not turn on and on; 0: no orbit was found
+    whirl_orbit_search search; ///< outcome of the search
+    int period;                ///< revolutions of the orbit
+    double residual;           ///< closing error of the orbit, over its largest coordinate
+    double distance;           ///< distance of the motion's last state from the orbit, over the size of the motion
+    double modulus;            ///< modulus of the largest multiplier
+    size_t multiplier_count;   ///< number of coordinates that are not turning phases; 0: no orbit was found
     double *multipliers;       ///< [dimension][2] real and imaginary parts, by falling modulus
-    double volume;             ///< sum of ln|multiplier| by the divergence along the orbit; NaN where it is not known
-    double revolutions;        ///< that Newton's method took, with all perturbations
-    /// Revolution after which the motion was set upon the orbit: the record holds its revolutions again and again, and
-    /// growths by its multipliers. 0: the motion ran all its way.
+    double volume;             ///< sum of ln|multiplier| from the divergence along the orbit; NaN if unknown
+    double revolutions;        ///< cost of Newton's method in revolutions, with all perturbations
+    /// Revolution after which the motion was replaced by the orbit: the record then repeats the orbit's revolutions,
+    /// and growths follow from its multipliers. 0: the whole motion was integrated.
     double set_at;
 } whirl_record_orbit;
 
 /// The equilibrium at which a motion rests.
 typedef struct whirl_record_rest {
-    bool found;      ///< the motion stays within 1e-5 of the state's size of it; else the rest means nothing
-    double distance; ///< the farthest that the record is from it, over the state's size: its largest coordinate, or
-                     ///< what the steps resolve over 1e-5
-    double growth;   ///< exponent, per revolution, of the mode about it that decays most slowly, or grows
-    double order;    ///< frequency of that mode, 0 where it has none
+    /// true if the motion stays within 1e-5 of the state's size of it; else the other members are meaningless
+    bool found;
+    /// largest distance of the record from it, over the state's size: its largest coordinate, or the resolution of the
+    /// steps over 1e-5
+    double distance;
+    double growth; ///< exponent, per revolution, of the mode about it that decays most slowly or grows
+    double order;  ///< order of that mode's frequency, 0 if it does not oscillate
 } whirl_record_rest;
 
-/// What was gathered of one motion. Lengths in the system's own; one block, freed by whirl_record_free.
-/// After a divergence only `diverged_at`, `motion`, `steps` and `end` mean anything.
+/// The record of one motion. Lengths are in the system's unit. One block, freed by whirl_record_free. After a
+/// divergence only `diverged_at`, `limit`, `limit_coordinate`, `motion`, `steps` and `end` are meaningful.
 typedef struct whirl_record {
-    size_t dimension, probe_count, contact_count; ///< of the system
-    const whirl_probe *probes;                    ///< of the system; borrowed
-    const double *turns;                          ///< of the system; borrowed. Sections hold 0 for what turns
-    const double *angles;                         ///< of the system; borrowed
-    size_t repeats;                               ///< of the system
-    double period;                                ///< of the system
-    whirl_motion motion;                          ///< whether it stayed within its bounds
-    double revolutions;      ///< that were integrated: fewer than asked for where the motion settled or diverged
-    double diverged_at;      ///< revolution (counted from 1) in which the motion left its bounds, 0 where it did not
-    double limit;            ///< whirl_integrate_options.limit where a finite coordinate passed it, else 0
-    size_t limit_coordinate; ///< which one was farthest then
+    size_t dimension, probe_count, contact_count; ///< as in the system
+    const whirl_probe *probes;                    ///< as in the system; borrowed
+    const double *turns;                          ///< as in the system; borrowed. Sections hold 0 for turning phases
+    const double *angles;                         ///< as in the system; borrowed
+    size_t repeats;                               ///< as in the system
+    double period;                                ///< as in the system
+    whirl_motion motion;                          ///< bounded, diverged or stuck
+    double revolutions;      ///< revolutions integrated: fewer than requested if the motion settled or diverged
+    double diverged_at;      ///< revolution (counted from 1) in which the motion left its bounds, else 0
+    double limit;            ///< whirl_integrate_options.limit if a finite coordinate exceeded it, else 0
+    size_t limit_coordinate; ///< the coordinate that exceeded it most
 
     size_t section_count; ///< revolutions watched
     double *section;      ///< [section_count][dimension] states at the ends of the watched revolutions, oldest first
-    double *points;       ///< room for them with angles on circles; NULL where there are none
-    size_t record_count;  ///< of these the last ones, which are the record
+    double *points;       ///< workspace for them with angles on circles; NULL if there are no angles
+    size_t record_count;  ///< number of the last of these, which are the record
 
-    size_t growth_count; ///< 0 when no perturbation was followed
+    size_t growth_count; ///< 0 if no perturbation was followed
     double *growth;      ///< [growth_count] ln of the perturbation's growth in each watched revolution
-    double *growths; ///< [growth_count][dimension] of all perturbations, orthonormal ones; NULL when one was followed
-    double *volume;  ///< [growth_count] what their sum is exactly (whirl_perturbations.volume); NULL likewise
+    double *growths; ///< [growth_count][dimension] growths of all orthonormal perturbations; NULL if one was followed
+    double *volume;  ///< [growth_count] exact sum of the growths (whirl_perturbations.volume); NULL likewise
 
-    size_t sample_count;           ///< samples of the waveform over the record, 0 when not wanted
-    size_t samples_per_revolution; ///< whose ends are at t = period/samples_per_revolution, ..., period
+    size_t sample_count;           ///< samples of the waveform over the record, 0 if not requested
+    size_t samples_per_revolution; ///< samples at t = period/samples_per_revolution, ..., period
     double *waveform;              ///< [probe_count][2][sample_count] x, then y, of every probe
 
-    /// [dimension] Bounds of every coordinate over the record; in lanes as whirl_ensemble_seen has them.
+    /// [dimension] Bounds of every coordinate over the record; in lanes as in whirl_ensemble_seen.
     double *low, *high;
-    /// What was watched over the record: radii sqrt(x^2 + y^2); `backward`, the share of the time that x vy - y vx < 0
-    /// (whirl against the rotation, about (0, 0)); normal forces in the model's unit.
+    /// Quantities observed over the record: radii sqrt(x^2 + y^2); `backward`, the share of the time with x vy - y vx <
+    /// 0 (whirl against the rotation, about (0, 0)); normal forces in the model's unit.
     WHIRL_WATCHED_ARRAYS
 
-    double *end; ///< [dimension] the last state; after a divergence that at the beginning of the revolution in which it
-                 ///< left
+    double *end; ///< [dimension] the last state; after a divergence that before the revolution in which it happened
 
-    whirl_step_quality steps; ///< of a fixed-step method
-    whirl_record_orbit orbit; ///< unsought where the options do not ask for it
-    whirl_record_rest rest;   ///< not found where the motion moves, the system has phases that turn or no Jacobian
+    whirl_step_quality steps; ///< accuracy of a fixed-step method
+    whirl_record_orbit orbit; ///< WHIRL_ORBIT_UNSOUGHT unless the options request it
+    whirl_record_rest rest;   ///< not found if the motion moves, or the system has turning phases or no Jacobian
 
-    const whirl_system *system; ///< whose motion it is; borrowed. NULL: that of a machine that was measured
+    const whirl_system *system; ///< system of the motion; borrowed. NULL for a measured machine
 } whirl_record;
 
-/// Called after every revolution of a motion; false asks for a stop.
+/// A callback after every revolution of a motion.
 typedef struct whirl_monitor {
-    bool (*revolution_done)(void *context); ///< false asks for a stop
-    void *context;                          ///< handed to the function; borrowed
+    bool (*revolution_done)(void *context); ///< returns false to request a stop
+    void *context;                          ///< passed to the function; borrowed
 } whirl_monitor;
 
-/// Integrates from `start` [dimension] and records. The record belongs to the caller.
-/// WHIRL_BAD_INPUT for options that contradict each other, WHIRL_NO_MEMORY; WHIRL_STOPPED when `monitor`
-/// (which may be NULL) asked for it.
+/// Integrates from `start` [dimension] and records the motion. The caller frees the record. WHIRL_BAD_INPUT for options
+/// that contradict each other, WHIRL_NO_MEMORY; WHIRL_STOPPED if `monitor` (which may be NULL) requested it.
 whirl_status whirl_record_motion(const whirl_system *system, const whirl_integrate_options *integrate,
                                  const whirl_record_options *options, const double *start, const whirl_monitor *monitor,
                                  whirl_record **record);
 
-/// Frees a record; NULL is none.
+/// Frees a record; accepts NULL.
 void whirl_record_free(whirl_record *record);
 
-/// What recording would gather of a motion that stays on an orbit, stable or not, from its first node on: each segment
-/// is followed from its own node. As many revolutions are recorded as the options say; there is no transient, and
-/// neither perturbations nor orbits are looked for. Revolutions of an orbit with a time of its own lie between
-/// instants: cubics join these. Bounds and all that is watched are those of once round the orbit. Of an orbit its
-/// dimension, revolutions, period and nodes count. Errors as whirl_orbit_observe and whirl_record_motion.
+/// Records a motion along an orbit, stable or not, from its first node on; each segment is followed from its own node.
+/// The record has the revolutions of the options and no transient; perturbations are not followed and orbits not
+/// searched. If the orbit has a time of its own, cubics join its instants to give states at the ends of revolutions.
+/// Bounds and observed quantities are those of one period of the orbit. Uses the orbit's dimension, revolutions, period
+/// and nodes. Errors as whirl_orbit_observe and whirl_record_motion.
 whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *orbit,
                                 const whirl_orbit_options *options, const whirl_record_options *wanted,
                                 whirl_record **record);
 
-/// A motion to be recorded among many. `system` and `start` [dimension] are borrowed until the motion is done.
+/// One of many motions to be recorded. `system` and `start` [dimension] are borrowed until the motion is done.
 typedef struct whirl_task {
-    const whirl_system *system; ///< of the machine
+    const whirl_system *system; ///< the machine
     const double *start;        ///< [dimension]
-    void *tag;                  ///< the source's own
+    void *tag;                  ///< for the use of the source
 } whirl_task;
 
-/// The state of a motion under way between two revolutions, as bytes.
+/// The state of an unfinished motion between two revolutions, as bytes.
 typedef struct whirl_motion_state {
-    const whirl_task *task; ///< whose motion it is; borrowed
-    double revolutions;     ///< that were computed
+    const whirl_task *task; ///< the motion; borrowed
+    double revolutions;     ///< revolutions computed
     void *bytes;            ///< [size]
-    size_t size;            ///< of the bytes
+    size_t size;            ///< number of bytes
 } whirl_motion_state;
 
-/// Saves motions under way, so that a later run can take them up where they were. No bit of a record depends on it.
+/// Saves unfinished motions, so that a later run can continue them. No bit of a record depends on it.
 typedef struct whirl_motion_saver {
-    /// Asked after every revolution: whether the states are wanted now.
+    /// Returns true when the states should be saved now; asked after every revolution.
     bool (*wanted)(void *context);
-    /// Takes the states of all motions that one recorder has under way; borrowed.
+    /// Takes the states of all unfinished motions of one recorder; borrowed.
     void (*save)(void *context, const whirl_motion_state *states, size_t count);
-    /// Asked when a motion is to begin: a state that was saved of it, to be freed by free, or NULL. One that does not
-    /// fit the motion, its system or its options is not used.
+    /// Returns the saved state of a motion that begins, to be freed by free, or NULL. A state that does not fit the
+    /// motion, its system or its options is ignored.
     void *(*saved)(void *context, const whirl_task *task, size_t *size);
 } whirl_motion_saver;
 
-/// Where motions come from and where their records go.
+/// The source of motions, which also receives their records.
 typedef struct whirl_task_source {
-    /// Writes the next motion and returns true; false when there is none now (there may be one after the next `done`).
+    /// Writes the next motion and returns true; false if there is none now (there may be one after the next `done`).
     bool (*next)(void *context, whirl_task *task);
-    /// Takes a finished motion; the record belongs to the source from then on.
+    /// Takes a finished motion and the ownership of its record.
     whirl_status (*done)(void *context, const whirl_task *task, whirl_record *record);
-    /// Takes back a motion that did not finish because the work ended early.
+    /// Takes back a motion that is unfinished when the work ends early.
     void (*abandon)(void *context, const whirl_task *task);
-    void *context;                   ///< handed to every function; borrowed
+    void *context;                   ///< passed to every function; borrowed
     const whirl_motion_saver *saver; ///< or NULL; called with `context`
 } whirl_task_source;
 
-/// Records all motions that the source gives, in the lanes of an ensemble: many side by side where they can
-/// (whirl_ensemble_takes), else one after the other. Each record is what whirl_record_motion gives, to the bit. All
-/// systems have the structure of `system`. Errors as whirl_record_motion; the first one, or the first of `done`, ends
-/// the work.
+/// Records all motions of a source in an ensemble, in lanes if possible (whirl_ensemble_takes), else one after the
+/// other. Each record equals that of whirl_record_motion to the bit. All systems have the structure of `system`. Errors
+/// as whirl_record_motion; the first error, or the first one of `done`, ends the work.
 whirl_status whirl_record_motions(const whirl_system *system, const whirl_integrate_options *integrate,
                                   const whirl_record_options *options, const whirl_task_source *source,
                                   const whirl_monitor *monitor);
 
-/// The same a revolution at a time, for programs that must answer in between.
+/// Records motions one revolution at a time, for programs that must respond in between.
 typedef struct whirl_recorder whirl_recorder;
 
-/// Starts a recorder; all that is given must outlive it. `lanes`: how many motions go side by side at least, where they
-/// can (0: as many as are fast). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons what is
-/// under way.
+/// Creates a recorder; all arguments must outlive it. `lanes`: least number of motions side by side, if lanes are
+/// possible (0: the fastest number). Errors as whirl_record_motions. Freed by whirl_recorder_free, which abandons
+/// unfinished motions.
 whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
                                 whirl_recorder **recorder);
 
-/// Carries the motions under way over a revolution, new ones of the source included. *turned is how many that were: 0
-/// when the source has none left. After an error the recorder can only be freed.
+/// Carries all motions, and new ones of the source, over one revolution. *turned is their number: 0 when the source has
+/// none left. After an error the recorder can only be freed.
 whirl_status whirl_recorder_revolve(whirl_recorder *recorder, size_t *turned);
 
-/// Frees a recorder; NULL is none.
+/// Frees a recorder; accepts NULL.
 void whirl_recorder_free(whirl_recorder *recorder);
 
 #ifdef __cplusplus

@@ -1,5 +1,5 @@
-/// A system: what the integrators and the analyses know of a machine. Rotors give one; a user of the library
-/// can write one by hand (see examples/duffing.c).
+/// Systems: all that integrators and analyses know of a machine. Rotors provide one; users of the library can write
+/// their own (see examples/duffing.c).
 ///
 ///     dx/dt = f(t, x),   f(t + period, x) = f(t, x)
 ///
@@ -16,254 +16,258 @@
 extern "C" {
 #endif
 
-/// Bounds of systems.
+/// Limits of systems.
 enum {
-    WHIRL_MAX_FORCING = 256,   ///< most values that depend on time alone
-    WHIRL_MAX_SWITCHES = 4096, ///< most switching functions
-    WHIRL_MAX_CONTACTS = 1024, ///< most unilateral contacts
-    WHIRL_MAX_PROBES = 256,    ///< most probes
-    WHIRL_MAX_TILTING = 6,     ///< most pads of a bearing of a machine
+    WHIRL_MAX_FORCING = 256,   ///< values that depend on time alone
+    WHIRL_MAX_SWITCHES = 4096, ///< switching functions
+    WHIRL_MAX_CONTACTS = 1024, ///< unilateral contacts
+    WHIRL_MAX_PROBES = 256,    ///< probes
+    WHIRL_MAX_TILTING = 6,     ///< tilting pads of one bearing
     WHIRL_MAX_REPEATS = 128    ///< longest period of forces, in revolutions, that rotors look for
 };
 
-/// A harmonic of what probes see of a shaft that runs out, over its motion: Re(v exp(i order tau)), tau the angle of
-/// the system's time, in the state's units of length.
+/// A harmonic of the runout of a shaft, which probes add to its motion: Re(v exp(i order tau)), tau the angle of the
+/// system's time, in the state's units of length.
 typedef struct whirl_runout {
-    int order;                  ///< how often it comes round in a revolution
-    double first[2], second[2]; ///< real and imaginary part of v, of the probes along x and along y
+    int order;                  ///< periods in a revolution
+    double first[2], second[2]; ///< real and imaginary part of v, for the probes along x and along y
 } whirl_runout;
 
-/// A pair of displacement coordinates that is observed together, as a pair of proximity probes sees a shaft.
-/// `x` and `y` index the state; `vx` and `vy` their derivatives. What moves along one axis has y = x and vy = vx: it
-/// moves along x, or with `along_y` along y, and not along the other.
+/// A pair of displacement coordinates that is observed together, as a pair of proximity probes observes a shaft. `x`
+/// and `y` index the state, `vx` and `vy` the derivatives. A station that moves along one axis only has y = x and vy =
+/// vx; the axis is x, or y with `along_y`.
 typedef struct whirl_probe {
-    char name[WHIRL_NAME_SIZE]; ///< of the station
+    char name[WHIRL_NAME_SIZE]; ///< name of the station
     size_t x, y, vx, vy;        ///< indices of coordinates
-    /// Clearance of the journal bearing here in the state's units of length, 0 where there is none:
-    /// radius / clearance is the eccentricity ratio.
+    /// Clearance of the journal bearing here in the state's units of length, 0 if there is none: radius / clearance is
+    /// the eccentricity ratio.
     double clearance;
-    /// Radius at which the station touches a stator, in the state's units of length; 0 where there is none.
+    /// Radius at which the station touches a stator, in the state's units of length; 0 if there is none.
     double gap;
-    size_t shaft;        ///< number of the shaft of finite elements that the station lies on, from 1; 0: on none
-    double position;     ///< along that shaft, m
-    bool along_y;        ///< where y = x: the one coordinate is that along y
-    bool clockwise;      ///< the rotor turns from y to x, so that a whirl that way is forward; false: from x to y
-    size_t runout_count; ///< of the shaft here
-    const whirl_runout *runout; ///< [runout_count] borrowed from the system; results have none
-    /// [4] What x, y, vx and vy of the state are multiplied by to be what is reported, where the coordinates of a
-    /// system have scales of their own (whirl_user_system_scale); NULL: 1. Borrowed from the system; results have none.
+    size_t shaft;               ///< number of the finite-element shaft of the station, from 1; 0: none
+    double position;            ///< along that shaft, m
+    bool along_y;               ///< for y = x: the coordinate is along y
+    bool clockwise;             ///< the rotor turns from y to x, which is then forward whirl; false: from x to y
+    size_t runout_count;        ///< number of harmonics of the runout
+    const whirl_runout *runout; ///< [runout_count] borrowed from the system; NULL in results
+    /// [4] Factors from x, y, vx and vy of the state to reported values, for coordinates with scales of their own
+    /// (whirl_user_system_scale); NULL: 1. Borrowed from the system; NULL in results.
     const double *units;
 } whirl_probe;
 
-/// Whether it sees a displacement along x (which: 0) or y (1).
+/// Returns true if the probe measures displacements along x (which: 0) or y (1).
 bool whirl_probe_sees(const whirl_probe *probe, size_t which);
 
-/// x, y, vx or vy (nth: 0 to 3) out of a state, in the units that are reported; 0 along an axis that it does not see.
+/// Returns x, y, vx or vy (nth: 0 to 3) of a state, in reported units; 0 along an axis that the probe does not measure.
 double whirl_probe_value(const whirl_probe *probe, const double *state, size_t nth);
 
-/// What it sees more along x (which: 0) or y (1) than the displacement, by the runout after so many revolutions.
+/// Returns the runout that the probe adds along x (which: 0) or y (1) after this number of revolutions.
 double whirl_probe_runout(const whirl_probe *probe, size_t which, double revolutions);
 
-/// Which way its rotor turns: 1, or -1 clockwise.
+/// Returns the sense of rotation of the probe's rotor: 1, or -1 clockwise.
 double whirl_probe_way(const whirl_probe *probe);
 
-/// Its numbers, where the indices of coordinates are those that an initial state may be said of (part "initial");
-/// static, ended by one without a part.
+/// Returns the members of a probe. Members of part "initial" are indices of coordinates that an initial state can set.
+/// Static, ended by a member without a part.
 const whirl_member *whirl_probe_members(void);
 
-/// An order that a machine names: lines of spectra there are told by that name ("BPFO 3.08X of ball_bearing at rear").
+/// A named order of a machine, shown next to its line in spectra ("BPFO 3.08X of ball_bearing at rear").
 typedef struct whirl_named_order {
-    double order;                   ///< how often it comes round in a revolution, above 0
+    double order;                   ///< periods in a revolution, above 0
     char name[8];                   ///< "BPFO"
-    char part[2 * WHIRL_NAME_SIZE]; ///< whose it is: "ball_bearing at rear"
-    size_t probe;                   ///< where that is
+    char part[2 * WHIRL_NAME_SIZE]; ///< the part that it belongs to: "ball_bearing at rear"
+    size_t probe;                   ///< probe of that part
 } whirl_named_order;
 
-/// What a motion, or a place of rest, came to.
+/// Extremes of a motion or of an equilibrium.
 typedef struct whirl_extremes {
-    const double *low, *high; ///< [dimension] of coordinates at any instant
+    const double *low, *high; ///< [dimension] bounds of coordinates over all instants
     const double *max_radius; ///< [probe_count] largest distances from the centre
 } whirl_extremes;
 
-/// A quantity of a part, and how far the part's law is for: beyond it the motion is not that of such a part.
+/// Range of validity of a part's law in one quantity: beyond it the computed motion is not that of the part.
 typedef struct whirl_law_range {
     char part[2 * WHIRL_NAME_SIZE]; ///< "film at journal"
     const char *quantity, *unit;    ///< "eccentricity ratio", "1"
-    const char *limit;              ///< what ends there: "that its coefficients are known for"
-    double most;                    ///< the law is for up to that
-    double reached;                 ///< the most that it came to; NaN where the extremes do not tell
-    size_t probe;                   ///< where the part is
+    const char *limit;              ///< meaning of the limit: "that its coefficients are known for"
+    double most;                    ///< upper end of the range
+    double reached;                 ///< the largest value reached; NaN if the extremes do not determine it
+    size_t probe;                   ///< probe of the part
 } whirl_law_range;
 
-/// What the film of a bearing or seal leaves to its journal, in the state's units of length.
+/// Film thickness of a bearing or seal with the journal at rest, in the state's units of length.
 typedef struct whirl_film_gap {
-    double least;                 ///< radial thickness where it is thinnest; pads without a film do not count
-    double wall;                  ///< how far from the centre the journal touches in the direction in which it lies
-    size_t pads;                  ///< of pads that tilt how many there are, else 0
-    bool held[WHIRL_MAX_TILTING]; ///< [pads] a film holds it
+    double least; ///< smallest radial thickness; pads without a film do not count
+    double wall;  ///< distance from the centre at which the journal touches in the direction of its eccentricity
+    size_t pads;  ///< number of tilting pads, else 0
+    bool held[WHIRL_MAX_TILTING]; ///< [pads] true if a film carries the pad
 } whirl_film_gap;
 
-/// Whether a coordinate has a balance of its own (whirl_system.settle).
+/// Kinds of coordinates in whirl_system.settle.
 typedef enum whirl_settled {
-    WHIRL_NOT_SETTLED, ///< it has none
-    WHIRL_SETTLED,     ///< it is where forces on it balance
+    WHIRL_NOT_SETTLED, ///< the coordinate has no balance of its own
+    WHIRL_SETTLED,     ///< the forces on it balance
     WHIRL_IDLE         ///< no force acts on it, and it acts on nothing: a pad without a film
 } whirl_settled;
 
-/// The form of a system that runs in vector lanes; private to the library.
+/// A system's data for vector lanes; private to the library.
 typedef struct whirl_lanes whirl_lanes;
 
 /// A system: all that integrators and analyses know of a machine.
 typedef struct whirl_system {
     size_t dimension; ///< length of x
-    double period;    ///< of the forcing, and from one Poincare section to the next, in units of t ("one revolution")
+    double period;    ///< period of the forcing, and of Poincare sections, in units of t ("one revolution")
 
-    /// Optional: the values that depend on time alone (cos t, sin t, ...), so that an integrator may tabulate them.
-    /// Writes `forcing_count` numbers. NULL when forcing_count is 0.
+    /// Number of values that depend on time alone (cos t, sin t, ...), so that an integrator may tabulate them. 0:
+    /// none.
     size_t forcing_count;
-    /// Writes these values at t.
+    /// Writes these values at t to forcing [forcing_count]; NULL if there are none.
     void (*forcing)(const void *model, double t, double *forcing);
 
-    /// The right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
+    /// Computes the right-hand side. t runs from 0 to period in every revolution; `forcing` holds the values at t.
     void (*rhs)(const void *model, double t, const double *forcing, const double *x, double *dxdt);
 
-    /// Optional: [dimension] the period of coordinates that are angles which turn on and on at a rate that nothing in
-    /// the state changes (the phase of a cage, of a second shaft; not the angle of a pendulum), 0 of all others;
-    /// borrowed. They are brought back between 0 and their period at the end of every revolution, and analyses do not
-    /// look at them: a motion whose other coordinates return is periodic, and exponents leave them out.
+    /// Optional: [dimension] the period of angles that turn for ever at a rate that no state changes (the phase of a
+    /// cage or of a second shaft; not the angle of a pendulum), 0 for all other coordinates; borrowed. They are brought
+    /// back between 0 and their period at the end of every revolution. Analyses skip them: a motion is periodic if its
+    /// other coordinates return, and exponents leave them out.
     const double *turns;
 
-    /// With turning coordinates: revolutions after which all of them have come back, so that what they force may
-    /// return; 0: there is no such number, and what they force never does.
+    /// With such angles: revolutions after which all of them return, so that forces with these phases may return; 0:
+    /// never.
     size_t repeats;
 
-    /// The right-hand side has kinks that no switch tells of (Hertz contacts): adaptive steps of two motions side by
-    /// side err differently there, so that perturbations are followed by the Jacobian, and such motions go alone.
+    /// True if the right-hand side has kinks without a switching function (Hertz contacts). Adaptive steps of two
+    /// neighbouring motions then have different errors, so that perturbations are followed by the Jacobian, and motions
+    /// do not run in lanes.
     bool kinked;
 
-    /// Optional: switching functions, smooth in (t, x), whose zeros are where rhs is not smooth (contact,
-    /// release, slip reversal). Writes `switch_count` values. Integrators with root finding stop there.
+    /// Optional: number of switching functions, smooth in (t, x), whose zeros are the points where rhs is not smooth
+    /// (contact, release, slip reversal). Integrators with root finding stop there.
     size_t switch_count;
-    /// Writes these values.
+    /// Writes the values of the switching functions [switch_count].
     void (*switches)(const void *model, double t, const double *x, double *values);
 
-    /// Optional: the right-hand side with its laws held on given sides of the switches: sides [switch_count], each -1
-    /// or +1, the sign of the switching function that is assumed, whatever x says; smooth in (t, x), continued beyond
-    /// the switch.
+    /// Optional: computes the right-hand side with its laws kept on given sides of the switches: sides [switch_count],
+    /// each -1 or +1, replaces the sign of the switching function. Smooth in (t, x), continued beyond the switch.
     void (*rhs_on_sides)(const void *model, double t, const double *forcing, const double *x, const double *sides,
                          double *dxdt);
 
-    /// Optional: the derivative J = df/dx of the right-hand side applied to `count` perturbations: dx and ddxdt are
-    /// [count][dimension]. With sides NULL x decides on which side of the switches the laws are.
+    /// Optional: applies the derivative J = df/dx of the right-hand side to `count` perturbations: dx and ddxdt are
+    /// [count][dimension]. With sides NULL, x selects the sides of the switches.
     void (*tangent)(const void *model, double t, const double *forcing, const double *x, const double *sides,
                     size_t count, const double *dx, double *ddxdt);
 
-    /// Optional: the trace of J. Its mean along a motion is the sum of all Lyapunov exponents where f is continuous.
+    /// Optional: returns the trace of J. Its mean along a motion is the sum of all Lyapunov exponents if f is
+    /// continuous.
     double (*divergence)(const void *model, double t, const double *forcing, const double *x, const double *sides);
 
-    /// Optional: the derivative of switch `index` by x, gradient [dimension], and by t.
+    /// Optional: computes the derivatives of switch `index` by x, gradient [dimension], and by t.
     void (*switch_gradient)(const void *model, double t, const double *x, size_t index, double *gradient,
                             double *by_time);
 
-    /// Optional: the second derivative by x of switch `index` applied to u: out [dimension].
+    /// Optional: applies the second derivative by x of switch `index` to u: out [dimension].
     void (*switch_curvature)(const void *model, double t, const double *x, size_t index, const double *u, double *out);
 
-    /// Optional: whether a contact begins where switch `index` becomes positive, or a motion only goes over to another
-    /// law there (a slip that reverses, a damped contact that lets go). NULL: contacts begin at all of them.
+    /// Optional: returns true if a contact begins when switch `index` becomes positive; false if only the law changes
+    /// (a slip reverses, a damped contact releases). NULL: contacts begin at all switches.
     bool (*switch_touches)(const void *model, size_t index);
 
-    /// Optional: unilateral contacts. Writes for each of `contact_count` the normal force, 0 while open,
-    /// in the model's unit of force; rotors give newtons.
+    /// Optional: number of unilateral contacts.
     size_t contact_count;
-    /// Writes these forces [contact_count].
+    /// Writes the normal force of each contact [contact_count], 0 while open, in the model's unit of force; rotors use
+    /// newtons.
     void (*contacts)(const void *model, const double *x, double *normal_force);
 
-    /// Optional: what the friction of contacts does, [contact_count][2]: the torque on the shaft against its rotation,
-    /// N m, and the power that it takes, W; not a number of those whose radius is not known.
+    /// Optional: writes for each contact [contact_count][2] the torque of its friction on the shaft against its
+    /// rotation, N m, and the power that it dissipates, W; NaN for a contact of unknown radius.
     void (*friction)(const void *model, const double *x, double *friction);
 
-    /// Of a machine with coefficients that depend on the frequency of whirl: rad/s, rising, at which these are known.
-    /// It is the machine at one frequency, whose linear analyses alone mean anything. 0: there are none.
+    /// Number of frequencies of a machine whose coefficients depend on the frequency of whirl. The system is then the
+    /// machine at one frequency, valid for linear analyses only. 0: no such coefficients.
     size_t frequency_count;
-    const double *frequencies; ///< [frequency_count]; borrowed
+    const double *frequencies; ///< [frequency_count] at which the coefficients are known, rad/s, rising; borrowed
 
-    size_t probe_count;        ///< of probes
+    size_t probe_count;        ///< number of probes
     const whirl_probe *probes; ///< borrowed; lives as long as the system
 
-    const void *model; ///< handed to every function; borrowed
+    const void *model; ///< passed to every function; borrowed
 
     const whirl_lanes *lanes; ///< NULL for systems that are not rotors; borrowed
 
-    /// Optional: [dimension] the period of coordinates that are angles which the state drives (that of a pendulum), 0
-    /// of all others; borrowed. Slopes have that period in them. They are brought to within half a period of 0 at the
-    /// end of every revolution, and states that differ by whole periods are the same: a pendulum that goes round and
-    /// round moves periodically. Of a coordinate that `turns` it is 0.
+    /// Optional: [dimension] the period of angles that the state drives (a pendulum), 0 for all other coordinates;
+    /// borrowed. Slopes have that period in them. The angles are brought to within half a period of 0 at the end of
+    /// every revolution, and states that differ by whole periods are equal: a pendulum that goes over the top in every
+    /// revolution moves periodically. 0 for coordinates with a period in `turns`.
     const double *angles;
 
-    /// Optional: order number `index`, from 0 on, that the machine names; false beyond the last.
+    /// Optional: writes named order number `index`, from 0; false past the last.
     bool (*named_order)(const void *model, size_t index, whirl_named_order *out);
 
-    /// Optional: loops of control, as magnetic bearings have them.
+    /// Optional: number of control loops, as of magnetic bearings.
     size_t loop_count;
-    /// Of loop `index` at x: what a signal that is added to its sensor's adds to the slope, by that signal, input
-    /// [dimension], and the sensor's own signal by the state, sensed [dimension].
+    /// Linearizes loop `index` at x: input [dimension], the change of the slopes per signal added to its sensor's, and
+    /// sensed [dimension], the gradient of the sensor's signal by the state.
     void (*loop)(const void *model, const double *x, size_t index, double *input, double *sensed);
 
-    /// Optional: range number `index` of a law of the machine, from 0 on, as many for all machines of a structure;
-    /// false beyond the last. `seen` NULL: nothing is reached.
+    /// Optional: writes range number `index` of the machine's laws, from 0; the number of ranges is the same for all
+    /// machines of a structure. False past the last. `seen` NULL: `reached` is NaN.
     bool (*range)(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out);
 
-    /// Optional: sets coordinates that have a balance of their own (the tilts of pads) to it, those that they depend on
-    /// held as they are in x [dimension], and says of all in kinds [dimension] which these are. Of several balances it
-    /// takes that to which they go from where they are in x, or where x has NaN, one that is not idle. False where
-    /// there is no such balance. Searches for equilibria then go through the other coordinates alone.
+    /// Optional: sets coordinates with a balance of their own (tilts of pads) to it, with the coordinates that they
+    /// depend on as in x [dimension], and writes the kind of each coordinate to kinds [dimension]. Of several balances
+    /// it takes the one to which the coordinates move from x; for NaN in x, one that is not idle. False if there is no
+    /// such balance. Searches for equilibria then vary only the other coordinates.
     bool (*settle)(const void *model, double *x, whirl_settled *kinds);
 
-    /// Optional: the film at a probe that has a clearance, with the machine at rest at x: of several the thinnest.
-    /// False where there is none.
+    /// Optional: describes the film at a probe with a clearance, with the machine at rest at x; the thinnest of several
+    /// films. False if there is none.
     bool (*film)(const void *model, const double *x, size_t probe, whirl_film_gap *out);
 
-    /// Optional: sets coordinates of parts' own (tilts of pads, currents) to what they are in another system that has
-    /// these parts, at y.
+    /// Optional: copies internal coordinates of parts (tilts of pads, currents) from the state y of another system with
+    /// the same parts.
     void (*adopt)(const void *model, double *x, const struct whirl_system *other, const double *y);
 } whirl_system;
 
 /// An unbalance that turns with the rotor.
 typedef struct whirl_placed {
     size_t station;       ///< index of its probe
-    double moment, angle; ///< kg m; rad from the x axis towards y at the mark
+    double moment, angle; ///< kg m; rad from the x axis towards y, with the mark on the x axis
 } whirl_placed;
 
-/// What the weight of a shaft of finite elements does at a station, upwards where it has a sense. NaN where a station
-/// lies on no shaft, and loads and elevations of stations without a bearing.
+/// Effects of the weight of a finite-element shaft at a station, positive upwards. NaN at stations that are on no
+/// shaft; load and elevation are NaN at stations without a bearing.
 typedef struct whirl_station_statics {
-    double deflection; ///< of the shaft, m, from the straight line that bearings without elevations lie on
+    double deflection; ///< m, of the shaft from the straight line through bearings without elevations
     double slope;      ///< rad, > 0 where it rises along the shaft
     double moment;     ///< N m, bending moment, > 0 where the shaft sags
-    double shear[2];   ///< N, all forces on the shaft to the left of it, this end and the other end of its own
-    double load;       ///< N, of the bearings here, that carry the shaft
-    double carried;   ///< kg, that load over the acceleration of gravity; where the machine has none across its shafts,
-                      ///< what the bearings would carry, did the shaft lie
-    double bearings;  ///< how many there are here
-    double mass[2];   ///< kg of the shaft and what it carries to the left and to the right, without its own
-    double elevation; ///< m, of the bearings here, with which couplings carry neither moment nor shear; 0 without them
-    double axial[2];  ///< N, in the shaft to the left and to the right, > 0 where it is pulled; 0 beyond its ends
-    double thrust;    ///< N, of what holds a shaft that stands here along its axis; NaN where nothing does
-    double thrust_mass; ///< kg, of that shaft with all that is on it
+    double shear[2];   ///< N, just left and just right of the station: sum of all forces on the shaft to the left
+    double load;       ///< N, of the shaft on the bearings here
+    /// kg, that load over the acceleration of gravity across the shafts; if there is none, the load of the same shaft
+    /// lying
+    double carried;
+    double bearings;    ///< number of bearings here
+    double mass[2];     ///< kg of the shaft and its masses to the left and to the right, without the station's own
+    double elevation;   ///< m, of the bearings here, for couplings without moment and shear; 0 if none are named
+    double axial[2];    ///< N, in the shaft to the left and to the right, > 0 in tension; 0 beyond its ends
+    double thrust;      ///< N, of the axial support of a standing shaft, if it is here; else NaN
+    double thrust_mass; ///< kg, of that shaft with everything on it
 } whirl_station_statics;
 
-/// One of a family of machines, with the state it starts from. `release(owner)` frees all of it.
+/// One machine of a family, with its initial state. `release(owner)` frees all of it.
 typedef struct whirl_machine {
-    const whirl_system *system;   ///< how it moves
+    const whirl_system *system;   ///< equations of motion
     const double *start;          ///< [system->dimension]
-    void *owner;                  ///< of the system and the start
+    void *owner;                  ///< owner of the system and the start
     void (*release)(void *owner); ///< frees them; may be NULL
-    double clock, speed;   ///< rad/s: of the system's time (whirl_rotor_clock), and of the shaft; for machines at rest
+    /// rad/s: rate of the system's time (whirl_rotor_clock), and speed of the shaft; for machines at rest
+    double clock, speed;
     double length;         ///< m of one unit of displacement
-    double cross_coupling; ///< N/m, the sum of those of all stages
-    /// [probe_count] where they were asked for (WHIRL_WITH_STATICS), else NULL; with them
+    double cross_coupling; ///< N/m, sum over all stages
+    /// [probe_count] if requested (WHIRL_WITH_STATICS), else NULL; then also `influence`.
     const whirl_station_statics *statics;
-    /// [probe_count][probe_count] N/m, the load of the bearings at the first by raising those at the second; 0: none.
+    /// [probe_count][probe_count] N/m, change of the load of bearings at the first station by raising those at the
+    /// second; 0: no bearings there.
     const double *influence;
 } whirl_machine;
 

@@ -1,25 +1,25 @@
-/// What is watched of a motion at every instant that is seen: each quantity stands once, in these lists. Lanes,
-/// records, the fields of the analyses `orbit` and `rub` and all that walks these (results, CSV, JSON, reports, the
-/// explorer) follow from them; src/integrate/kernels/watched_kernel.h has the values of an instant.
+/// Quantities observed at every instant of a motion: each is one line of these lists. Lanes, records, the fields of the
+/// analyses `orbit` and `rub` and everything that walks fields (results, CSV, JSON, reports, the explorer) follow from
+/// them. src/integrate/kernels/watched_kernel.h computes the values of an instant.
 #ifndef WHIRL_WATCHED_H
 #define WHIRL_WATCHED_H
 
 #include "whirl/engine/fields.h"
 
-/// What there is one of.
+/// Extent of a quantity: one value for each of these.
 typedef enum whirl_extent { WHIRL_PER_POINT = 0, WHIRL_PER_STATION, WHIRL_PER_CONTACT } whirl_extent;
 
-/// What is made of the values of all instants.
+/// Operations over the values of all instants.
 typedef enum whirl_fold {
-    WHIRL_LARGEST = 0, ///< the largest of them
-    WHIRL_SMALLEST,    ///< the smallest
-    WHIRL_MEAN,        ///< until a record is closed their sum
-    WHIRL_SUM          ///< their sum
+    WHIRL_LARGEST = 0, ///< the largest value
+    WHIRL_SMALLEST,    ///< the smallest value
+    WHIRL_MEAN,        ///< the mean; until a record is closed, the sum
+    WHIRL_SUM          ///< the sum
 } whirl_fold;
 
 /// X(array, extent, columns, fold, square, name, unit, meaning): an array [stations or contacts][columns] and its
-/// field, with name, unit and meaning as whirl_field has them; square: instants give squares, whose root is taken
-/// in the end, so that a mean is a root mean square.
+/// field, with name, unit and meaning as in whirl_field. square: instants give squares, and the root is taken at the
+/// end, so that a mean is a root mean square.
 #define WHIRL_WATCHED_OF_STATIONS(X)                                                                                   \
     X(max_radius, WHIRL_PER_STATION, 1, WHIRL_LARGEST, true, WHIRL_FIELD_ORBIT_MAX_RADIUS, "length",                   \
       "largest distance from the centre (0-p)")                                                                        \
@@ -28,7 +28,7 @@ typedef enum whirl_fold {
     X(mean, WHIRL_PER_STATION, 2, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_MEAN, "length", "x, y (from the centre)")       \
     X(backward, WHIRL_PER_STATION, 1, WHIRL_MEAN, false, WHIRL_FIELD_ORBIT_BACKWARD, "1",                              \
       "share of the time of whirl against the rotation (about x = y = 0, not about the middle; missing at rest)")
-/// The same of contacts.
+/// Quantities of contacts, in the same form.
 #define WHIRL_WATCHED_OF_CONTACTS(X)                                                                                   \
     X(contact_share, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_SHARE, "1",                              \
       "share of the time in contact")                                                                                  \
@@ -41,15 +41,15 @@ typedef enum whirl_fold {
       "largest torque of the friction (at any instant)")                                                               \
     X(contact_power, WHIRL_PER_CONTACT, 1, WHIRL_MEAN, false, WHIRL_FIELD_RUB_POWER, "W",                              \
       "mean power that the friction takes")
-/// All of both.
+/// All quantities.
 #define WHIRL_WATCHED(X) WHIRL_WATCHED_OF_STATIONS(X) WHIRL_WATCHED_OF_CONTACTS(X)
 
-/// Their arrays as members of a struct.
+/// The array of a quantity, as a member of a struct.
 #define WHIRL_WATCHED_ARRAY(array, ...) double *array;
-/// All of these members.
+/// The arrays of all quantities.
 #define WHIRL_WATCHED_ARRAYS WHIRL_WATCHED(WHIRL_WATCHED_ARRAY)
 
-/// Numbers of one of them.
+/// Number of values of a quantity.
 #define WHIRL_WATCHED_SIZE(extent, columns, stations, contacts)                                                        \
     ((columns) * ((extent) == WHIRL_PER_STATION ? (stations) : (contacts)))
 
