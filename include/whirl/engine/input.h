@@ -1,4 +1,4 @@
-/// What a file is, by its first bytes.
+/// Input files: their first bytes, from which programs tell their kind.
 #ifndef WHIRL_INPUT_H
 #define WHIRL_INPUT_H
 
@@ -8,8 +8,8 @@
 extern "C" {
 #endif
 
-/// Reads the first bytes of a plain file, at most size - 1, with a zero byte behind them; gives how many. 0 where there
-/// is none or something else (a folder, a pipe, a device), on which it does not wait.
+/// Reads the first bytes of a regular file, at most size - 1, adds a terminating zero, and returns their number. 0 if
+/// there is no file, or something else (a folder, a pipe, a device), without waiting for it.
 size_t whirl_input_head(const char *path, char *head, size_t size);
 
 #ifdef __cplusplus

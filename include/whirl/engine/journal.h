@@ -1,8 +1,8 @@
-/// Journals: finished points on disk while a run goes on, so that a run that was killed can go on from them.
+/// Journals: finished points on disk during a run, so that a later run can continue after a kill.
 ///
-/// A journal is one file: a header with the case and all that the numbers depend on, then one record a point, each with
-/// a checksum, written as soon as the point is finished and synced every few seconds. Whatever happens to the process,
-/// the points written remain; whatever happens to the file, no wrong number is taken from it. See docs/journal.md.
+/// A journal is one file: a header with the case and all other inputs of the numbers, then one record per point with a
+/// checksum, written as soon as the point is finished and synced every few seconds. Written points survive any end of
+/// the process; damage to the file never yields a wrong number. See docs/journal.md.
 ///
 ///     whirl_case_outline(object, &outline);
 ///     whirl_journal_begin("paper.h5.journal", outline, &journal);     or whirl_journal_resume
@@ -11,7 +11,7 @@
 ///     whirl_result_write(result, "paper.h5");  whirl_result_verify(result, "paper.h5");
 ///     whirl_journal_remove(journal);                                  or whirl_journal_close
 ///
-/// The outline of a study that no case describes has to say what tells its machines from others: the fact "equations"
+/// The outline of a study without a case must have the fact "equations", which distinguishes its machines from others
 /// (whirl_result_add_fact).
 #ifndef WHIRL_JOURNAL_H
 #define WHIRL_JOURNAL_H
@@ -30,64 +30,64 @@ extern "C" {
 /// An open journal. No other run can open it meanwhile.
 typedef struct whirl_journal whirl_journal;
 
-/// Begins a journal of the study that `outline` describes (whirl_case_outline). WHIRL_BAD_INPUT when there is a file of
-/// that name; WHIRL_IO_ERROR when it cannot be made, or the disk has no room for all points.
+/// Begins a journal of the study of `outline` (whirl_case_outline). WHIRL_BAD_INPUT if a file of that name exists;
+/// WHIRL_IO_ERROR if it cannot be created, or the disk lacks space for all points.
 whirl_status whirl_journal_begin(const char *path, const whirl_result *outline, whirl_journal **journal);
 
-/// Opens the journal of a run that ended early. WHIRL_BAD_INPUT with a sentence when there is none, when it is in use,
-/// or when it is of another study: the sentence names the difference. A file that is damaged is mended: what is lost of
-/// it is computed again. To be closed in either way below.
+/// Opens the journal of a run that ended early. WHIRL_BAD_INPUT with a sentence if there is none, it is in use, or it
+/// belongs to another study: the sentence names the difference. A damaged file is repaired: lost points are computed
+/// again. Closed by whirl_journal_close or whirl_journal_remove.
 whirl_status whirl_journal_resume(const char *path, const whirl_result *outline, whirl_journal **journal);
 
-/// The points that a journal is for, of one of several runs that compute a study together (whirl_share_has).
+/// The points of a journal of one of several runs that compute a study together (whirl_share_has).
 typedef struct whirl_journal_part {
-    /// Whether it has a point, which a keeper knows by this batch and slot; NULL: it has all.
+    /// Returns true for a point of the journal, given by a keeper's batch and slot; NULL: all points.
     bool (*has)(const void *context, size_t batch, size_t slot);
-    const void *context; ///< must live as long as the journal
+    const void *context; ///< passed to `has`; must live as long as the journal
 } whirl_journal_part;
 
-/// The same for a part of the points: room on the disk is asked for these.
+/// Begins a journal for a part of the points, for which it checks the space on the disk.
 whirl_status whirl_journal_begin_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
                                       whirl_journal **journal);
 
-/// Opens a part that is there and goes on with it, as whirl_journal_resume.
+/// Opens the journal of such a part, as whirl_journal_resume.
 whirl_status whirl_journal_resume_part(const char *path, const whirl_result *outline, const whirl_journal_part *part,
                                        whirl_journal **journal);
 
-/// Copies from another journal of the same study, which another run may be writing, the points that this one is for and
-/// has not; what was found counts in whirl_journal_look. Errors as those of whirl_journal_resume.
+/// Copies points that this journal is for and lacks from another journal of the same study, which another run may be
+/// writing; whirl_journal_look counts them. Errors as those of whirl_journal_resume.
 whirl_status whirl_journal_take(whirl_journal *journal, const char *path);
 
-/// Whether a run is writing the journal of that name.
+/// Returns true if a run is writing the journal of that name.
 bool whirl_journal_in_use(const char *path);
 
-/// Removes a journal that another one has taken the points of. WHIRL_BAD_INPUT where a run is writing it.
+/// Removes a journal whose points another one has taken. WHIRL_BAD_INPUT if a run is writing it.
 whirl_status whirl_journal_discard(const char *path);
 
-/// What a journal held when it was resumed.
+/// Contents of a journal when it was opened.
 typedef struct whirl_journal_found {
-    size_t points;  ///< that need not be computed again
-    size_t damaged; ///< places where the file is not what was written
-    bool torn;      ///< the last record was cut off, as a kill leaves it
+    size_t points;  ///< points that need not be computed again
+    size_t damaged; ///< places at which the file differs from the data written
+    bool torn;      ///< the last record is incomplete, as after a kill
 } whirl_journal_found;
 
-/// What a journal held when it was resumed, and what was taken from others since.
+/// Returns the contents of a journal when it was opened, plus the points taken from others since.
 whirl_journal_found whirl_journal_look(const whirl_journal *journal);
 
-/// Whether a point is in the journal, which a keeper knows by this batch and slot.
+/// Returns true if a point, given by a keeper's batch and slot, is in the journal.
 bool whirl_journal_has(const whirl_journal *journal, size_t batch, size_t slot);
 
-/// Points that are in the journal now.
+/// Returns the number of points in the journal.
 size_t whirl_journal_points(const whirl_journal *journal);
 
-/// The keeper for whirl_run_options; lives as long as the journal. After an error (a full disk) the journal holds what
-/// was written before; the point that could not be written is tried again with the next one and when closing.
+/// Returns the keeper for whirl_run_options; it lives as long as the journal. After an error (a full disk) the journal
+/// contains everything written before; the failed point is written again with the next one and on closing.
 const whirl_keeper *whirl_journal_keeper(whirl_journal *journal);
 
-/// Syncs and closes the journal; the file stays. WHIRL_IO_ERROR when points could not be written.
+/// Syncs and closes the journal; the file stays. WHIRL_IO_ERROR if points could not be written.
 whirl_status whirl_journal_close(whirl_journal *journal);
 
-/// Closes and removes the journal: when the result is safe.
+/// Closes and deletes the journal. Call it when the result is safe.
 whirl_status whirl_journal_remove(whirl_journal *journal);
 
 #ifdef __cplusplus

@@ -1,5 +1,4 @@
-/// What a machine is made of: sections of its shafts, masses of its stations and what acts on these, as reports list
-/// and drawings show them.
+/// Models: sections of shafts, masses of stations and elements, as reports list and drawings show them.
 #ifndef WHIRL_MODEL_H
 #define WHIRL_MODEL_H
 
@@ -13,67 +12,67 @@
 extern "C" {
 #endif
 
-/// A stretch of a shaft with one section, or one tapered finite element. SI.
+/// A stretch of a shaft with constant section, or one tapered finite element. SI.
 typedef struct whirl_model_section {
-    size_t shaft;              ///< among the design's
+    size_t shaft;              ///< index in the design
     double from, to;           ///< along the shaft, m
     double outer[2], inner[2]; ///< diameters at its ends, m
     double mass;               ///< kg
 } whirl_model_section;
 
-/// What stands at a station besides its part of a shaft, with discs. SI.
+/// Masses at a station besides its part of a shaft, discs included. SI.
 typedef struct whirl_model_mass {
     double mass, polar, diametral; ///< kg, kg m2
-    size_t shaft;                  ///< among the design's; WHIRL_MODEL_NONE where the station lies on no shaft
+    size_t shaft;                  ///< index in the design; WHIRL_MODEL_NONE for a station on no shaft
     double position;               ///< along that shaft, m
-    bool unbalanced;               ///< it has an eccentricity, or an element has an unbalance there
+    bool unbalanced;               ///< true if it has an eccentricity, or an element with an unbalance
 } whirl_model_mass;
 
 /// No station (the ground), or no shaft.
 #define WHIRL_MODEL_NONE ((size_t)-1)
 
-/// What an element is to a machine.
+/// Roles of elements in a machine.
 typedef enum whirl_model_role {
     WHIRL_ROLE_BEARING, ///< it carries the rotor
-    WHIRL_ROLE_DRAG,    ///< a seal, an impeller or a stage
+    WHIRL_ROLE_DRAG,    ///< it is a seal, an impeller or a stage
     WHIRL_ROLE_STATOR,  ///< the rotor may touch it
-    WHIRL_ROLE_SUPPORT, ///< it holds a station from the ground, as springs and mounts do
-    WHIRL_ROLE_LINK,    ///< it joins two stations, as couplings and lumped shafts do
-    WHIRL_ROLE_OTHER    ///< a mass, a load, or the runout of a probe's track
+    WHIRL_ROLE_SUPPORT, ///< it connects a station to the ground, like springs and mounts
+    WHIRL_ROLE_LINK,    ///< it connects two stations, like couplings and lumped shafts
+    WHIRL_ROLE_OTHER    ///< it is a mass, a load, or the runout of a probe's track
 } whirl_model_role;
 
 /// An element with its stations.
 typedef struct whirl_model_element {
-    const char *kind;      ///< "film"; static, or the added type's
-    whirl_model_role role; ///< what it is to the machine
-    size_t station[2];     ///< the second, or both, WHIRL_MODEL_NONE where that end stands on the ground
+    const char *kind;      ///< "film"; static, or of the custom type
+    whirl_model_role role; ///< role in the machine
+    size_t station[2];     ///< one or both WHIRL_MODEL_NONE for ends on the ground
 } whirl_model_element;
 
-/// A shaft with all that is on it.
+/// Mass of a shaft with everything on it.
 typedef struct whirl_model_total {
-    double mass, centre; ///< kg; of mass, along the shaft, m
+    double mass, centre; ///< kg; centre of mass along the shaft, m
 } whirl_model_total;
 
-/// All of a design.
+/// The model of a design.
 typedef struct whirl_model {
-    size_t section_count, station_count, shaft_count, element_count; ///< of the arrays
-    whirl_model_section *sections;                                   ///< [section_count] shaft by shaft, along them
-    whirl_model_mass *stations;                                      ///< [station_count]
-    whirl_model_total *shafts;                                       ///< [shaft_count]
-    whirl_model_element *elements; ///< [element_count] but segments, in the order of the design
+    size_t section_count, station_count, shaft_count, element_count; ///< lengths of the following arrays
+    whirl_model_section *sections; ///< [section_count] shaft by shaft, in order along each
+    whirl_model_mass *stations;    ///< [station_count]
+    whirl_model_total *shafts;     ///< [shaft_count]
+    whirl_model_element *elements; ///< [element_count] without segments, in the order of the design
     bool stands;                   ///< weight acts along the shafts
-    bool rises;                    ///< places along shafts that stand are counted upwards
+    bool rises;                    ///< positions along standing shafts are counted upwards
 } whirl_model;
 
-/// Finds it. Errors as whirl_rotor_new. Freed by whirl_model_free.
+/// Builds the model of a design. Errors as whirl_rotor_new. Freed by whirl_model_free.
 whirl_status whirl_design_model(const whirl_design *design, whirl_model *out);
 
 struct whirl_case;
 
-/// Of a case with its parameters as they are.
+/// Builds the model of a case at its own parameters.
 whirl_status whirl_case_model(const struct whirl_case *object, whirl_model *out);
 
-/// Frees what it has, not the struct; {0} is none.
+/// Frees the contents, not the struct; accepts {0}.
 void whirl_model_free(whirl_model *model);
 
 #ifdef __cplusplus

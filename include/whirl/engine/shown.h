@@ -1,5 +1,5 @@
-/// In which units figures, pages and files for people show the numbers of a result: as asked for, else as the case has
-/// them, else those of the result.
+/// Shown units: the units in which figures, pages and files for people show the numbers of a result. They are those
+/// asked for, else those of the case, else those of the result.
 #ifndef WHIRL_SHOWN_H
 #define WHIRL_SHOWN_H
 
@@ -12,17 +12,17 @@
 extern "C" {
 #endif
 
-/// What a number of a document is; the unit it has in SI, and the one it is shown in where nobody chooses another.
+/// Quantities in documents, with their unit in SI; after the semicolon the unit shown by default.
 typedef enum whirl_quantity {
     WHIRL_QUANTITY_NUMBER,      ///< without a unit
     WHIRL_QUANTITY_PERCENT,     ///< in %
     WHIRL_QUANTITY_DEGREES,     ///< angles, in degrees
     WHIRL_QUANTITY_SPEED,       ///< rad/s of a shaft; rpm
     WHIRL_QUANTITY_FREQUENCY,   ///< rad/s of a motion; Hz
-    WHIRL_QUANTITY_ANGULAR,     ///< rad/s, shown so
+    WHIRL_QUANTITY_ANGULAR,     ///< rad/s; rad/s
     WHIRL_QUANTITY_RATE,        ///< 1/s
-    WHIRL_QUANTITY_LENGTH,      ///< m of displacements; as the case writes lengths
-    WHIRL_QUANTITY_SIZE,        ///< m, zero to peak, of motions; as lengths, and counted as is chosen (0-p)
+    WHIRL_QUANTITY_LENGTH,      ///< m of displacements; unit of lengths in the case
+    WHIRL_QUANTITY_SIZE,        ///< m of motions, zero to peak; unit as lengths, counted as chosen (0-p)
     WHIRL_QUANTITY_SPAN,        ///< m, peak to peak; um
     WHIRL_QUANTITY_POSITION,    ///< m along a shaft
     WHIRL_QUANTITY_DIAMETER,    ///< m; mm
@@ -41,51 +41,51 @@ typedef enum whirl_quantity {
     WHIRL_QUANTITY_POWER,       ///< W; kW
     WHIRL_QUANTITY_TEMPERATURE, ///< K; degC
     WHIRL_QUANTITY_VISCOSITY,   ///< Pa s; mPa s
-    WHIRL_QUANTITY_WEIGHT,      ///< kg of the weights that balance a rotor; g
-    WHIRL_QUANTITY_RESIDUAL,    ///< kg m of these; g mm
+    WHIRL_QUANTITY_WEIGHT,      ///< kg of balancing weights; g
+    WHIRL_QUANTITY_RESIDUAL,    ///< kg m of residual unbalance; g mm
     WHIRL_QUANTITIES
 } whirl_quantity;
 
-/// The units, and what quantities are multiplied by; made by whirl_result_shown_units.
+/// Shown units with the factors of quantities; filled by whirl_result_shown_units.
 typedef struct whirl_shown_units {
-    const whirl_result *result; ///< whose numbers are shown; borrowed
-    whirl_unit speed;           ///< of parameters in rad/s; of size 0: as the case writes each
-    whirl_unit size;            ///< of parameters in m; likewise
-    /// Displacements: `length` times what the result holds in the case's own length scale; see whirl_shown_length.
+    const whirl_result *result; ///< result whose numbers are shown; borrowed
+    whirl_unit speed;           ///< unit of parameters in rad/s; size 0: as in the case
+    whirl_unit size;            ///< unit of parameters in m; likewise
+    /// Displacements: factor for numbers in the result's own length scale; see whirl_shown_length.
     double length;
-    char length_name[2 * WHIRL_NAME_SIZE]; ///< "um" shown, or the symbol of the scale that they are given over
-    bool ratio;                            ///< they are given over a scale: "x / c", not "x (mm)"
-    double amplitude;                      ///< times what the result holds, zero to peak; `length` not included
-    const char *amplitude_name;            ///< "p-p"; "0-p" where nobody asked; static
-    double frequency;                      ///< size of the unit of frequencies in Hz; 0: orders of the running speed
+    char length_name[2 * WHIRL_NAME_SIZE]; ///< "um", or the symbol of the scale by which lengths are divided
+    bool ratio;                            ///< lengths are divided by a scale: "x / c", not "x (mm)"
+    double amplitude;                      ///< further factor of amplitudes, which results hold zero to peak
+    const char *amplitude_name;            ///< "p-p"; "0-p" by default; static
+    double frequency;                      ///< unit of frequencies in Hz; 0: orders of the running speed
     const char *frequency_name;            ///< static
-    whirl_unit of[WHIRL_QUANTITIES];       ///< in which documents show each quantity: number = SI over its size
-    bool chosen[WHIRL_QUANTITIES];         ///< somebody has chosen that unit
-    double zero; ///< taken off temperatures in their unit: 273.15 of degC, 459.67 of degF, 0 of K
+    whirl_unit of[WHIRL_QUANTITIES];       ///< unit in which documents show each quantity: number = SI over its size
+    bool chosen[WHIRL_QUANTITIES];         ///< true if that unit was chosen
+    double zero; ///< offset of temperatures in their unit: 273.15 for degC, 459.67 for degF, 0 for K
 } whirl_shown_units;
 
-/// What `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none) says; where it says
-/// nothing, and names no system, what the result's fact "units" says; else lengths over their scale where that is a
-/// named parameter, in m, mm or um where it is not, parameters as the case writes them, orders, zero to peak.
-/// WHIRL_BAD_INPUT for words that are no units. `*units` borrows the result.
+/// Determines shown units from `asked` ("um, rpm, Hz, p-p", "US"; words as in a case's `units`, NULL or "" for none).
+/// What it leaves open, unless it names a system, comes from the result's fact "units". Else: lengths over their scale
+/// if that is a named parameter, otherwise in m, mm or um; parameters as in the case; orders; zero to peak.
+/// WHIRL_BAD_INPUT for words that are not units. `*units` borrows the result.
 whirl_status whirl_result_shown_units(const whirl_result *result, const char *asked, whirl_shown_units *units);
 
-/// What lengths of a point of the table are multiplied by to be shown.
+/// Returns the factor from lengths of a point of the table to shown ones.
 double whirl_shown_length(const whirl_shown_units *units, const whirl_table *table, size_t point);
 
-/// How numbers that are counted so are called: "p-p", "0-p", "" of places; static, or of the units.
+/// Returns the name of a way of counting: "p-p", "0-p", "" for positions; static, or of the units.
 const char *whirl_shown_counted(const whirl_shown_units *units, whirl_counting counting);
 
-/// Whether one factor shows all lengths of the table (NULL: those of the case as it stands), the stations' clearances
-/// and gaps included.
+/// Returns true if one factor applies to all lengths of the table (NULL: of the case at its own parameters), with
+/// clearances and gaps of stations.
 bool whirl_shown_one_length(const whirl_shown_units *units, const whirl_table *table);
 
-/// The units of a document that is of no result, such as a bearing's: lengths in um where nobody chooses. `*units`
-/// borrows nothing. WHIRL_BAD_INPUT for words that are no units.
+/// Determines the units of a document without a result, such as a bearing's: lengths in um by default. `*units` borrows
+/// nothing. WHIRL_BAD_INPUT for words that are not units.
 whirl_status whirl_shown_units_alone(const char *asked, whirl_shown_units *units);
 
-/// The unit of a parameter: shown number = value in SI over its size. What is chosen for quantities of its SI unit goes
-/// before how the case writes it; temperatures are in K.
+/// Returns the unit of a parameter: shown number = value in SI over its size. A unit chosen for quantities of its SI
+/// unit takes precedence over that of the case; temperatures are in K.
 whirl_unit whirl_shown_parameter(const whirl_shown_units *units, const char *name);
 
 #ifdef __cplusplus
