@@ -18,7 +18,7 @@ extern "C" {
 typedef struct whirl_report_options {
     const whirl_claims *claims; ///< NULL: none
     const char *gnuplot;        ///< gnuplot's program; NULL: "gnuplot" on the PATH
-    /// Template of the explorer's page, which `make explorer` builds; NULL: no explorer.html is written.
+    /// Template of the explorer's page, built by `make explorer`; NULL: explorer.html is not written.
     const char *explorer;
     /// Units of figures and pages, "um, rpm, Hz, p-p" (docs/guide/04-studies.md), instead of those of the case; NULL:
     /// none. WHIRL_BAD_INPUT for a word that is not a unit.
