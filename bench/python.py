@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What the Python package costs beside the command, and how soon it is there.
+"""The cost of the Python package compared with the command, and the time of its import.
 
     bench/python.py BUILD [--rounds N]
 
@@ -88,8 +88,8 @@ def opening_times(rounds, command, folder, environment):
     (folder / "million.yaml").write_text(MILLION)
     file = folder / "million.h5"
     subprocess.run([command, "run", folder / "million.yaml", "-o", file, "--quiet"], check=True)
-    told = [subprocess.check_output(python(OPEN, file), env=environment, text=True).split() for _ in range(rounds)]
-    opened, read = (min(float(words[i]) for words in told) for i in (0, 1))
+    answers = [subprocess.check_output(python(OPEN, file), env=environment, text=True).split() for _ in range(rounds)]
+    opened, read = (min(float(words[i]) for words in answers) for i in (0, 1))
     size = file.stat().st_size / 1e9
     print(f"a million points ({size:.2f} GB): import and open {opened:.3f} s, a number of each read in {read:.3f} s")
 

@@ -6,7 +6,7 @@ table and the picture of docs/benchmarks.md.
     bench/run.py BUILD --adaptive | --overhung | --branches | --map | --elements
 
 Every round runs every program once, in turn, so that a noisy computer is noisy for all; the best round of each counts.
-Speeds are by the processor time of the program; of the whole diagram the clock is told, too. A program that is not
+Speeds are by the processor time of the program; of the whole diagram the clock is printed, too. A program that is not
 there is left out with a line that says so; one that ends in another state fails the run.
 """
 import argparse
@@ -156,7 +156,7 @@ def run_program(program, seconds, core):
 
 
 def measure_rounds(found, options):
-    """Best rate of every name, and what the programs said besides: all of them in turn, in several rounds."""
+    """Best rate of every name, and the proofs that the programs printed: all of them in turn, in several rounds."""
     best, ends, absent = {}, {}, set()
     for number in range(options.rounds):
         say(f"round {number + 1} of {options.rounds}, load {os.getloadavg()[0]:.2f}")
@@ -319,22 +319,22 @@ def key_ratios(best):
             ("straightforward C (the faster of both builds)", max(best.get(BASE, 0), best.get("C -O3", 0)) or None),
             ("the best loop that the compiler vectorised", vectorised),
             ("the Octave script", best.get("Octave script"))]
-    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: what is "
-             "gathered while a motion is recorded (bounds, contacts, 64 samples per revolution) costs "
-             f"{100 * (bare / watched - 1):.0f} percent while it is gathered. Times as fast as:", ""]
+    lines = [f"The {widest} kernel takes {short(bare)} steps a second bare and {short(watched)} watched: recording a motion "
+             f"(bounds, contacts, 64 samples per revolution) costs {100 * (bare / watched - 1):.0f} percent. Times as fast as:",
+             ""]
     lines += [f"- {name}: {short(bare / rate)} bare, {short(watched / rate)} watched" for name, rate in rows if rate]
     return lines
 
 
 TEXT = """# Benchmarks
 
-How fast whirl's kernels are, beside other programs that do the same: the rotor of the 2015 paper (printed signs, Sf =
-0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps per revolution. A *step* is one step of
-one machine. `make bench` measures it anew and writes this page.
+This page compares the speed of whirl's kernels with other programs for the same task: the rotor of the 2015 paper
+(printed signs, Sf = 0.0045, G = 0.115976), from rest at y = -0.1, double precision, RK4 in 1024 steps per revolution. A
+*step* is one step of one machine. `make bench` repeats the measurements and writes this page.
 
-All ran in one go on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts; by processor
-time. Every program proved first that it does the same: x1 after 20 revolutions at r_k = 0.6 agrees to 1e-6 with
-0.3457490150754.
+All programs ran in one session on one core, in {rounds} alternating rounds of {seconds:g} s, of which the best counts;
+by processor time. A check before the rounds proves that every program computes the same: x1 after 20 revolutions at r_k
+= 0.6 agrees to 1e-6 with 0.3457490150754.
 
 - Processor: {computer}
 - Compilers: {compilers}
@@ -362,7 +362,7 @@ time. Every program proved first that it does the same: x1 after 20 revolutions 
 ## More stations
 
 Chains of equal discs, a film at both ends, one rub in the middle; every shaft, disc and film from the list. In
-brackets: as a share of what two stations reach, 2 x steps/s.
+brackets: as a share of the rate with two stations, 2 x steps/s.
 
 {stations}
 """
@@ -371,8 +371,8 @@ STUDY = """
 ## The whole diagram
 
 `bench/t1.yaml`: 512 values of r_k, 1100 revolutions of transient and 100 recorded, from case file to result file; the
-best of {rounds} rounds. With exponents, a perturbation is followed over 650 of the 1200 revolutions in a lane of its
-own: 1.54 times the steps.
+best of {rounds} rounds. With exponents, a perturbation runs over 650 of the 1200 revolutions in a lane of its own: 1.54
+times the steps.
 
 {study}
 """
@@ -381,23 +381,23 @@ own: 1.54 times the steps.
 ADAPTIVE = """
 ## Adaptive, contacts located
 
-The same rotor at r_k = 0.6 by adaptive methods at rtol 1e-9 and atol 1e-12 (where the name does not say otherwise), in
-revolutions a second of one core; the error is the largest of all coordinates after 20 revolutions with six crossings of
-the gap, against a reference in extended precision. All in one run, in alternating rounds as above.
+The same rotor at r_k = 0.6 by adaptive methods at rtol 1e-9 and atol 1e-12 (unless the name says otherwise), in
+revolutions a second of one core. The error is the largest of all coordinates after 20 revolutions with six crossings of
+the gap, against a reference in extended precision. All ran in one session, in alternating rounds as above.
 
 {table}
 
 {sentences}
 
-heyoka 7 is not in Debian. On a Zen 5 core, where it was measured beside peers, it does {heyoka} revolutions a second in
-batches of 8 (AVX-512, events, error {heyoka_error:.1e}), GSL rk8pd {gsl}, and the loop that the compiler vectorised
-{there} steps of RK4 a second. GSL is scalar code, heyoka's batches are vectors of 512 bits: processors that differ in
-how many of these they begin in a cycle stand apart by one scale and not by the other, so both are given. The loop does
-{loop} steps a second here.
+heyoka 7 is not in Debian. It was measured together with two peers on a Zen 5 core: heyoka does {heyoka} revolutions a
+second in batches of 8 (AVX-512, events, error {heyoka_error:.1e}), GSL rk8pd {gsl}, and the loop that the compiler
+vectorised {there} steps of RK4 a second. Either peer can convert heyoka's rate to this processor. GSL is scalar code,
+heyoka's batches are vectors of 512 bits, and processors differ in the number of such vectors per cycle, so both
+conversions are given. The loop does {loop} steps a second here.
 
-- *whirl ISA*: machines in lanes, r_k from 0.55 to 0.65, the first 0.6, contacts located; at a tighter tolerance, too,
-  and RK4 in 1024 steps with located contacts beside plain RK4.
-- *GSL, ARKODE, Boost.odeint*: one machine; they know of no contact and shorten their steps there. *CVODE* finds
+- *whirl ISA*: machines in lanes, r_k from 0.55 to 0.65, the first 0.6, contacts located; also at a tighter tolerance,
+  and RK4 in 1024 steps with and without located contacts.
+- *GSL, ARKODE, Boost.odeint*: one machine; they do not locate contacts, and shorten their steps there. *CVODE* finds
   contacts as roots.
 """
 
@@ -457,10 +457,10 @@ BRANCHES = """
 
 Periodic orbits of the paper's rotor without its stator, with multipliers and special points, at a hundred values of r_k
 from 0.6 to 0.37, in points a second of one core. AUTO-07p has the equations compiled, with exact derivatives
-(`tests/peers/auto`), and so many intervals of so many points, and its tolerances, as the names say; 1e-7 are those of
-its demonstrations, with 1e-5 for special points. whirl reads a case, and takes eight segments per revolution, which go
-side by side. Errors are the largest of all points: of a coordinate at tau = 0 and of a multiplier, against orbits found
-at rtol 1e-13; and that of the Neimark-Sacker point at {torus:.12f}. Load before {before:.1f}, after {after:.1f}.
+(`tests/peers/auto`). The names give its intervals, points and tolerances; 1e-7 is the tolerance of its demonstrations,
+with 1e-5 for special points. whirl reads a case, and computes eight segments per revolution side by side. Errors are
+the largest of all points: of a coordinate at tau = 0 and of a multiplier, against orbits found at rtol 1e-13; and that
+of the Neimark-Sacker point at {torus:.12f}. Load before {before:.1f}, after {after:.1f}.
 
 {table}
 
@@ -509,9 +509,9 @@ def branch_sentence(best, errors):
     peer = peers[0]
     own = sorted((name for name in best if name.startswith("whirl")), key=lambda name: -best[name])
     as_exact = [name for name in own if all(a <= b for a, b in zip(errors[name], errors[peer]))]
-    told = [f"{best[name] / best[peer]:.1f} times as fast at {name[7:]}" + why for names, why in
+    sentences = [f"{best[name] / best[peer]:.1f} times as fast at {name[7:]}" + why for names, why in
             ((as_exact, ", where no error is larger"), (own, "")) for name in names[:1]]
-    return f"Against {peer}, whirl's points come " + ", and ".join(dict.fromkeys(told)) + "."
+    return f"Against {peer}, whirl's points come " + ", and ".join(dict.fromkeys(sentences)) + "."
 
 
 def measure_branches(options):
@@ -528,8 +528,8 @@ def measure_branches(options):
     lines = ["| program | points/s a core | ms a point | error of a coordinate | of a multiplier | of r_k |",
              "|---|---:|---:|---:|---:|---:|"]
     for name, rate in sorted(best.items(), key=lambda item: -item[1]):
-        told = [f"{error:.0e}" if error >= 1e-12 else "< 1e-12" for error in errors[name]]
-        lines.append(" | ".join([f"| {name}", short(rate), f"{1e3 / rate:.2g}", *told]) + " |")
+        columns = [f"{error:.0e}" if error >= 1e-12 else "< 1e-12" for error in errors[name]]
+        lines.append(" | ".join([f"| {name}", short(rate), f"{1e3 / rate:.2g}", *columns]) + " |")
     return BRANCHES.format(torus=TORUS, table="\n".join(lines), before=before, after=after,
                            sentence=branch_sentence(best, errors))
 
@@ -537,16 +537,16 @@ def measure_branches(options):
 MAP = """
 ## A map
 
-`bench/map.yaml`, 16 x 16 points over the ratio of stiffness and the unbalance, each followed over 220 revolutions of
-transient and 20 recorded, with sections, bounds of the disc, and over 130 of them a second motion for the largest
-exponent: 370 revolutions a point by adaptive methods at rtol 1e-6. Processor time of one core, the best of {rounds}
-alternating rounds; load average {before:.2f} before, {after:.2f} after. Every program proved first that it does the
-same: the mean of x1 over the first five sections of four points agrees to 1e-5.
+`bench/map.yaml`: 16 x 16 points over the ratio of stiffness and the unbalance. Each point has 220 revolutions of
+transient and 20 recorded ones, with sections and bounds of the disc; over 130 of them a second motion gives the largest
+exponent. That is 370 revolutions a point, by adaptive methods at rtol 1e-6. Processor time of one core, the best of
+{rounds} alternating rounds; load average {before:.2f} before, {after:.2f} after. A check before the rounds proves that
+every program computes the same: the mean of x1 over the first five sections of four points agrees to 1e-5.
 
 {table}
 
-- *whirl run*: the command, from case file to result file, with its verdicts, contact statistics and 64 samples a
-  revolution besides.
+- *whirl run*: the command, from case file to result file. It also computes verdicts, contact statistics and 64 samples
+  a revolution.
 - *Boost.odeint, Numba*: compiled loops over one machine after the other; *Octave*: `lsode`, 4 of the points over 10
   revolutions, scaled.
 """
@@ -627,15 +627,15 @@ def measure_map(options):
 ELEMENTS = """
 ## Elements
 
-Kernels of elements in lanes beside C functions of the same laws (`bench/element_laws.c`, -O3 -march=native): one sine
-and cosine for all balls or blades, branches where nothing touches, accelerations added up as kernels do. Both go
-through the same random states of machines with four of the element; of contacts all touch, of balls and blades those
-that the places come to. Nanoseconds an element and machine, of one core; all agree to 1e-12 with C.
+Kernels of elements in lanes compared with C functions of the same laws (`bench/element_laws.c`, -O3 -march=native): one
+sine and cosine for all balls or blades, branches for open contacts, accelerations added up as kernels do. Both compute
+the same random states of machines with four of the element. All contacts touch; of balls and blades those touch that
+the displacements reach. Nanoseconds an element and machine, of one core; all agree to 1e-12 with C.
 
 {table}
 
-Aim: five times. Contacts that do not touch are not in the table: there C returns at once, and lanes are some three times
-as fast. C stands in the runs of all instruction sets, so that its best is of more rounds than theirs.
+Aim: five times. Contacts that do not touch are not in the table: there C returns at once, and lanes are some three
+times as fast. C is part of the runs of all instruction sets, so its best is of more rounds than theirs.
 """
 
 
@@ -666,10 +666,10 @@ OVERHUNG = """
 ## A rotor of finite elements
 
 An overhung rotor of 20 elements (84 coordinates), reduced to its three stations and 8 modes a plane (22 coordinates),
-in two films, with gravity, unbalance and a rub at the disc (`bench/overhung.h`); RK4 in {steps} steps per revolution,
-which resolve its highest mode, at 628 rad/s and, side by side, up to 1000. The peers read the same reduced matrices.
-Those that take fixed steps proved first that they do the same: y of the left journal after 20 revolutions, the last
-ones with contact, agrees to 1e-6 with {end:.10f} of RK4; adaptive ones, at rtol 1e-6 and atol 1e-9, agree to 1e-4 with
+in two films, with gravity, unbalance and a rub at the disc (`bench/overhung.h`). RK4 takes {steps} steps per
+revolution, which resolve its highest mode, at 628 rad/s and, side by side, up to 1000. The peers read the same reduced
+matrices. Checks before the rounds: y of the left journal after 20 revolutions, the last ones with contact, agrees to
+1e-6 with {end:.10f} of RK4 for fixed steps. Adaptive methods, at rtol 1e-6 and atol 1e-9, agree to 1e-4 with
 {converged:.7f} of rodas5p at rtol 1e-10.
 
 {table}
@@ -677,9 +677,9 @@ ones with contact, agrees to 1e-6 with {end:.10f} of RK4; adaptive ones, at rtol
 {sentences}
 
 - *C*: `bench/overhung_straightforward.c`, one machine, dense matrices. *Vectorised* (`bench/overhung_vectorised.c`): 8,
-  16 or 32 machines side by side, four rows of a matrix at a time, RK4 in Nystrom's form; *dense* takes the matrices as
-  they are, *by planes* leaves out that half of them which is zero because stiffness acts in a plane and gyroscopic
-  moments across; the best number of machines of each is told.
+  16 or 32 machines side by side, four rows of a matrix at a time, RK4 in Nystrom's form. *dense* uses whole matrices.
+  *by planes* leaves out the half that is zero, because stiffness acts in a plane and gyroscopic moments across. The
+  table has the best number of machines of each.
 - *rodas5p*: whirl's stiff method in lanes, contacts located. *CVODE, SciPy, Octave*: one machine, dense Jacobians by
   differences.
 
@@ -709,7 +709,7 @@ def check_overhung(ends):
 
 
 def overhung_rates(best):
-    """Revolutions a second of the rows that are told: of the vectorised loops, the best of each form."""
+    """Revolutions a second of the rows of the table: of the vectorised loops, the best of each form."""
     rates = {name: rate / (1 if is_stiff(name) and not name.startswith("whirl") else OVERHUNG_STEPS)
              for name, rate in best.items()}
     loops_of = {form: [name for name in rates if name.startswith(LOOP) and f", {form}," in name]
@@ -770,17 +770,17 @@ def measure_overhung(options):
 PADS = """
 ## Bearings of pads
 
-Four journals, each by itself in a bearing (`bench/pads.h`), RK4 in 1024 steps per revolution: five tilting pads with
-inertia, whose films are tables, as whirl and as straightforward C have them; x of a journal after 20 revolutions agrees
-to 1e-9. By processor time of one core, the best of {rounds} alternating rounds; load average {before:.2f} before,
-{after:.2f} after.
+Four journals, each by itself in a bearing (`bench/pads.h`), RK4 in 1024 steps per revolution. The bearings have five
+tilting pads with inertia, whose films are tables, in whirl and in straightforward C; x of a journal after 20
+revolutions agrees to 1e-9. By processor time of one core, the best of {rounds} alternating rounds; load average
+{before:.2f} before, {after:.2f} after.
 
 {table}
 
 {sentences}
 
 - *C*: `bench/pads_straightforward.c`, one machine, the same numbers of the table, read from a file.
-- *none* has no bearing: what it takes is taken off where the cost of a film is told.
+- *none* has no bearing: its time is subtracted for the cost of a film.
 
 `bench/pads.yaml`, a rotor with two bearings of five tilting pads and a rub, 256 speeds and 300 revolutions by dop853 at
 rtol 1e-6, takes `whirl run` {study:.3g} s of processor time: {half:.3g} s on two cores (aim: 30 s).
@@ -837,8 +837,8 @@ def measure_pads(options):
     lines = ["| program | steps of RK4/s | of C, -O3 -march=native -ffast-math | of C, -O3 |", "|---|---:|---:|---:|"]
     for name, rate in sorted(rates.items(), key=lambda item: -item[1]):
         peer = name.endswith(PADS_TILTING) or "C -O3" in name
-        told = f"{ratio(rate, rates[BASE])} | {ratio(rate, rates['C -O3'])}" if peer else " | "
-        lines.append(f"| {name} | {short(rate)} | {told} |")
+        ratios = f"{ratio(rate, rates[BASE])} | {ratio(rate, rates['C -O3'])}" if peer else " | "
+        lines.append(f"| {name} | {short(rate)} | {ratios} |")
     return PADS.format(rounds=options.rounds, before=before, after=os.getloadavg()[0], table="\n".join(lines),
                        sentences="\n".join(pads_sentences(rates)), study=min(used), half=min(used) / 2)
 
