@@ -1,4 +1,4 @@
-// What balancing found: influence, weights, trial weights, vibration before and after, what is allowed.
+// // Findings of a balancing job: influence coefficients, weights, trial weights, vibration before and after, limits.
 #include "balance_parts.h"
 
 #include <math.h>
@@ -50,21 +50,22 @@ void balance_name(const whirl_balance *of, size_t n, char *text, size_t size) {
         snprintf(text, size, "%s", of->planes[n].name);
 }
 
-// ---------------------------------------------------------------- what is told of
+// ---------------------------------------------------------------- the view of a job
 
-/// What was found, from what, and the units in which it is told.
+/// /// A balancing job, its result, and the units to show it in.
 typedef struct balance_view {
     finder to;
     whirl_shown_units units;
     const whirl_balance *of;
     const whirl_balance_model *model;
     const whirl_correction *found;
-    whirl_unit amplitude, influence; ///< of vibrations as the file counts them, and of these over kg m
+    whirl_unit amplitude, influence; ///< units of vibrations as in the file, and of vibration per kg m
 } balance_view;
 
 static const whirl_table balance_alone = {.name = "balance"};
 
-/// The unit of vibrations: lengths, counted as somebody asks, else as the file has them.
+/// Returns the unit of vibrations: the unit of length that was asked for, counted (peak, peak to peak, rms) as asked
+/// for, else as in the file.
 static whirl_unit amplitude_unit(const balance_view *v, const char *asked) {
     const whirl_unit *length = &v->units.of[WHIRL_QUANTITY_LENGTH];
     unit_choice choice;
@@ -81,7 +82,7 @@ static whirl_unit amplitude_unit(const balance_view *v, const char *asked) {
     return unit;
 }
 
-/// The unit of influence coefficients: that of vibrations over that of weights, kg mm where nobody chooses.
+/// Returns the unit of influence coefficients: vibrations over weights, kg mm by default.
 static whirl_unit influence_unit(const balance_view *v) {
     const whirl_unit *weight = &v->units.of[WHIRL_QUANTITY_UNBALANCE];
     whirl_unit unit = {.size = v->amplitude.size / weight->size};
@@ -101,7 +102,7 @@ static whirl_status view_begin(balance_view *v, const whirl_balance *of, const w
     return v->to.findings ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }
 
-/// What is left of a vibration; 0 where that is rounding beside the largest.
+/// Residual vibration of a row; 0 below the rounding of the largest vibration.
 static double left_of(const whirl_correction *found, const whirl_balance_row *row) {
     const double after = balance_size(row->after);
     double largest = 0.0;
@@ -145,7 +146,7 @@ static void phrase_load(const balance_view *v, const whirl_balance_proposal *own
     phrase_text(&v->to, phrase, " on %s%s", *at ? "the bearing at " : "a bearing, half of the weight", at);
 }
 
-/// Why a trial weight is as large as it is, and what it does.
+/// Writes why a trial weight has its size, and its expected effect.
 static void phrase_reason(const balance_view *v, size_t n, whirl_phrase *phrase) {
     const finder *to = &v->to;
     const whirl_balance_proposal *own = &v->found->proposals[n];

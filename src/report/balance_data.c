@@ -1,4 +1,4 @@
-// What balancing found, for programs: JSON.
+// Result of a balancing job as JSON.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -96,7 +96,7 @@ static json_t *proposal_of(bool *well, const whirl_balance *of, const whirl_bala
     return made;
 }
 
-/// How needed each plane or set is, and the correction without the one that hardly is.
+/// Writes the significance of each plane or weight set, and the correction without the least significant one.
 static void put_reduced(bool *well, json_t *all, const whirl_balance *of, const whirl_correction *found) {
     char name[WHIRL_NAME_SIZE];
     json_t *significance = json_object(), *without = json_object();

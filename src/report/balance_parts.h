@@ -1,4 +1,4 @@
-// What tells people and programs of balancing have in common.
+// Parts shared by the text and the JSON of a balancing result.
 #ifndef REPORT_BALANCE_PARTS_H
 #define REPORT_BALANCE_PARTS_H
 
@@ -8,18 +8,17 @@
 #include "report_parts.h"
 #include "whirl/engine/balance.h"
 
-/// How long a vector is.
+/// Length of a vector.
 double balance_size(const double vector[2]);
 
 /// From 0 to 360 degrees, of `way` (1, -1) times the angle.
 double balance_degrees(const double vector[2], double way);
 
-/// The ways in which the file tells angles on the rotor, and phases: 1 or -1.
+/// Sense in which the file counts angles on the rotor, and phases: 1 or -1.
 double balance_way_of_angles(const whirl_balance *of);
 double balance_way_of_phases(const whirl_balance *of);
 
-/// The static part and the couple about the middle of two planes, half of the difference in each; 0 where that is
-/// rounding.
+/// Static part of a correction in two planes, and half of its couple (difference) in each plane; 0 below rounding.
 void balance_static(const whirl_correction *found, double sum[2], double half[2]);
 
 /// kg m in all planes together.
@@ -28,7 +27,7 @@ double balance_sum(const whirl_balance *of, const whirl_correction *found);
 /// Names the plane or set of an unknown.
 void balance_name(const whirl_balance *of, size_t n, char *text, size_t size);
 
-/// Says why a trial weight is as large as it is, and what it does, in um, rpm and N. False without memory.
+/// Writes why a trial weight has its size, and its expected effect, in um, rpm and N. Returns false without memory.
 bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
                          size_t n, char text[STATEMENT_SIZE]);
 

@@ -4,7 +4,7 @@
 #include "whirl/engine/case.h"
 #include "whirl/handles.h"
 
-/// What was found, with what it was found from.
+/// A balancing job and its result.
 typedef struct answer {
     const whirl_balance *balance;
     const whirl_balance_model *model;

@@ -1,4 +1,4 @@
-// What was found of a bearing by itself: what it is, where its journal rests, coefficients, errors and warnings.
+// Findings of a single bearing: geometry, journal position, coefficients, errors and warnings.
 #include "whirl/engine/bearing_table.h"
 
 #include <math.h>
@@ -11,7 +11,7 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// Degrees; what rounding leaves of 0 has no sign.
+/// Converts to degrees; rounding residues become exactly 0 (no minus sign).
 static double degrees_of(double angle) {
     return fabs(angle) < 1e-9 ? 0.0 : angle / degree;
 }
@@ -29,7 +29,7 @@ static size_t name_idle_pads(const whirl_bearing *of, const whirl_bearing_point 
     return idle;
 }
 
-/// How much warmer something is: in K, or in the degrees of another scale.
+/// Writes a temperature rise, in K or in degrees of the chosen scale.
 static void phrase_warming(const finder *of, whirl_phrase *phrase, double kelvins) {
     const whirl_unit *scale = &of->units->of[WHIRL_QUANTITY_TEMPERATURE];
     whirl_unit unit = {"K", scale->size};

@@ -1,4 +1,4 @@
-// What was computed of a bearing, for programs: JSON, CSV, an element of a case.
+// Result of a bearing as JSON, as CSV, and as an element of a case.
 #include <math.h>
 #include <stdio.h>
 
@@ -85,16 +85,16 @@ static json_t *both(bool *well, const double (*of)[2][2]) {
     return made;
 }
 
-/// All coordinates: x, y in m, tilts in rad, and how pads yield on their pivots in m where these are not rigid. The
-/// film of a pad sees (x, y) - R tilt t - yield n, t along the pad, n outwards; `pivot` stands on the diagonal of
-/// yields.
+/// Fills in the full matrix in x, y (m), tilts (rad), and pivot displacements (m) where pivots are elastic. The film of
+/// a pad sees (x, y) - R tilt t - displacement n, with t along the pad and n outwards; `pivot` goes to the diagonal of
+/// the displacements.
 static void fill_full(const whirl_bearing *of, const whirl_bearing_point *point, int which, double unit, double pivot,
                       double *out) {
     const size_t pads = of->pads.count, moves = of->pivot_stiffness > 0.0 ? 2 : 1;
     for (size_t i = 0; i < (size_t)FULL * FULL; i++) out[i] = 0.0;
     for (size_t i = 0; i < pads; i++) {
         const double angle = of->pads.pads[i].pivot;
-        // What x, y, the tilt and the yield move the journal by, before the pad.
+        // Journal displacement seen by the pad for unit x, y, tilt and pivot displacement.
         const double by[4][2] = {
             {1.0, 0.0}, {0.0, 1.0}, {of->radius * sin(angle), -of->radius * cos(angle)}, {-cos(angle), -sin(angle)}};
         const size_t at[] = {0, 1, 2 + i, 2 + pads + i};
@@ -260,8 +260,8 @@ static whirl_status check_table(const whirl_bearing_table *table) {
     return whirl_ok();
 }
 
-/// Frequencies of whirl from 0 to the highest speed, all speeds among them, so that synchronous coefficients are those
-/// that were computed: out [WHIRL_MAX_LIST], rising.
+/// Fills in whirl frequencies from 0 to the highest speed, rising, in out [WHIRL_MAX_LIST]. All computed speeds are
+/// among them, so synchronous coefficients are exact.
 static size_t frequencies_of(const whirl_bearing_table *table, double *out) {
     enum { EVEN = 12 };
     const double top = table->points[table->count - 1].speed;

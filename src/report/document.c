@@ -80,8 +80,8 @@ static bool write_object(json_t *object, FILE *stream) {
     return done && fputc('}', stream) != EOF;
 }
 
-/// As Jansson writes a value, but for its real numbers, which have as many digits as they need. A document is made
-/// here, so that its depth is known.
+/// Writes a value as Jansson does, except that real numbers have as many digits as they need. Documents are made here,
+/// so recursion depth is bounded.
 static bool write_value(json_t *value, FILE *stream) {
     switch (json_typeof(value)) {
     case JSON_OBJECT:

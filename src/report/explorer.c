@@ -8,7 +8,7 @@
 #include "figure_build.h"
 #include "input.h"
 
-/// Stands in the template where the results go.
+/// Placeholder for the results in the page's template.
 static const char mark[] = "@WHIRL-RUNS@";
 
 enum { MAX_TEMPLATE = 1 << 26 };
@@ -79,14 +79,14 @@ static void write_facts(FILE *stream, const whirl_result *result) {
     fputc(']', stream);
 }
 
-// ---------------------------------------------------------------- where the page opens
+// ---------------------------------------------------------------- point shown when the page opens
 
 static bool is_sure(const whirl_table *table, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     return verdict.regime != WHIRL_UNDETERMINED && verdict.confidence != WHIRL_LOW;
 }
 
-/// The nearest point, or the nearest one of which the run is sure; the table's count where there is none.
+/// Returns the point nearest to a value, with `sure` the nearest with a trusted verdict; table->count if there is none.
 static size_t nearest_point(const whirl_table *table, double wanted, bool sure) {
     size_t best = table->count;
     for (size_t p = 0; p < table->count; p++) {
@@ -103,8 +103,8 @@ static const whirl_table *diagram_of(const whirl_result *result) {
     return NULL;
 }
 
-/// The point that is shown first: what the case looks at closely, else the middle of its sweep, or the nearest of which
-/// the run is sure where there is one. NULL where nothing is done.
+/// Chooses the point to show first: the case's detail point, else the middle of the sweep, moved to the nearest point
+/// with a trusted verdict if there is one. Returns NULL if no point is done.
 static const whirl_table *find_opening(const whirl_result *result, size_t *point) {
     const whirl_table *diagram = diagram_of(result), *table = diagram;
     *point = 0;
@@ -137,7 +137,7 @@ static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
     fputc('}', stream);
 }
 
-/// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
+/// Writes the whole motion at the opening point, so that the page can show it before it computes anything.
 static bool write_opening(FILE *stream, const whirl_result *result) {
     size_t point;
     whirl_case *machine;
@@ -188,7 +188,8 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
     return well;
 }
 
-/// The template up to `place`, the runs, and what follows the mark; false without memory.
+/// Writes the template up to `place`, the runs, and the rest of the template after the mark. Returns false without
+/// memory.
 static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
                        const char *const *names, size_t count, const char *units) {
     bool well = true;

@@ -1,4 +1,4 @@
-// The contents of a result in the explorer's page: what was found of every table, as statements, sheets and figures.
+// Contents of a result in the explorer's page: statements, sheets and figures of every table.
 #include "report_parts.h"
 
 #include <stdlib.h>
@@ -8,21 +8,22 @@
 #include "shown_kinds.h"
 #include "whirl/engine/figure.h"
 
-/// Bytes of figures that a browser takes in at once: of one, and of all of a result. Larger ones are left out.
+/// Largest figure, and largest sum of the figures of a result, in bytes. A browser cannot take more; larger ones are
+/// left out.
 enum { MAX_FIGURE = 4 << 20, MAX_FIGURES = 24 << 20 };
 
 /// A result as contents show it.
 typedef struct contents {
     FILE *stream;
-    whirl_result *view; ///< in which every attractor stands once
+    whirl_result *view; ///< the result with every attractor once
     whirl_shown_units units;
     whirl_case *machine;
     whirl_findings *findings;
     figure_list figures;
 } contents;
 
-/// Whether the page lists what was found: of machines at rest, and of motions of machines that it does not compute. The
-/// live views of other results show all of them.
+/// Returns true if the page lists findings: of studies at rest, and of motions that it cannot compute. Other results
+/// appear in its live views.
 static bool has_contents(const whirl_result *result) {
     for (size_t t = 0; t < result->table_count; t++) {
         const whirl_kind *kind = whirl_analysis_kind(result->tables[t].analyses);
@@ -40,7 +41,7 @@ static void put_safely(FILE *stream, const char *json) {
             fputc(*json, stream);
 }
 
-/// Writes a value, which it takes over, behind a comma and its key; false without memory.
+/// Writes a comma, a key and a value; frees the value. Returns false without memory.
 static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
     char *text = well && value ? json_dumps(value, JSON_COMPACT | JSON_REAL_PRECISION(17)) : NULL;
     json_decref(value);
@@ -53,7 +54,7 @@ static bool put_value(FILE *stream, const char *key, bool well, json_t *value) {
 
 // ---------------------------------------------------------------- tables
 
-/// What reports say of a table beside its numbers: motions in words, laws that points have left, contacts at rest.
+/// Notes of a report on a table: motions in words, parameter ranges outside validity limits, contacts at rest.
 static json_t *notes_of(bool *well, const contents *of, const whirl_table *table) {
     char motions[MOTIONS_TOLD_SIZE], text[RANGES_TOLD_SIZE];
     json_t *notes = json_array();
@@ -69,7 +70,8 @@ static json_t *notes_of(bool *well, const contents *of, const whirl_table *table
     return notes;
 }
 
-/// The live view that the page has of a table; "" none. It computes motions of the machine as it stands alone.
+/// Returns the page's live view of a table; "" if there is none. Live views compute motions of the machine as it is in
+/// the case.
 static const char *view_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const whirl_kind *points = whirl_analysis_kind(table->analyses);
@@ -77,7 +79,7 @@ static const char *view_of(const whirl_table *table) {
     return kind == &shown_modes ? "modes" : kind == &shown_unbalance ? "unbalance" : "";
 }
 
-/// Every table: its name, what it is of, which live view it has, and notes.
+/// Writes every table: name, kind, live view, notes.
 static bool put_tables(const contents *of) {
     bool well = true;
     json_t *tables = json_array();
@@ -104,7 +106,7 @@ static bool put_findings(const contents *of) {
 
 // ---------------------------------------------------------------- figures
 
-/// A figure as JSON, to be freed; NULL where it cannot be made.
+/// Returns a figure as JSON, to be freed; NULL if it cannot be made.
 static char *figure_json(const contents *of, const figure_place *place, size_t *size) {
     const drawing drawn = {of->view, &of->units, of->machine};
     whirl_figure *figure = NULL;
@@ -119,7 +121,7 @@ static char *figure_json(const contents *of, const figure_place *place, size_t *
     return NULL;
 }
 
-/// All figures with the table that each is of ("" of the machine); of those that are too large the titles alone.
+/// Writes all figures, each with its table ("" for the machine), and the titles of those that are too large.
 static bool put_figures(const contents *of) {
     size_t all = 0, put = 0;
     bool well = true;

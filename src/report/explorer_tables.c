@@ -8,34 +8,34 @@
 #include "figure_build.h"
 #include "shown_kinds.h"
 
-/// What a browser takes in at once: more points of a table, more cells of a map, more of its section, or more numbers
-/// of machines at rest, or of orbits' nodes, are thinned evenly. Maps of more than the cells that are told in full have
-/// the numbers alone that are most looked at.
+/// Limits of what a browser can load: points of a table, cells of a map, rows of its section, numbers of studies at
+/// rest, nodes of orbits. Beyond them data is thinned evenly. Maps with more cells than MAX_CELLS_IN_FULL have only the
+/// fields that are most used.
 enum {
     MAX_POINTS = 1 << 16,
     MAX_CELLS = 1 << 20,
     MAX_CELLS_IN_FULL = 1 << 14,
     MAX_SECTION = 1 << 20,
-    MIN_ROWS = 8,    ///< of the section of such a map, else it has none
-    MAX_ROWS = 4096, ///< of a field of the motion that is told in full
+    MIN_ROWS = 8,    ///< least rows of a section in such a map; with fewer it has no section
+    MAX_ROWS = 4096, ///< largest number of rows of a field of a motion
     MAX_AT_REST = 1 << 22,
-    MAX_NUMBERED = 127, ///< attractors that the page tells apart
+    MAX_NUMBERED = 127, ///< largest number of attractors with colours of their own
     MAX_NODES = 1 << 20
 };
 
-/// The points of a table that go into the page: every `stride`-th, of a map those of every `stride`-th column and row
-/// of all planes. Sections are those of the first table, the diagram; the page computes the motion of any other point
-/// itself. Of machines at rest it has all that is known, and of branches all points.
+/// Points of a table that go into the page: every `stride`-th one; in maps every `stride`-th column and row of all
+/// planes. Sections are included for the first table, the diagram; the page computes the motions of other points.
+/// Studies at rest have all fields, branches all points.
 typedef struct selection {
     const whirl_table *table;
     size_t stride, count;
     size_t first; ///< below `stride`
     bool sections, moves;
-    bool lean;  ///< a map that is not told in full
+    bool lean;  ///< a large map, with its most used fields alone
     bool whole; ///< all fields, with all of their rows
 } selection;
 
-/// The first chosen point from one on; the table's count where there is none.
+/// Returns the first selected point from `point` on; table->count if there is none.
 static size_t chosen_from(const selection *chosen, size_t point) {
     const whirl_table *table = chosen->table;
     for (; point < table->count; point++) {
@@ -56,7 +56,7 @@ static size_t next_chosen(const selection *chosen, size_t point) {
     return chosen_from(chosen, point + 1);
 }
 
-/// What follows the points in a list of the JSON, whose first one opens it.
+/// Returns what closes a JSON list of points whose first item opens it: "[]" for an empty list.
 static const char *end_of_list(const selection *chosen) {
     return chosen->count == 0 ? "[]" : "]";
 }
@@ -69,8 +69,8 @@ static size_t thinned(size_t count, size_t stride) {
     return count ? (count - 1) / stride + 1 : 0;
 }
 
-/// Of a map as many points as there is room for: its columns and rows are thinned alike, so that those of squares that
-/// were not divided stay, too.
+/// Selects as many points of a map as allowed. Columns and rows are thinned by the same factor, so that squares that
+/// were not refined remain.
 static selection select_cells(const whirl_table *table, bool sections) {
     const size_t rows = whirl_table_rows(table), planes = whirl_table_planes(table);
     selection chosen = {.table = table, .stride = 1, .sections = sections};
@@ -123,7 +123,7 @@ static void write_float64(FILE *stream, const char *key, const double *values, s
     fputc('"', stream);
 }
 
-/// The values along both axes, NaN where no point tells; false without memory.
+/// Writes the values along both axes, NaN for columns and rows without a point. Returns false without memory.
 static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
     const size_t count = grid.columns + grid.rows + grid.planes;
     double *x = malloc(count * sizeof *x);
@@ -144,7 +144,7 @@ static bool write_axes(FILE *stream, const selection *chosen, page_grid grid) {
     return true;
 }
 
-/// Of every point of a refined map the cells along both axes, from its own on, that it stands for.
+/// Writes the width in cells of every point of a refined map. A point covers the square that begins with its own cell.
 static void write_widths(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     char before = '[';
@@ -157,8 +157,8 @@ static void write_widths(FILE *stream, const selection *chosen) {
     fputs(end_of_list(chosen), stream);
 }
 
-/// The second parameter of a map, and the third, its columns and rows in the page, and of every point its cell among
-/// these, row after row, plane after plane, where that is not its number.
+/// Writes the second (and third) parameter of a map, its columns and rows in the page, and the cell of every point (row
+/// by row, plane by plane) unless that is its number.
 static bool write_cells(FILE *stream, const selection *chosen) {
     const page_grid grid = grid_of(chosen);
     script_key(stream, ',', "map");
@@ -191,7 +191,7 @@ static void write_attractor(FILE *stream, const whirl_table *table, const whirl_
     fputc('}', stream);
 }
 
-/// Of a basin its attractors, and of every point the number of its own, from 1; 0: none is told.
+/// Writes the attractors of a basin, and the attractor's number of every point, from 1; 0: unknown.
 static void write_attractors(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     if (table->role != WHIRL_ROLE_BASIN) return;
@@ -226,7 +226,7 @@ static void write_chosen(FILE *stream, const char *key, const selection *chosen,
     fputc('"', stream);
 }
 
-/// Where points lie that are no cells.
+/// Writes the parameter values of points that are not cells of a map.
 static void write_values(FILE *stream, const selection *chosen) {
     const whirl_table *table = chosen->table;
     write_chosen(stream, "values", chosen, table->values);
@@ -283,7 +283,7 @@ typedef struct kept_part {
     size_t first_row, rows, columns;
 } kept_part;
 
-/// What a map that is not told in full has of its cells.
+/// Returns true for the fields that large maps have.
 static bool is_looked_at_most(const whirl_field *field) {
     static const char *const names[] = {WHIRL_FIELD_REGIME_CODE,       WHIRL_FIELD_REGIME_PERIOD,
                                         WHIRL_FIELD_REGIME_CONFIDENCE, WHIRL_FIELD_LYAPUNOV_LARGEST,
@@ -294,7 +294,7 @@ static bool is_looked_at_most(const whirl_field *field) {
     return false;
 }
 
-/// Of a section the last rows, of a spectrum the lowest orders.
+/// Rows to write of a field: the last ones of a section, the lowest orders of a spectrum.
 static kept_part whole_part_of(const whirl_field *field) {
     const size_t rows = field->rows < MAX_ROWS ? field->rows : MAX_ROWS;
     const bool section = strcmp(field->name, WHIRL_FIELD_POINCARE_SECTION) == 0;
@@ -317,7 +317,7 @@ static kept_part part_of(const whirl_field *field, const selection *chosen) {
     return (kept_part){field->rows - rows, rows, 2};
 }
 
-/// Writes the numbers as [repetition][column][point][row], so that one coordinate of one station lies together.
+/// Writes numbers as [repetition][column][point][row], so that one coordinate of one station is contiguous.
 static void write_numbers(FILE *stream, const selection *chosen, const whirl_field *field, kept_part part) {
     const whirl_table *table = chosen->table;
     base64 to = {.stream = stream};
@@ -358,7 +358,7 @@ static void write_fields(FILE *stream, const selection *chosen) {
     fputc(']', stream);
 }
 
-/// What was located between the points, of all points, with all digits.
+/// Writes the crossings located between points, of all points, with all digits.
 static void write_critical(FILE *stream, const whirl_table *table) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     bool first = true;
@@ -381,7 +381,7 @@ static void write_critical(FILE *stream, const whirl_table *table) {
     fputc(']', stream);
 }
 
-/// Of modes what the lines along which they were followed are called, and of every mode of every point which it is on:
+/// Writes the names of mode lines (modes followed over the parameter), and the line of every mode of every point:
 /// float32, little-endian, base64, NaN for none.
 static void write_mode_lines(FILE *stream, const selection *chosen) {
     mode_lines lines;
@@ -405,7 +405,7 @@ static void write_mode_lines(FILE *stream, const selection *chosen) {
     mode_lines_free(&lines);
 }
 
-/// A point of a branch with its orbit, to be freed; false where the table has none there.
+/// Loads a point of a branch with its orbit, to be freed. Returns false if the table has none there.
 static bool take_trace(const whirl_table *table, size_t point, whirl_trace *trace) {
     return whirl_table_done(table, point) && whirl_table_trace(table, point, trace).code == WHIRL_OK;
 }
@@ -426,8 +426,8 @@ static size_t count_all_nodes(const whirl_table *table) {
     return all;
 }
 
-/// Of branches, so that the page can show orbits that motions leave: [points] period, nodes, with all digits. Of so
-/// many points as there is room for, every "orbit_stride"-th.
+/// Writes the orbits of branches for comparison with motions: period and nodes, with all digits, of every
+/// "orbit_stride"-th point.
 static void write_orbits(FILE *stream, const whirl_table *table) {
     if (table->role != WHIRL_ROLE_BRANCHES || !whirl_layout_field(&table->layout, WHIRL_FIELD_TRACE_NODES) ||
         !table->blocks)

@@ -11,7 +11,7 @@
 #include "whirl/engine/result.h"
 #include "whirl/version.h"
 
-// Writes "key": value, with what goes before.
+// Writes "key": value after the text `before`.
 static bool dump_member(const char *before, const char *key, json_t *value, FILE *stream) {
     fputs(before, stream);
     const bool named = document_write(true, document_text(key), stream);
@@ -78,7 +78,7 @@ static bool dump_jumps(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "jumps", object, stream) && well;
 }
 
-// What was found: statements, and tables as documents show them, where there are any.
+// Writes the findings: statements, and sheets if there are any.
 static whirl_status dump_findings(const whirl_result *result, FILE *stream) {
     bool well = true;
     whirl_findings *findings;
@@ -149,8 +149,8 @@ static bool dump_attractors(const whirl_result *result, FILE *stream) {
     return well && (!array || dump_member(",\n", "attractors", array, stream));
 }
 
-// Of a refined map: points of its grid and of a row of it, those that were computed, every how many of them first,
-// their revolutions on the average, and about how many all of the grid would have taken.
+// Writes the refinement of a map: points of the grid and of a row, computed points, first stride, their mean
+// revolutions, and the estimated revolutions of the whole grid.
 static bool dump_refined(const whirl_result *result, FILE *stream) {
     bool well = true;
     const whirl_table *table = result->table_count ? &result->tables[0] : NULL;
@@ -167,14 +167,14 @@ static bool dump_refined(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "refined", object, stream) && well;
 }
 
-// The version that computed the result, where it says so.
+// Version that computed the result; this one if it is not recorded.
 static const char *version_of(const whirl_result *result) {
     for (size_t i = 0; i < result->fact_count; ++i)
         if (strcmp(result->facts[i].name, "version") == 0) return result->facts[i].value;
     return WHIRL_VERSION;
 }
 
-// How the points of every table were computed, by the tables' names.
+// Writes the computing options of every table, by table name.
 static bool dump_methods(const whirl_result *result, FILE *stream) {
     json_t *methods = json_object();
     bool well = true;
@@ -189,7 +189,7 @@ static bool dump_methods(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "integrated", methods, stream) && well;
 }
 
-/// How weight acts on the machine; where sections are not those of the shaft.
+/// Writes how weight acts on the machine, and the keyphasor if it is not the shaft.
 static bool dump_machine(const whirl_result *result, FILE *stream) {
     const char *keyphasor = whirl_result_keyphasor(result);
     const char *weight = weight_told(result);
@@ -198,7 +198,7 @@ static bool dump_machine(const whirl_result *result, FILE *stream) {
                            dump_member(",\n", "keyphasor_rate", document_number(whirl_result_clock(result)), stream));
 }
 
-/// The film tables that machines read, where they read any.
+/// Writes the film tables that machines used, if any.
 static bool dump_film_tables(const whirl_result *result, FILE *stream) {
     const char *tables = whirl_result_film_tables(result);
     return !*tables || dump_member(",\n", "film_tables", document_text(tables), stream);
@@ -213,19 +213,19 @@ static bool dump_texts(const char *key, const char *(*text_of)(const whirl_resul
     return dump_member(",\n", key, texts, stream) && well;
 }
 
-/// What the case says and likely does not mean; what stands in time for tables, where anything does.
+/// Writes warnings about the case, and curve fits of frequency-dependent tables, if any.
 static bool dump_warnings(const whirl_result *result, FILE *stream) {
     return dump_texts("warnings", whirl_result_warning, result, stream) &&
            (!*whirl_result_fit(result, 0) || dump_texts("fits", whirl_result_fit, result, stream));
 }
 
-/// How many points there are, and the first of them, from 1.
+/// Writes the number of points, and the first of them, from 1.
 static void put_points(bool *well, json_t *object, const whirl_left *left) {
     document_put(well, object, "points", document_number((double)left->points));
     document_put(well, object, "first", document_number((double)left->first + 1.0));
 }
 
-/// Ranges of laws that points have left.
+/// Writes validity ranges that points have left.
 static bool dump_beyond(const whirl_result *result, FILE *stream) {
     bool well = true;
     json_t *all = json_array();
@@ -279,7 +279,8 @@ static bool dump_unfound(const whirl_result *result, FILE *stream) {
     return dump_member(",\n", "unfound", all, stream) && well;
 }
 
-/// Raised where a key goes or means something else; the schema is docs/reference/result.schema.json.
+/// Version of the document, raised when a key is removed or changes its meaning; the schema is
+/// docs/reference/result.schema.json.
 enum { DOCUMENT_FORMAT = 1 };
 
 static bool dump_head(const whirl_result *result, FILE *stream) {
@@ -301,7 +302,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_methods(result, stream);
 }
 
-// Names of tables become keys beside these.
+// Rejects table names that are keys of the document.
 static whirl_status check_names(const whirl_result *result) {
     static const char *const taken[] = {
         "format",     "whirl",          "title",      "case",       "speed",   "length_scale", "force_scale",

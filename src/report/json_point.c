@@ -28,7 +28,7 @@ json_t *point_parameters(bool *well, const whirl_result *result, const whirl_tab
     return object;
 }
 
-// "confirmed" is the verdict at the second tolerance, null where there was none; "advice" what would settle it.
+// "confirmed" is the verdict at the second tolerance, null without one; "advice" is what would settle the verdict.
 static void put_confidence(bool *well, json_t *object, const whirl_verdict *verdict) {
     char advice[WHIRL_MESSAGE_SIZE];
     whirl_verdict_advice(verdict, advice, sizeof advice);
@@ -42,7 +42,7 @@ static void put_confidence(bool *well, json_t *object, const whirl_verdict *verd
     document_put(well, object, "confirmed", confirmed);
 }
 
-// What refinement did to the point, and how the motion was integrated that the numbers are of.
+// Writes what refinement changed at the point, and the method of the final motion.
 static void put_refinement(bool *well, json_t *object, const whirl_table *table, size_t point) {
     json_t *refined = json_object();
     for (size_t i = 0; i < table->layout.field_count; ++i) {
@@ -148,7 +148,7 @@ static json_t *numbers_of(const char *analysis, whirl_extent extent, double newt
     return object;
 }
 
-/// The orbit of a settled motion; what it has no numbers of is null.
+/// Writes the Floquet analysis of a settled motion; numbers that it lacks are null.
 static void put_floquet(bool *well, json_t *object, const whirl_table *table, size_t point) {
     const double *multipliers = whirl_table_field(table, point, WHIRL_FIELD_FLOQUET_MULTIPLIERS, 0);
     if (!multipliers) return;
@@ -176,7 +176,7 @@ static void put_rub(bool *well, json_t *object, const whirl_result *result, cons
     json_t *rub = json_object();
     json_t *contacts = json_object();
     document_put(well, rub, "contact", isnan(*contact) ? json_null() : json_boolean(*contact != 0.0));
-    // A machine without contacts never touches; a motion that diverged left no statistics.
+    // Without contacts the share is 0; a diverged motion has no statistics.
     const double none = isnan(*contact) ? (double)NAN : 0.0;
     document_put(well, rub, "fraction",
                  document_number(result->contact_count ? rub_share(table, point, result->contact_count) : none));
@@ -254,7 +254,7 @@ static void put_stations(bool *well, json_t *object, const char *key, station_pa
     document_put(well, object, key, stations);
 }
 
-// Of a station: bounds, and the section once a revolution, [x, y].
+// Orbit of a station: bounds, and the section once a revolution, [x, y].
 static json_t *station_trace(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("trace/", WHIRL_PER_STATION, 1.0, well, table, point, station);
     const double *section = whirl_table_field(table, point, WHIRL_FIELD_TRACE_SECTION, station);
@@ -287,7 +287,7 @@ static json_t *touches_of(bool *well, const whirl_orbit *orbit) {
     return array;
 }
 
-// A point of a branch: its orbit, what is special there, and how small perturbations change.
+// Writes a point of a branch: its orbit, its special point, and its multipliers.
 static void put_trace(bool *well, json_t *object, const whirl_table *table, size_t point) {
     whirl_trace at;
     char name[WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
@@ -324,8 +324,8 @@ static json_t *rows_of(bool *well, const whirl_table *table, size_t point, const
     return array;
 }
 
-// Of a station: frequency and amplitude of its second line, bounds, and the closed curve of its section with bounds
-// once a revolution, [x, y].
+// Torus at a station: frequency and amplitude of its second line, bounds, and the closed curve of its section with
+// bounds once a revolution, [x, y].
 static json_t *station_torus(bool *well, const whirl_table *table, size_t point, size_t station) {
     json_t *object = numbers_of("torus/", WHIRL_PER_STATION, 1.0, well, table, point, station);
     document_put(well, object, "section", rows_of(well, table, point, WHIRL_FIELD_TORUS_SECTION, station));
@@ -334,7 +334,7 @@ static json_t *station_torus(bool *well, const whirl_table *table, size_t point,
     return object;
 }
 
-// A torus: which branch of them it is of, its rotation number, exponents [value, error], and the nodes of its curve.
+// Writes a torus: its branch, its rotation number, exponents [value, error], and the nodes of its curve.
 static void put_torus(bool *well, json_t *object, const whirl_table *table, size_t point) {
     const double end = *whirl_table_field(table, point, WHIRL_FIELD_TORUS_END, 0);
     const double *resonance = whirl_table_field(table, point, WHIRL_FIELD_TORUS_RESONANCE, 0);
@@ -347,7 +347,7 @@ static void put_torus(bool *well, json_t *object, const whirl_table *table, size
     document_put(well, object, "torus", torus);
 }
 
-/// The object of that name within another, as new where there is none.
+/// Returns the object of that name within another one; creates it if necessary.
 static json_t *member(bool *well, json_t *object, const char *name) {
     if (!json_object_get(object, name)) document_put(well, object, name, json_object());
     return json_object_get(object, name);
@@ -368,8 +368,8 @@ static json_t *whole_field(bool *well, const whirl_table *table, size_t point, c
     return array;
 }
 
-/// How far it went in the ranges of laws, as "law" names them, and the forces, N, of the contacts against which it
-/// rests: "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
+/// Writes how far the point went in validity ranges ("law" names them), and the forces, N, of closed contacts:
+/// "ranges": {"left": 1, "reached": [[0.97, 0.95], ...], "held": {"rub at disc": 120}}.
 static void put_ranges(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point) {
     const whirl_field *const field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
     if (field) {
@@ -449,7 +449,7 @@ static json_t *point_object(bool *well, const whirl_result *result, const whirl_
     return object;
 }
 
-/// Takes out what has a row for every revolution or node: most of a document.
+/// Removes arrays with a row for every revolution or node, which are most of a document.
 static void leave_out_rows(json_t *point) {
     static const char *const rows[] = {"section", "section_low", "section_high"};
     const char *name;
@@ -462,8 +462,8 @@ static void leave_out_rows(json_t *point) {
         json_object_del(station, rows[i]);
 }
 
-// Where every point has several starts: which one this is, the place of the neighbour from which it is, where it lies,
-// and what it came to rest on, null where that is not told.
+// Writes the start of a motion, where points have several: its number, the neighbour it continues, its initial state,
+// and its attractor, null if unknown.
 static void put_start(bool *well, json_t *object, const whirl_result *result, const whirl_table *table, size_t point,
                       const whirl_coexistence *found) {
     json_t *start = json_object();
@@ -482,7 +482,7 @@ static void put_start(bool *well, json_t *object, const whirl_result *result, co
     document_put(well, object, "attractor", label > 0 ? json_integer((json_int_t)label) : json_null());
 }
 
-/// What the modes of a point are called along the parameter, by rising frequency as they stand there.
+/// Writes the names of a point's modes along the parameter, by rising frequency as in the fields.
 static void put_mode_names(bool *well, json_t *object, const whirl_table *table, const mode_lines *lines,
                            size_t point) {
     json_t *names = json_array();

@@ -5,13 +5,13 @@
 #include "report_parts.h"
 #include "shown_kinds.h"
 
-/// Given values of parameters; those of expressions belong to the case as written, not to the point. What varies has
-/// the point's own.
+/// Returns the values of given parameters; a varied one has the point's own value. Parameters given by expressions
+/// belong to the case as written, not to the point, and are left out.
 json_t *point_parameters(bool *well, const whirl_result *result, const whirl_table *table, size_t point);
 
-/// All of a point: where every point has several starts, which one this is, by `found` (labels NULL: there is one); its
-/// modes by the names that `lines` have for them, NULL: they were not followed. Where not `full`, without what has a
-/// row for every revolution or node. `well` becomes false where memory ran out.
+/// Returns all of a point. With several starts at a place, `found` tells which one this is (labels NULL: there is one).
+/// `lines` has the names of its modes, NULL: they were not followed. Without `full`, arrays with a row for every
+/// revolution or node are left out. `well` becomes false without memory.
 json_t *point_json(bool *well, const whirl_result *result, const whirl_table *table, size_t point,
                    const whirl_coexistence *found, const mode_lines *lines, bool full);
 

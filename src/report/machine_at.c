@@ -61,7 +61,8 @@ machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *re
     return walls;
 }
 
-/// Moves the journal of a station into every direction, all else in the middle; false where a wall is not known.
+/// Finds the largest eccentricity of a journal in every direction, with all else centred. Returns false if the wall is
+/// unknown.
 static bool find_wall(const whirl_system *system, size_t station, double clearance, double *radius) {
     const whirl_probe *probe = &system->probes[station];
     whirl_film_gap gap;
@@ -102,7 +103,8 @@ double machine_wall_radius(const machine_wall *wall, double angle) {
 /// Orders of lines are interpolated between bins.
 static const double tolerance = 0.005;
 
-/// Of multiples and sidebands of a named order, which of them a line is, the simplest first; 0: none.
+/// Tests whether a line is a multiple or a sideband of a named order, the simplest first; writes its name. Returns a
+/// rank, 1 for the simplest, or 0 if it is neither.
 static int simplest(double line, const whirl_named_order *of, char name[LINE_NAME_SIZE]) {
     enum { MULTIPLES = 4 };
     for (int n = 1; n <= MULTIPLES; n++) {

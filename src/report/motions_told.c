@@ -13,12 +13,12 @@ bool motions_beside(const whirl_table *table) {
     return table->role == WHIRL_ROLE_MOTIONS;
 }
 
-/// What is being written.
+/// The paragraph being written.
 typedef struct paragraph {
     const whirl_case *machine;
     const whirl_result *view;
     const whirl_table *table;
-    whirl_unit unit; ///< of the parameter
+    whirl_unit unit; ///< unit of the parameter
     char *text;
 } paragraph;
 
@@ -36,13 +36,13 @@ static void add(const paragraph *p, const char *format, ...) {
     va_end(arguments);
 }
 
-/// " at 5700 rpm"; nothing where there is no parameter.
+/// Adds " at 5700 rpm"; nothing without a parameter.
 static void add_place(const paragraph *p, const char *before, size_t point) {
     if (!*p->table->parameter) return;
     add(p, "%s%.6g%s%s", before, p->table->values[point] / p->unit.size, *p->unit.name ? " " : "", p->unit.name);
 }
 
-// ---------------------------------------------------------------- what they are
+// ---------------------------------------------------------------- kinds of motion
 
 static void add_unbalances(const paragraph *p) {
     const whirl_record_options *record = &p->table->record;
@@ -87,7 +87,7 @@ static void add_regimes(const paragraph *p) {
 
 // ---------------------------------------------------------------- clearances
 
-/// The station whose wall motions come nearest to.
+/// The closest approach of motions to a wall.
 typedef struct nearest {
     double share;
     size_t station, point;
@@ -117,7 +117,7 @@ static void add_clearance(const paragraph *p) {
     add_place(p, ", at ", found.point);
 }
 
-/// Where a contact touches, for how long and how hard.
+/// Adds the place, duration and force of a contact.
 static void add_contact(const paragraph *p, size_t contact) {
     size_t touching = 0, done = 0, first = 0, last = 0, hardest = 0;
     double share = 0.0, force = 0.0;
@@ -146,7 +146,7 @@ static void add_contact(const paragraph *p, size_t contact) {
     if (*p->table->parameter) add(p, ")");
 }
 
-// ---------------------------------------------------------------- what else there is
+// ---------------------------------------------------------------- coexisting motions
 
 static void add_beside(const paragraph *p) {
     const whirl_table *table = p->table;
@@ -206,7 +206,7 @@ whirl_status motions_told(const whirl_shown_units *units, const whirl_result *vi
 // ---------------------------------------------------------------- ranges_told
 // Points beyond the range of a law, in words.
 
-/// Adds which points, where there are several.
+/// Adds the number and the first of the points, if there are several.
 static void add_points(const whirl_shown_units *units, const whirl_table *table, const whirl_left *left,
                        char text[RANGES_TOLD_SIZE]) {
     const whirl_unit unit = whirl_shown_parameter(units, table->parameter);

@@ -11,8 +11,8 @@
 /// Values without an extent have no step: as far from one of them counts as that value.
 static const double share_of_a_lone_value = 0.01;
 
-/// The end of the values [count] towards larger (sign 1) or smaller (-1) numbers, and how far a number may lie beyond
-/// it: the step to the nearest other value. NaN where there are no values.
+/// End of the values [count] towards larger (sign 1) or smaller (-1) numbers, and the distance beyond it that is still
+/// accepted: the step to the nearest other value. NaN without values.
 static double nearest_end(const double *values, size_t count, double sign, double *step) {
     double end = NAN;
     *step = INFINITY;

@@ -11,7 +11,7 @@ numbers point_numbers(const whirl_table *table, size_t point, const char *field,
     return (numbers){at, shape->rows, shape->columns};
 }
 
-/// The array if it has `columns` columns; rows at the end that hold NaN are left out.
+/// Returns the array if it has `columns` columns, without trailing rows of NaN.
 static numbers array_of(const whirl_table *table, size_t point, const char *field, size_t which, size_t columns) {
     numbers found = point_numbers(table, point, field, which);
     if (found.columns != columns) return (numbers){0};
@@ -54,7 +54,8 @@ shown_estimate estimate_shown(whirl_estimate estimate) {
     shown_estimate shown = {estimate.value, estimate.error, 4};
     if (!isfinite(estimate.value) || !isfinite(estimate.error)) return shown;
     const double error = fmax(estimate.error, least);
-    // 0.0123 has two digits at one decimal more than its power of ten says; 0.00996 rounds to 0.010.
+    // Rounds to two digits of the error. 0.0123 has them at one decimal more than its power of ten; 0.00996 rounds to
+    // 0.010.
     const int power = (int)floor(log10(error / 0.995));
     shown.decimals = power < -3 ? 4 : power > 1 ? 0 : 1 - power;
     const double unit = pow(10.0, -shown.decimals);

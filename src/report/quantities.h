@@ -10,17 +10,17 @@
 
 enum { LABEL_SIZE = 128 };
 
-/// An array of the table: numbers [rows][columns], or NULL with rows 0 where there is none.
+/// An array of a table: numbers [rows][columns]; NULL with rows 0 if there is none.
 typedef struct numbers {
     const double *at;
     size_t rows, columns;
 } numbers;
 
-/// The array of a field for a point and a station or contact; at = NULL where the field is absent or its first number
-/// is NaN.
+/// Returns the array of a field for a point and a station or contact; at = NULL if the field is absent or its first
+/// number is NaN.
 numbers point_numbers(const whirl_table *table, size_t point, const char *field, size_t which);
 
-/// The first number of a field; NaN where it is absent.
+/// Returns the first number of a field; NaN if it is absent.
 double point_number(const whirl_table *table, size_t point, const char *field);
 
 numbers point_section(const whirl_table *table, size_t point, size_t station);  ///< x, y, vx, vy once a revolution
@@ -28,17 +28,16 @@ numbers point_waveform(const whirl_table *table, size_t point, size_t station); 
 numbers point_spectrum(const whirl_table *table, size_t point, size_t station); ///< order, x, y, forward, backward
 numbers point_lines(const whirl_table *table, size_t point, size_t station); ///< the same, of the peaks, largest first
 
-/// Share of a station's motion that these peaks hold (spectrum/share), NaN where it is not known; below FEW_LINES
-/// summary and report tell it.
+/// Share of a station's motion in its stored spectral lines (spectrum/share); NaN if unknown. Summary and report give
+/// it below FEW_LINES.
 double line_share(const whirl_table *table, size_t point, size_t station);
 #define FEW_LINES 0.9
 
-/// Largest Lyapunov exponent per revolution: the analysis "lyapunov", else the verdict's evidence; NaN where there is
-/// neither.
+/// Largest Lyapunov exponent per revolution: of the analysis "lyapunov", else of the verdict; NaN without both.
 whirl_estimate point_exponent(const whirl_table *table, size_t point);
 
-double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN where not computed
-double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN where not computed
+double max_radius(const whirl_table *table, size_t point, size_t station);     ///< NaN if not computed
+double backward_share(const whirl_table *table, size_t point, size_t station); ///< NaN if not computed
 
 /// An estimate as it is shown: an error of at most two significant digits and at least 0.0001, a value of as many
 /// decimals.
@@ -54,13 +53,13 @@ void plus_minus(char *text);
 /// The verdict's reason, its exponent as it is shown.
 void reason_text(const whirl_verdict *verdict, char *text, size_t size);
 
-/// Share of the time in contact, the largest of all contacts; NaN where not computed or there are no contacts.
+/// Share of time in contact, the largest over all contacts; NaN if not computed or without contacts.
 double rub_share(const whirl_table *table, size_t point, size_t contact_count);
 
-/// Whether the table knows of contacts at all.
+/// Returns true if the table has fields of contacts.
 bool has_rub(const whirl_table *table, size_t contact_count);
 
-/// The table whose points are shown one by one: "detail", else "response"; NULL where there is neither.
+/// Returns the table whose points are shown one by one: "detail", else "response"; NULL if there is neither.
 const whirl_table *detail_table(const whirl_result *result);
 
 #endif

@@ -9,14 +9,14 @@
 #include "report_parts.h"
 #include "whirl/engine/report.h"
 
-/// What is made on the way, freed by report_free.
+/// Data made on the way, freed by report_free.
 typedef struct report {
     char (*folders)[FOLDER_NAME_SIZE];
     char (*paths)[FILE_PATH_SIZE];
     claim_outcome *outcomes;
     drawn_figures figures;
     whirl_shown_units *units;
-    whirl_result **views;      ///< [count] in which every attractor stands once
+    whirl_result **views;      ///< [count] results with every attractor once
     whirl_findings **findings; ///< [count] of these
     size_t count;
 } report;
@@ -61,7 +61,7 @@ bool whirl_report_find(const char *const *names, size_t count, const char *direc
         snprintf(found, size, "%s/%s", directory, pages[i].name);
         is_there = pages[i].written && report_file_there(found);
     }
-    // Without memory nothing is written either: whirl_report_write says so.
+    // Without memory nothing is written either: whirl_report_write fails.
     char(*folders)[FOLDER_NAME_SIZE] = calloc(count + 1, sizeof *folders);
     if (folders) name_folders(folders, names, count);
     for (size_t r = 0; folders && r < count && !is_there; r++) {
@@ -214,7 +214,7 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     return status.code == WHIRL_OK ? drawn : status;
 }
 
-/// What is shown of results, and what is found in it.
+/// Makes the views of results, and their findings.
 static whirl_status view_results(report *made, const whirl_result *const *results) {
     whirl_status status = whirl_ok();
     for (size_t r = 0; r < made->count && status.code == WHIRL_OK; r++)

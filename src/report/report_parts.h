@@ -1,4 +1,4 @@
-/// What reports, figures and pages have in common.
+/// Parts shared by reports, figures and pages.
 #ifndef REPORT_REPORT_PARTS_H
 #define REPORT_REPORT_PARTS_H
 
@@ -23,36 +23,36 @@
 // ---------------------------------------------------------------- document
 // Parts of a JSON document.
 
-/// A number; null for what is missing or infinite, which JSON has no number for.
+/// Returns a JSON number; null for NaN and infinity, which JSON lacks.
 json_t *document_number(double value);
 
-/// A text; what is not UTF-8 in it becomes question marks.
+/// Returns a JSON text; bytes that are not UTF-8 become question marks.
 json_t *document_text(const char *text);
 
-/// Put a value, which they take over, into a container; `well` becomes false where memory ran out.
+/// Add a value, which they take over, to a container; `well` becomes false without memory.
 void document_put(bool *well, json_t *object, const char *key, json_t *value);
 void document_append(bool *well, json_t *array, json_t *value);
 
 /// Puts all members of a struct that have a name.
 void document_put_members(bool *well, json_t *object, const whirl_member *member, const void *from);
 
-/// Writes a value, with the digits that give the same doubles back, and lets go of it. False where it fails.
+/// Writes a value, with digits that restore the same doubles, and frees it. Returns false on failure.
 bool document_write(bool well, json_t *value, FILE *stream);
 
 // ---------------------------------------------------------------- explorer
 // The explorer's page in units that a report asks for.
 
-/// As whirl_explorer_write; `units` go before those of the case (whirl_result_shown_units), NULL: none are asked for.
+/// Like whirl_explorer_write; `units` override those of the case (whirl_result_shown_units), NULL: none.
 whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
                             size_t count, const char *directory, const char *units);
 
 // ---------------------------------------------------------------- explorer_tables
 // Tables in the explorer's page, thinned to what a browser takes in.
 
-/// One table, with sections where they are asked for; false without memory.
+/// Writes one table, with sections on request. Returns false without memory.
 bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections);
 
-/// `,"fields": ...` of one point: all that is known of it.
+/// Writes `,"fields": ...`: all fields of one point.
 void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 
 // ---------------------------------------------------------------- explorer_contents
@@ -67,13 +67,13 @@ bool explorer_write_contents(FILE *stream, const whirl_result *result, const cha
 
 enum { STATEMENT_SIZE = 2048 };
 
-/// What was found in a view of a result (whirl_result_by_attractor). WHIRL_NO_MEMORY.
+/// Finds the findings of a view of a result (whirl_result_by_attractor). WHIRL_NO_MEMORY.
 whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings);
 
-/// "separation margin, asked for 16 % (amplification 5): 12 % above: left at 3000 rpm: fails: 1 of 4 peaks".
+/// Writes "separation margin, asked for 16 % (amplification 5): 12 % above: left at 3000 rpm: fails: 1 of 4 peaks".
 void statement_text(const whirl_statement *statement, char *text, size_t size);
 
-/// Whether a column has nothing in any row: pages leave it out.
+/// Returns true if a column is empty in all rows; pages leave it out.
 bool sheet_column_empty(const whirl_sheet *sheet, size_t column);
 
 /// A sheet as aligned text, its title first; of more rows than `most` (2 or more) the first ones and the last.
@@ -84,8 +84,8 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most);
 void sheet_write_csv(FILE *stream, const whirl_sheet *sheet);
 void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 
-/// Statements and sheets of a table as text; of sheets whose rows are points at most `points` rows, of others `rows`.
-/// False without memory.
+/// Writes statements and sheets of a table as text: at most `points` rows of sheets of points, at most `rows` of
+/// others. Returns false without memory.
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
 
 /// Words a warning of a point of a bearing, or of the bearing as a whole (point NULL), in um and degC. False without
@@ -96,64 +96,64 @@ bool bearing_remark_text(const whirl_bearing *bearing, const whirl_bearing_point
 /// A sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream);
 
-/// As parts of a JSON document.
+/// Return statements and sheets as parts of a JSON document.
 json_t *statements_json(bool *well, const whirl_findings *findings);
 json_t *sheets_json(bool *well, const whirl_findings *findings);
 
 // ---------------------------------------------------------------- machine_at
 // The machine at a point of a result, which its parameter may change, from the case that the result holds.
 
-/// The case that a result came from, with the parameters that the run used, to be freed by whirl_case_free; NULL where
-/// it holds none that can be read. WHIRL_NO_MEMORY.
+/// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. NULL if the result has
+/// none that can be read. WHIRL_NO_MEMORY.
 whirl_status machine_of(const whirl_result *result, whirl_case **machine);
 
-/// The batch of a table in the study of a case, with the second and third parameter of a point; NULL where there is
-/// none. A part of *study.
+/// Returns the batch of a table in the study of a case, with the second and third parameter of a point; NULL if there
+/// is none. A part of *study.
 whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study);
 
-/// The machine of a point as the study has it, with the values of its condition, but with its own unbalances where the
-/// study places others; false where it cannot be made. To be released.
+/// Makes the machine of a point with the values of its batch, but with the case's own unbalances instead of unbalances
+/// by rule. To be released. Returns false if it cannot be made.
 bool machine_at(const whirl_case *machine, const whirl_table *table, size_t point, whirl_machine *out);
 
-/// rad/s; NaN where it cannot be told.
+/// Speed at a point, rad/s; NaN if unknown.
 double machine_clock(const whirl_case *machine, const whirl_result *result, const whirl_table *table, size_t point);
 
-/// What is around a station, in length scales of the point; 0: nothing.
+/// Walls around a station, in length scales of the point; 0: none.
 typedef struct machine_walls {
-    double clearance; ///< of its bearing
+    double clearance; ///< clearance of its bearing
     double gap;       ///< to the stator
 } machine_walls;
 
-/// Of a point, or of the result's own case where the point cannot be told of.
+/// Walls at a point, or those of the result's own case if the point's machine is unknown.
 machine_walls machine_walls_at(const whirl_case *machine, const whirl_result *result, const whirl_table *table,
                                size_t point, size_t station);
 
-/// The wall of the bearing or seal around a station: how far the middle of the journal can go in directions from the
-/// x axis on, WALL_ANGLES of them, in length scales of the point; all the same where it is round.
+/// Wall of the bearing or seal around a station: largest eccentricity in WALL_ANGLES directions from the x axis on, in
+/// length scales of the point; all the same if it is round.
 enum { WALL_ANGLES = 720 };
 typedef struct machine_wall {
     bool round;
     double radius[WALL_ANGLES];
 } machine_wall;
 
-/// Finds it by the geometry of the bearing itself: lobes, offset halves, pivots of pads that tilt; a circle of
-/// `clearance` where the machine cannot be made, or pads have no wall.
+/// Finds the wall from the bearing's geometry: lobes, offset halves, pivots of tilting pads. A circle of radius
+/// `clearance` if the machine cannot be made, or pads have no wall.
 void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t point, size_t station,
                      double clearance, machine_wall *out);
 
-/// Its radius in a direction, rad, between those known by a straight line.
+/// Radius in a direction, rad, interpolated linearly.
 double machine_wall_radius(const machine_wall *wall, double angle);
 
 // ---------------------------------------------------------------- motions_told
 // What motions in the real films do beside a lateral analysis, in one paragraph: whether they come back, what they take
 // of clearances, where they touch and how hard, and what else stands beside them.
 
-/// Whether a table is of motions that stand beside studies of machines at rest (study: motions).
+/// Returns true if a table has motions next to studies at rest (study: motions).
 bool motions_beside(const whirl_table *table);
 
 enum { MOTIONS_TOLD_SIZE = 4096 };
 
-/// Of a table of motions, in a view (whirl_result_by_attractor) of the result. WHIRL_NO_MEMORY.
+/// Describes a table of motions in a view (whirl_result_by_attractor) of the result. WHIRL_NO_MEMORY.
 whirl_status motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
                           char text[MOTIONS_TOLD_SIZE]);
 
@@ -162,8 +162,9 @@ whirl_status motions_told(const whirl_shown_units *units, const whirl_result *vi
 
 enum { LINE_NAME_SIZE = 48 };
 
-/// The name of a line at a station, "BPFO", "2 BPFO" or "BPFI - 1X", and whose it is; of equal orders those of parts at
-/// the station come first, then single ones, multiples, and sidebands of one revolution. False where it has none.
+/// Finds the name of a line at a station, "BPFO", "2 BPFO" or "BPFI - 1X", and its part. Among equal orders parts at
+/// the station come first, then plain orders, multiples, and sidebands of one revolution. Returns false if it has no
+/// name.
 bool named_line(const whirl_system *system, double order, size_t station, char name[LINE_NAME_SIZE],
                 whirl_named_order *of);
 
@@ -172,16 +173,16 @@ bool named_line(const whirl_system *system, double order, size_t station, char n
 
 enum { RANGES_TOLD_SIZE = 1024 };
 
-/// Of range `index` of a table: "film at journal: eccentricity ratio up to 0.95, to which its coefficients were found;
-/// reached 0.97 (37 of 256 points, first at 6400 rpm)"; false where no point has left it.
+/// Describes validity range `index` of a table: "film at journal: eccentricity ratio up to 0.95, to which its
+/// coefficients were found; reached 0.97 (37 of 256 points, first at 6400 rpm)". Returns false if no point has left it.
 bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_t index, char text[RANGES_TOLD_SIZE]);
 
-/// Of machines at rest: "3 of 53 points, first at 1000 rpm: it could be followed up to 74.3 % of the static load, ...";
-/// false where all points have an answer.
+/// Describes points without an answer in studies at rest: "3 of 53 points, first at 1000 rpm: it could be followed up
+/// to 74.3 % of the static load, ...". Returns false if all points have one.
 bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
 
-/// Of a contact, by its index, of machines at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500 rpm),
-/// which small motions leave as it is there"; false where it is open everywhere.
+/// Describes a contact (index) that is closed at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500
+/// rpm), which small motions leave as it is there". Returns false if it is open everywhere.
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);
 
 // ---------------------------------------------------------------- regimes
@@ -196,7 +197,7 @@ typedef enum regime_class {
     CLASS_CHAOTIC,
     CLASS_UNDETERMINED,
     CLASS_DIVERGED,
-    CLASS_NOT_JUDGED, ///< of tables without verdicts; legends of verdicts leave it out
+    CLASS_NOT_JUDGED, ///< points of tables without verdicts; not in legends of verdicts
     CLASS_COUNT
 } regime_class;
 
@@ -205,17 +206,17 @@ regime_class regime_class_of(const whirl_verdict *verdict);
 /// "P-1", "other P-k", "chaotic", ... Static text.
 const char *regime_class_name(regime_class kind);
 
-/// "#366EFB": told apart by readers of any colour vision; the explorer's are the same
+/// Returns the colour, "#366EFB", distinguishable with any colour vision; the explorer's are the same
 /// (explorer/tests/colours.test.mjs). Static text.
 const char *regime_class_colour(regime_class kind);
 
 enum { ATTRACTOR_COLOURS = 8 };
 
-/// The colour of an attractor by its number, from 1; those beyond ATTRACTOR_COLOURS begin anew. Static text.
+/// Returns the colour of an attractor by number, from 1, repeating after ATTRACTOR_COLOURS. Static text.
 const char *attractor_colour(size_t number);
 
-/// "rests", "P-1", "P-8", "quasi-periodic", "chaotic", ...: a verdict without what is different from point to point;
-/// what neighbouring points must share to make an interval.
+/// Writes "rests", "P-1", "P-8", "quasi-periodic", "chaotic", ...: the part of a verdict that neighbouring points of an
+/// interval share.
 void regime_name(const whirl_verdict *verdict, char *text, size_t size);
 
 /// Consecutive points of a sweep with the same regime.
@@ -223,7 +224,7 @@ typedef struct regime_interval {
     char name[64];
     regime_class kind;
     size_t first, last, count; ///< points of the table
-    size_t rubbing;            ///< of these, points in contact at some time
+    size_t rubbing;            ///< number of its points with contact
     int branch;
 } regime_interval;
 
@@ -231,7 +232,7 @@ typedef struct regime_interval {
 /// are written.
 size_t regime_intervals(const whirl_table *table, size_t contact_count, regime_interval *intervals, size_t most);
 
-/// How many of the intervals, from the first on, are told as one: several short ones in a row, else 1.
+/// Returns the number of intervals at the beginning that are shown as one: several short ones in a row, else 1.
 size_t regime_group(const regime_interval *intervals, size_t count);
 
 /// "P-1"; "changing: P-3, chaotic" of several.
@@ -257,26 +258,26 @@ whirl_status report_file_close(report_file *file);
 /// Closes and removes a file that cannot be completed; one that had its name stays.
 void report_file_drop(report_file *file);
 
-/// Makes a folder and those above it; one that is there already is fine.
+/// Creates a folder and its parents; an existing one is fine.
 whirl_status folder_make(const char *path);
 
-/// Whether anything is there by this name, a link that leads nowhere, too.
+/// Returns true if anything of this name exists, even a dangling link.
 bool report_file_there(const char *path);
 
-/// Whether a folder is there and has anything in it.
+/// Returns true if a folder exists and is not empty.
 bool folder_holds_files(const char *path);
 
 /// The same for a folder that only the report writes to: a link in its place is refused, for it may lead anywhere.
 whirl_status folder_make_own(const char *path);
 
-/// Makes a folder of its own in another one; path [FILE_PATH_SIZE]. WHIRL_IO_ERROR with a sentence.
+/// Creates a new folder in another one; path [FILE_PATH_SIZE]. WHIRL_IO_ERROR with a sentence.
 whirl_status folder_make_temporary(const char *in, char *path);
 
 /// Removes such a folder and the files in it that have these names, ended by NULL.
 void folder_remove(const char *path, const char *const *names);
 
-/// The text as a file name: letters, digits, '.', '_', '+' and '-' stay, all else becomes '-'; never empty,
-/// never beginning with '.' or '-'.
+/// Turns a text into a file name: letters, digits, '.', '_', '+' and '-' stay, other bytes become '-'. The name is
+/// never empty and never begins with '.' or '-'.
 void safe_name(const char *text, char *name, size_t size);
 
 // ---------------------------------------------------------------- units
@@ -284,23 +285,23 @@ void safe_name(const char *text, char *name, size_t size);
 
 enum { UNIT_LABEL_SIZE = 160 };
 
-/// What an order of the running speed (rad/s) is in the unit of frequencies; NaN where they are shown as orders, or the
-/// speed is not known.
+/// Returns an order of the running speed (rad/s) in the unit of frequencies; NaN if orders are shown, or the speed is
+/// unknown.
 double units_order(const whirl_shown_units *units, double speed);
 
 /// The axis of orders of the running speed, or of the frequencies that they are; `full`: of backward whirl, too.
 void units_order_label(const whirl_shown_units *units, bool orders, bool full, char *label, size_t size);
 
-/// Whether the parameter of a table is the speed of the shaft, which the field `speeds` has of every point.
+/// Returns true if the parameter of a table is the speed of the shaft, which the field `speeds` has at every point.
 bool units_of_speed(const whirl_table *table, const char *speeds);
 
-/// Which way a mode whirls by its direction, from -1 to 1: 1 forward, -1 backward, 0 to and fro.
+/// Direction of whirl from a number between -1 and 1: 1 forward, -1 backward, 0 to and fro.
 int units_way(double direction);
 
-/// What a length of a point of the table is multiplied by to be shown.
+/// Returns the factor from a length at a point of the table to its shown value.
 double units_length(const whirl_shown_units *units, const whirl_table *table, size_t point, whirl_counting counting);
 
-/// How an axis is called, for plain text: "x / c" or "x (um)"; "amplitude / c (0-p)" or "amplitude (um p-p)"; "omega
+/// Write an axis label in plain text: "x / c" or "x (um)"; "amplitude / c (0-p)" or "amplitude (um p-p)"; "omega
 /// (rpm)".
 void units_length_label(const whirl_shown_units *units, whirl_counting counting, const char *quantity, char *label,
                         size_t size);
@@ -314,14 +315,14 @@ void units_point_label(const whirl_shown_units *units, const whirl_table *table,
 // ---------------------------------------------------------------- weight
 // How weight acts on the machine of a result, which knows it of cases.
 
-/// "9.80665 m/s2 across the shafts"; "" where it is not known.
+/// Returns "9.80665 m/s2 across the shafts"; "" if unknown.
 const char *weight_told(const whirl_result *result);
 
-/// Returns true where it acts along the shafts.
+/// Returns true if weight acts along the shafts.
 bool weight_stands(const whirl_result *result);
 
-/// Returns true where a summary begins with it: the machine stands, or journals in clearances have none. Statics say it
-/// themselves.
+/// Returns true if a summary begins with the weight: the machine is vertical, or journals in clearances carry no
+/// weight. Statics report it themselves.
 bool weight_heads(const whirl_result *result);
 
 // ---------------------------------------------------------------- written
@@ -330,8 +331,8 @@ bool weight_heads(const whirl_result *result);
 /// Writes `of`.
 typedef whirl_status write_function(const void *of, FILE *stream);
 
-/// What it writes, to be freed by whirl_text_free; *text is NULL after a failure, of memory with "no memory " and
-/// `purpose`.
+/// Writes into a text, to be freed by whirl_text_free. On failure *text is NULL; out of memory the message is "no
+/// memory " and `purpose`.
 whirl_status text_written(write_function *write, const void *of, const char *purpose, char **text);
 
 #endif

@@ -1,4 +1,4 @@
-// How weight acts on the machine of a result, as its fact "weight" has it (case/describe.c).
+// Weight on the machine of a result, from its fact "weight" (case/describe.c).
 #include <string.h>
 
 #include "report_parts.h"

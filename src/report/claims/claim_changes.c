@@ -1,5 +1,5 @@
-// What a claim says of branches: special points that lie in its range or do not, their sense, the order of the whirl
-// that begins, and into how many parts the curve of Hopf points falls.
+// Comparison of claims with branches: special points in a range or outside it, their sense, the order of the whirl that
+// begins, and the number of parts of the curve of Hopf points.
 #include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
@@ -8,7 +8,7 @@
 
 #include "claim_parts.h"
 
-/// A claim of one value is met by what lies within this share of it, and an order by one within that share.
+/// Relative tolerances for a claim of one value, and for a claimed order.
 static const double NEAR_VALUE = 0.02, NEAR_ORDER = 0.05;
 
 enum { MAX_SHOWN = 4 };
@@ -41,7 +41,7 @@ static claim_range range_of(const whirl_claims *claims, const whirl_claim *claim
                          claim->to + aside};
 }
 
-/// Whether a row is a special point of that kind in the range.
+/// Returns true if a row is a special point of that kind in the range.
 static bool is_change(const claim_range *of, size_t row, whirl_special kind) {
     const double value = of->branches->values[row];
     return number_at(of->branches, row, WHIRL_FIELD_TRACE_SPECIAL) == (double)kind && value >= of->from &&
@@ -54,7 +54,7 @@ static size_t count_changes(const claim_range *of, whirl_special kind) {
     return count;
 }
 
-/// The row with the least value; SIZE_MAX where there is none.
+/// Returns the row with the least value; SIZE_MAX if there is none.
 static size_t first_change(const claim_range *of, whirl_special kind) {
     size_t first = SIZE_MAX;
     for (size_t i = 0; i < of->branches->count; i++)
@@ -73,7 +73,7 @@ static void put_kind(const claim_range *of, whirl_special kind, char *text, size
     if (count > shown) put(text, size, " and %zu more", count - shown);
 }
 
-/// What share of the range the branches have been followed over.
+/// Share of the range that the branches cover.
 static double covered(const claim_range *of) {
     double low = INFINITY, high = -INFINITY;
     for (size_t i = 0; i < of->branches->count; i++) {
@@ -132,8 +132,8 @@ static void compare_orders(const claim_range *of, const whirl_claim *claim, clai
 
 // ---------------------------------------------------------------- parts of a curve
 
-/// Rows of one curve in order: the second leg backwards, then the first one. `count` rows from `first`, of which
-/// `other` are of the first leg.
+/// Rows of one curve in order: the second leg backwards, then the first one. It has `count` rows from `first`; the
+/// first `other` of them belong to the first leg.
 typedef struct claim_curve {
     const whirl_table *table;
     size_t first, other, count;

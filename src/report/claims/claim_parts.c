@@ -67,8 +67,8 @@ static bool claims_line(const whirl_claim *claim, double order) {
     return false;
 }
 
-/// All claimed lines are there and, where the claim says so, no others. One part, not two: nearly every spectrum of a
-/// rotor has a line at the running speed, so that this alone says nothing.
+/// Scores 1 if all claimed lines are found and, if the claim says so, no others. Both are one part: nearly every rotor
+/// has a line at the running speed, so that finding it alone means little.
 static double score_lines(const claim_view *view, size_t point) {
     const numbers lines = claim_lines(view, point);
     if (!lines.at) return NAN;
@@ -89,8 +89,8 @@ static bool states_band(const whirl_claim *claim) {
     return claim->has_band;
 }
 
-/// Half for the band holding three quarters of the power of the lines below the running speed, half for these being
-/// many, three or more, as "a band of lines" says.
+/// Scores half for a band with three quarters of the power of the lines below the running speed, and half for three
+/// lines or more in it ("a band of lines").
 static double score_band(const claim_view *view, size_t point) {
     const claim_band found = claim_band_of(view, point);
     if (isnan(found.share)) return NAN;

@@ -9,7 +9,7 @@
 #include "report_parts.h"
 #include "whirl/engine/claims.h"
 
-/// A claim beside the table it is compared with.
+/// A claim and the table it is compared with.
 typedef struct claim_view {
     const whirl_claim *claim;
     const whirl_result *result;
@@ -32,26 +32,26 @@ void claim_census_add(claim_census *census, const claim_view *view, size_t point
 typedef struct claim_part {
     const char *name;
     bool (*stated)(const whirl_claim *claim);
-    /// 1 where the point agrees, 0 where it does not, between where half of it does; NaN where the result cannot tell.
+    /// Agreement at a point: 1 yes, 0 no, between if half of the part agrees; NaN if the result has no data.
     double (*score)(const claim_view *view, size_t point);
-    /// What is found at a point, in a short line. At most `size` bytes.
+    /// Writes the finding at a point as a short line of at most `size` bytes.
     void (*at_point)(const claim_view *view, size_t point, char *text, size_t size);
-    /// What is found over a range; NULL: only at how many points it is as claimed.
+    /// Writes the finding over a range; NULL: only the number of points that agree is written.
     void (*over_range)(const claim_view *view, const claim_census *census, char *text, size_t size);
 } claim_part;
 
-/// All parts; static, ended by an entry whose name is NULL.
+/// Returns all parts; static, ended by an entry with a NULL name.
 const claim_part *claim_parts(void);
 
-/// A line is where the claim says it is within this many orders.
+/// Tolerance of a line's position, in orders.
 static const double LINE_TOLERANCE = 0.02;
 
 /// The lines of the spectrum that count in a comparison: at least a twentieth of the largest.
 numbers claim_lines(const claim_view *view, size_t point);
 
-/// What lies in the claimed band.
+/// Content of the claimed band.
 typedef struct claim_band {
-    double share; ///< of the power of the lines below the running speed; NaN without lines
+    double share; ///< part of the power of all lines below the running speed; NaN without lines
     size_t lines;
 } claim_band;
 claim_band claim_band_of(const claim_view *view, size_t point);
@@ -76,18 +76,18 @@ void claim_whirl_over(const claim_view *view, const claim_census *census, char *
 
 enum { MAX_FINDINGS = 12, FINDING_SIZE = 240 };
 
-/// A part of a claim beside what was found.
+/// A part of a claim and the finding about it.
 typedef struct claim_finding {
     whirl_agreement agreement;
     char text[FINDING_SIZE];
 } claim_finding;
 
-/// A claim beside a result: one finding for each part that it states, in the order of claim_parts().
+/// Comparison of a claim with a result: one finding for each part that the claim states, in the order of claim_parts().
 typedef struct claim_outcome {
     whirl_agreement agreement;
     size_t count;
     claim_finding findings[MAX_FINDINGS];
-    char note[FINDING_SIZE]; ///< where it was looked instead, or why nothing was compared; "" where neither applies
+    char note[FINDING_SIZE]; ///< place of the comparison if it is another one, or reason why there was none; else ""
 } claim_outcome;
 
 /// The points that a claim speaks of: a table and the range of its parameter.
@@ -95,25 +95,27 @@ typedef struct claim_selection {
     const whirl_table *table;
     double from, to;
     size_t count;
-    double nearest; ///< value of the point taken for a claim of one value
+    double nearest; ///< value of the point used for a claim of one value
 } claim_selection;
 
-/// The table with that role whose parameter is the given one; NULL where there is none with a point.
+/// Returns the table with that role and parameter; NULL if there is none with a point.
 const whirl_table *claim_table_over(const whirl_result *result, whirl_role role, const char *parameter);
 claim_selection claim_select(const whirl_result *result, const char *parameter, const whirl_claim *claim);
 bool claim_selected(const claim_selection *of, size_t point);
-size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX where there is none of that name
+size_t claim_station(const whirl_result *result, const char *name); ///< SIZE_MAX if no station has the name
 
-/// Whether a claim says something of branches, and how that stands beside a result's: findings that are added.
+/// claim_of_branches: returns true if a claim states something about branches. claim_compare_branches: compares it with
+/// the branches of a result and appends the findings.
 bool claim_of_branches(const whirl_claim *claim);
 void claim_compare_branches(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result,
                             claim_outcome *outcome);
 
-/// Whether a claim speaks of results with this one's value of the parameter that is given; else why not.
+/// Returns true if a claim applies to this result, that is, if fixed parameters have the claimed values; else writes
+/// why not.
 bool claim_is_given(const whirl_claim *claim, const whirl_result *result, char *text, size_t size);
 
-/// Where a claim that is not met in full fails, and where it is met: over a range the values at which it does not hold,
-/// for a single value the nearest of the sweep at which it does. At most `size` bytes.
+/// Writes where a claim fails and where it is met: over a range the values at which it fails, for a single value the
+/// nearest value of the sweep at which it holds. At most `size` bytes.
 void claim_whereabouts(const whirl_claims *claims, const whirl_claim *claim, const whirl_result *result, char *text,
                        size_t size);
 

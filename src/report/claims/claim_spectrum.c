@@ -1,4 +1,4 @@
-// What of a spectrum a claim is compared with.
+// Spectral lines and bands that claims are compared with.
 #include "claim_parts.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ numbers claim_lines(const claim_view *view, size_t point) {
     numbers lines = point_lines(view->table, point, view->station);
     double most = 0.0;
     for (size_t i = 0; i < lines.rows; i++) most = fmax(most, line_amplitude(&lines.at[5 * i]));
-    // The analysis sorts by size, so that the small ones stand at the end.
+    // The analysis sorts lines by amplitude, largest first.
     while (lines.rows > 0 && line_amplitude(&lines.at[5 * (lines.rows - 1)]) < LINE_SHARE * most) lines.rows--;
     return lines;
 }

@@ -1,4 +1,4 @@
-// What is found where a claim looks, a short line for each part.
+// Findings at the points of a claim, as a short line for each part.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,4 @@
-// Where along the sweep a claim holds and where it does not: what the table of claims, which counts points, does not
-// say.
+// Ranges of the sweep in which a claim holds. The table of claims only counts points.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -15,7 +14,7 @@ static bool speaks_of_points(const whirl_claim *claim) {
     return false;
 }
 
-/// The score of a point in all that the claim states: the least of its parts; NaN where one of them cannot be told.
+/// Score of a point for the whole claim: the least score of its parts; NaN if one part cannot be scored.
 static double score_all(const claim_view *view, size_t point) {
     double least = 1.0;
     for (const claim_part *part = claim_parts(); part->name; part++) {
@@ -73,7 +72,7 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
         append(text, size, rest);
 }
 
-/// "holds at r_k = 0.4191, the nearest of the sweep", or that it does nowhere.
+/// Writes "holds at r_k = 0.4191, the nearest of the sweep", or that the claim holds nowhere.
 static void where_met(const claim_view *view, const char *parameter, double value, char *text, size_t size) {
     const whirl_table *sweep = view->table;
     size_t best = SIZE_MAX, compared = 0;

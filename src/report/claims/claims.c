@@ -1,5 +1,5 @@
-// Setting a claim beside a result. A claim is taken apart into what it states (regime, curves, contact, lines, ...);
-// each part is compared at every point that the claim speaks of, and scores the share of the points that agree.
+// Comparison of claims with a result. A claim is split into parts (regime, curves, contact, lines, ...). Each part is
+// compared at every point of the claim's range; its score is the share of points that agree.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -19,7 +19,7 @@ static size_t nearest_point(const whirl_table *table, double value) {
     return best;
 }
 
-/// How far the sweep's points lie apart, at most.
+/// Largest distance of neighbouring points of a sweep.
 static double spacing(const whirl_table *table) {
     double most = 0.0;
     for (size_t i = 1; i < table->count; i++)
@@ -67,8 +67,8 @@ size_t claim_station(const whirl_result *result, const char *name) {
     return SIZE_MAX;
 }
 
-/// Does the claim's part hold at the points of the selection? `share` is of those that can tell, of which there are
-/// `compared`.
+/// Compares one part at the selected points. `share` is the share of agreeing points among the `compared` points that
+/// have data.
 static whirl_agreement score_part(const claim_part *part, const claim_view *view, const claim_selection *of,
                                   double *share, size_t *compared) {
     double agreeing = 0.0;
@@ -102,7 +102,7 @@ static void describe_part(const claim_part *part, const claim_view *view, const 
     }
 }
 
-/// One part of the claim over all its points: whether it agrees, and what was found.
+/// Compares one part of a claim over all its points, and writes the finding.
 static void compare_part(const claim_part *part, const claim_view *view, const claim_selection *of,
                          claim_finding *found) {
     double share;
@@ -118,7 +118,7 @@ static void compare_part(const claim_part *part, const claim_view *view, const c
         snprintf(found->text + used, FINDING_SIZE - used, " (unknown at %zu more)", of->count - compared);
 }
 
-/// A claim agrees when all that it states does, and in part when some of it does.
+/// Returns the verdict on a claim: it agrees if all parts agree, and partly if some do.
 static whirl_agreement all_parts(const claim_outcome *outcome) {
     size_t agree = 0, partly = 0, disagree = 0;
     for (size_t i = 0; i < outcome->count; i++) {

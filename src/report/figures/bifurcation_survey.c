@@ -1,4 +1,4 @@
-// What a bifurcation diagram shows: the ranges of its axes, and what of the parameter's axis belongs to a point.
+// Axes of a bifurcation diagram: their ranges, and the part of the parameter's axis that belongs to a point.
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ static int by_value(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// The range of the exponents without the rare deep minima at superstable points, which would flatten all else.
+/// Range of the exponents without the deep minima at superstable points, which would flatten the curve.
 static span exponent_span(const whirl_table *table) {
     span range = span_empty();
     double *sorted = malloc((table->count + 1) * sizeof *sorted);
@@ -31,14 +31,13 @@ static span exponent_span(const whirl_table *table) {
     return span_with_margin(range, 0.08, 0.01);
 }
 
-/// How many places of the study lie between two points of the table; 0 across branches.
+/// Number of grid places between two points of a table; 0 across branches.
 static double places_between(const whirl_table *table, size_t a, size_t b) {
     if (b >= table->count || table->branch[a] != table->branch[b]) return 0.0;
     return (double)whirl_table_slot(table, b) - (double)whirl_table_slot(table, a);
 }
 
-/// Whether a sweep was made with `scale: log`: the ratios of neighbours are the same throughout, their differences are
-/// not.
+/// Returns true for a sweep with `scale: log`: ratios of neighbours are constant, differences are not.
 static bool has_equal_ratios(const whirl_table *table) {
     const double *v = table->values;
     if (places_between(table, 0, 1) == 0.0 || places_between(table, 1, 2) == 0.0 || !(v[0] > 0.0)) return false;
@@ -57,12 +56,12 @@ static double middle(const bifurcation *of, double a, double b) {
     return of->ratios ? sqrt(a * b) : 0.5 * (a + b);
 }
 
-/// Where a value lies that is as far from `a` as `b` is, on the other side.
+/// Mirrors the value `b` at `a` (on a logarithmic axis by ratio).
 static double mirrored(const bifurcation *of, double a, double b) {
     return of->ratios ? a * (a / b) : a + (a - b);
 }
 
-/// The value beside a point, one place further on (1) or before (-1); NaN where the table does not tell.
+/// Value of the neighbouring point, next (1) or previous (-1); NaN if the table does not have it.
 static double value_beside(const bifurcation *of, size_t i, int side) {
     const whirl_table *const table = of->table;
     if (side < 0 && i == 0) return NAN;
@@ -73,7 +72,7 @@ static double value_beside(const bifurcation *of, size_t i, int side) {
     return of->ratios ? at * pow(there / at, 1.0 / apart) : at + (there - at) / apart;
 }
 
-/// The value at a place of the study; NaN where there is none.
+/// Value at a place of the study's grid; NaN if there is none.
 static double place_value(const whirl_table *all, size_t place) {
     if (!all->slots && place < whirl_table_places(all)) return all->values[place];
     for (size_t i = 0; all->slots && i < all->count; i++)
@@ -81,7 +80,7 @@ static double place_value(const whirl_table *all, size_t place) {
     return NAN;
 }
 
-/// The same of an attractor that is not there further on: the study has points beside it all the same.
+/// Value of the neighbouring place of the study's grid, for an attractor that ends at this point.
 static double value_of_study(const bifurcation *of, size_t i, int side) {
     const whirl_table *const table = of->table;
     if (!table->source || (side < 0 && table->slots[i] == 0)) return NAN;
@@ -99,7 +98,7 @@ void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *hig
     *high = fmax(middle(of, at, before), middle(of, at, after));
 }
 
-/// What is around the station at all points alike (looked at in some of them), 0 where it changes.
+/// Walls around the station if they are the same at all points (up to 33 are compared); 0 where they change.
 static machine_walls lasting_walls(const bifurcation *of) {
     const size_t count = of->table->count, step = 1 + count / 32;
     machine_walls walls = machine_walls_at(of->machine, of->result, of->table, count - 1, of->station);

@@ -1,4 +1,4 @@
-// Figures of a bearing by itself: what it does over speed, load or Sommerfeld number, and where the journal rests.
+// Figures of a single bearing: quantities over speed, load or Sommerfeld number, and the journal's positions.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,13 +10,13 @@
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// What the horizontal axis has.
+/// Quantity on the horizontal axis.
 typedef enum along { ALONG_SPEED, ALONG_LOAD, ALONG_SOMMERFELD } along;
 
 /// A number of a point, and of which panel and axis it is.
 typedef struct quantity {
     const char *panel, *label, *name;
-    int index; ///< of coefficients 0 to 7; -1 to -5: eccentricity, attitude, film, power, flow
+    int index; ///< 0 to 7: coefficients; -1 to -5: eccentricity, attitude, film, power, flow
 } quantity;
 
 /// Curves of a table, and in which units they are drawn.
@@ -77,7 +77,7 @@ static const whirl_bearing_point **order(const whirl_bearing_table *table, along
     return points;
 }
 
-/// Points of one load hang together over the speed, those of the next begin anew.
+/// Adds one quantity. Points of one load form a line over the speed.
 static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *drawn, const quantity *what,
                        const char *colour) {
     const whirl_bearing_table *table = drawn->table;
@@ -97,8 +97,8 @@ static void add_values(whirl_figure *figure, whirl_panel *panel, const curves *d
     free(points);
 }
 
-/// Of all points and the `count` quantities from `index` on. One that does not change has room around it, more than its
-/// rounding; above coefficients there is a row for their legend.
+/// Range of `count` quantities from `index` on, over all points. A constant quantity gets a margin above its rounding;
+/// panels of coefficients get a row for their legend.
 static span range_of(const curves *drawn, int index, int count) {
     const double legend = count > 1 ? 0.16 : 0.0;
     span range = span_empty();
@@ -179,7 +179,7 @@ static void draw_curves(whirl_figure *figure, const curves *drawn) {
              axis == ALONG_SPEED && table->bearing->load_count > 1 && !table->bearing->pairs ? " A line a load." : "");
 }
 
-/// How far from the middle the journal touches a pad in a direction, in clearances of pads.
+/// Distance from the centre at which the journal touches a pad in a direction, in pad clearances.
 static double touches(const whirl_pads *pads, double angle) {
     enum { LOOKS = 180 };
     double least = 1.0 + WHIRL_MAX_PADS;
@@ -208,7 +208,7 @@ static void draw_locus(whirl_figure *figure, const whirl_bearing_table *table) {
     }
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#0072B2", 0.7);
     whirl_series *dots = panel_series(figure, panel, WHIRL_DOTS, "#0072B2", 2.5);
-    // Of one viscosity all places lie on one curve.
+    // With one viscosity all positions lie on one curve.
     const whirl_bearing_point **points = order(table, ALONG_SOMMERFELD);
     figure->failed = figure->failed || !points;
     for (size_t i = 0; i < table->count && points; i++) {

@@ -10,15 +10,15 @@
 #include "quantities.h"
 
 enum {
-    MANY_POINTS = 150, ///< of a sweep: so many stand so close together that small dots are enough
+    MANY_POINTS = 150, ///< points in a sweep above which small dots suffice
     GRID = 2000,       ///< dots nearer to each other than 1/GRID of the axis are drawn once
-    MAX_DOTS = 100000, ///< of a figure, so that its PDF stays small
-    MIN_DOTS = 64      ///< of a point
+    MAX_DOTS = 100000, ///< largest number of dots in a figure, which limits the size of its PDF
+    MIN_DOTS = 64      ///< least number of dots of a point
 };
 
 static const char grey[] = "#9A9A9A", dark[] = "#303030", rubbing[] = "#F3DFC5";
 
-// ---------------------------------------------------------------- what panels have in common
+// ---------------------------------------------------------------- what panels share
 
 static double shown_value(const bifurcation *of, size_t point) {
     return of->value * of->table->values[point];
@@ -36,13 +36,13 @@ static void band_limits(const bifurcation *of, size_t first, size_t last, span *
     *band = own;
 }
 
-/// Whether point `i` + 1 stands beside point i in its branch.
+/// Returns true if point `i` + 1 is the neighbour of point i in its branch.
 static bool goes_on(const whirl_table *table, size_t i) {
     return i + 1 < table->count && table->branch[i + 1] == table->branch[i] &&
            whirl_table_slot(table, i + 1) == whirl_table_slot(table, i) + 1;
 }
 
-/// The ranges of the parameter in which there is contact, behind all else of a panel.
+/// Adds shaded bands for parameter ranges with contact, behind the other series of a panel.
 static void add_rub_bands(whirl_figure *figure, whirl_panel *panel, const bifurcation *of) {
     const whirl_table *table = of->table;
     const size_t contacts = of->result->contact_count;
@@ -73,7 +73,7 @@ static whirl_panel *add_panel(whirl_figure *figure, const bifurcation *of, const
 
 // ---------------------------------------------------------------- the section
 
-/// A dot on the grid of the figure, and where in the section it comes from.
+/// A dot on the pixel grid of the figure, and its row in the section.
 typedef struct dot {
     int x, y;
     size_t row;
@@ -106,7 +106,7 @@ static void add_dots(whirl_figure *figure, whirl_series *to, const bifurcation *
             series_add(figure, to, shown_value(of, point), length * section.at[4 * dots[k].row + column]);
 }
 
-/// Regimes that have few dots, or dots in doubt, which shall be seen.
+/// Returns true for kinds with few dots, or dots in doubt, which are drawn larger.
 static bool has_large_dots(const bifurcation *of, size_t kind) {
     return of->attractors > 0 || kind == CLASS_UNDETERMINED || kind == CLASS_P1 || kind == CLASS_P2 ||
            kind == CLASS_P4 || kind == CLASS_OTHER_PERIOD;
@@ -116,7 +116,7 @@ static double dot_size(const bifurcation *of) {
     return of->table->count > MANY_POINTS ? 0.27 : 0.45;
 }
 
-/// Of one kind and branch.
+/// Adds the dots of one kind and one branch.
 static void add_kind(whirl_figure *figure, whirl_panel *panel, const bifurcation *of, size_t kind, int branch,
                      size_t column, dot *dots) {
     char name[WHIRL_NAME_SIZE];
@@ -154,7 +154,7 @@ static void add_section(whirl_figure *figure, const bifurcation *of, size_t colu
 
 // ---------------------------------------------------------------- verdicts
 
-/// Where the strip of an interval lies in its panel: one above the other for both branches, and for attractors.
+/// Vertical position of an interval's strip in its panel: strips of both branches, or of attractors, are stacked.
 static span strip_of(const bifurcation *of, const regime_interval *interval) {
     const double count = of->attractors > 0 ? (double)of->attractors : of->both ? 2.0 : 1.0;
     const bool lower = of->both && interval->branch < 0;
@@ -188,8 +188,8 @@ static void add_regimes(whirl_figure *figure, const bifurcation *of) {
     free(intervals);
 }
 
-/// Bars that are pale and long where a verdict is trusted, short and coloured where it is in doubt; the branch from the
-/// last value on as lines.
+/// Adds a bar for each confidence: pale and long for trusted verdicts, short and coloured for doubtful ones. The branch
+/// from the last value on has lines.
 static void add_confidence(whirl_figure *figure, const bifurcation *of) {
     static const char *const colours[] = {"#D55E00", "#A8A8A8", "#DCDCDC"};
     static const char *const names[] = {"low", "", "high"};
@@ -276,8 +276,8 @@ static double contact_of(const bifurcation *of, size_t point) {
     return 100.0 * rub_share(of->table, point, of->result->contact_count);
 }
 
-/// How near the curve of the largest radius comes to the gap within a tenth of the axis around a place (0: left, 1:
-/// right).
+/// Least distance of the curve of the largest radius from the gap, within a tenth of the axis around a place (0: left,
+/// 1: right).
 static double room_for_label(const bifurcation *of, double place) {
     const double width = of->parameter.high - of->parameter.low;
     double nearest = (double)INFINITY;
@@ -292,7 +292,7 @@ static double room_for_label(const bifurcation *of, double place) {
     return nearest;
 }
 
-/// The gap, its name where the curve is far away.
+/// Adds the gap as a line, with its name where the curve is far away.
 static void add_gap(whirl_figure *figure, whirl_panel *panel, const bifurcation *of, double height) {
     static const double places[] = {0.93, 0.07, 0.5};
     int best = 0;
@@ -327,8 +327,8 @@ static void add_contact(whirl_figure *figure, const bifurcation *of) {
     add_lines(figure, panel, of, contact_of);
 }
 
-/// The share of the starts that lead to each attractor, with its standard error; rings where it is 0, for those that
-/// were found from neighbours.
+/// Adds the share of starts that lead to each attractor, with its standard error. Rings mark a share of 0: attractors
+/// found only from neighbours.
 static void add_shares(whirl_figure *figure, const bifurcation *of) {
     whirl_panel *panel = add_panel(figure, of, "share", 1.45, (span){-4.0, 104.0});
     if (!panel) return;
@@ -353,7 +353,7 @@ static void add_shares(whirl_figure *figure, const bifurcation *of) {
 
 // ---------------------------------------------------------------- the figure
 
-/// What the strips of regimes stand for, and what there is below them for attractors alone.
+/// Caption of the strips, and of the panel below them that diagrams of attractors have.
 static const char *strips_of(const bifurcation *of) {
     if (of->attractors == 0)
         return of->both ? " (upper strip: followed from the first value on; lower strip: from the last)" : "";

@@ -1,5 +1,5 @@
-// Branches of orbits over a parameter, on the section of a sweep where there is one, and the multipliers that say why
-// they change; curves of special points over two parameters.
+// Branches of orbits over a parameter, drawn over the section of a sweep if there is one, and the Floquet multipliers
+// that show why they change; curves of special points over two parameters.
 #include <math.h>
 #include <stdio.h>
 
@@ -33,7 +33,8 @@ static bool are_one(const whirl_table *table, size_t a, size_t b) {
     return point_number(table, a, WHIRL_FIELD_TRACE_NUMBER) == point_number(table, b, WHIRL_FIELD_TRACE_NUMBER);
 }
 
-/// Whether orbits between two neighbouring points are stable: special points are on the verge.
+/// Returns true if orbits between two neighbouring points are stable. A special point is marginal, so the other one
+/// decides.
 static bool is_stable(const whirl_table *table, size_t a, size_t b) {
     const size_t told = kind_of(table, a) ? b : a;
     return point_number(table, told, WHIRL_FIELD_TRACE_UNSTABLE) == 0.0;
@@ -53,13 +54,13 @@ static bool has_kind(const whirl_table *table, int kind) {
 
 // ---------------------------------------------------------------- a panel of branches
 
-/// What a panel shows of every point: a coordinate of the section of a station, or the multiplier.
+/// Quantity shown of every point: a coordinate of a station's section, or the multiplier.
 typedef struct view {
     const drawing *of;
     const whirl_table *table;
     size_t station, column; ///< column 2: the multiplier
-    double size;            ///< of one unit of the parameter
-    span range;             ///< of the parameter, over all that is drawn
+    double size;            ///< one unit of the parameter, in SI
+    span range;             ///< range of the parameter in the figure
 } view;
 
 /// The lines that a point is drawn as: of a forced orbit one a revolution, of others the bounds of their motion.
@@ -85,7 +86,7 @@ static double value_of(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
-/// Pieces of branches that are stable, or those that are not.
+/// Adds the stable pieces of branches, or the unstable ones.
 static void add_pieces(whirl_figure *figure, whirl_panel *panel, const view *v, bool stable) {
     const whirl_table *table = v->table;
     whirl_series *lines = panel_named(figure, panel, WHIRL_LINE, stable ? "stable" : "unstable",
@@ -135,7 +136,7 @@ static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) 
     }
 }
 
-/// The section of the sweep beside the branches.
+/// Adds the section of the sweep in grey.
 static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
     enum { MAX_DOTS = 40000 };
     const whirl_table *sweep = whirl_result_role(v->of->result, WHIRL_ROLE_SURVEY);
@@ -149,7 +150,7 @@ static void add_sweep(whirl_figure *figure, whirl_panel *panel, const view *v) {
         double before = NAN;
         for (size_t k = first; k < section.rows; k++) {
             const double at = length * section.at[4 * k + v->column];
-            // Of what has come to rest one dot is enough.
+            // Periodic points repeat: one dot is enough.
             if (!(fabs(at - before) <= 1e-6 * v->of->units->length))
                 series_add(figure, dots, sweep->values[i] / v->size, at);
             before = at;
@@ -234,7 +235,7 @@ static void list_curves(figure_list *to, const drawing *of, const whirl_table *t
                     whirl_result_fact(of->result, "second parameter"));
 }
 
-/// Whether what begins at a Hopf point of a curve is unstable; of other points it is not known.
+/// Returns true if the orbits that begin at a Hopf point of a curve are unstable (subcritical); false for other points.
 static bool is_subcritical(const whirl_table *table, size_t point) {
     return point_number(table, point, WHIRL_FIELD_TRACE_CRITICALITY) > 0.0;
 }
@@ -252,7 +253,7 @@ static void add_curves(whirl_figure *figure, whirl_panel *panel, const view *v, 
         lines->dashed = subcritical;
         const bool first = i == 0 || !are_one(table, i - 1, i),
                    last = i + 1 == table->count || !are_one(table, i, i + 1);
-        // Without a hole where the sense changes.
+        // Pieces share their end point where the sense changes, to leave no gap.
         for (size_t k = first || is_subcritical(table, i - 1) == subcritical ? i : i - 1; k <= i; k++)
             series_add(figure, lines, table->values[k] / v->size,
                        point_number(table, k, WHIRL_FIELD_TRACE_SECOND) / up);

@@ -29,7 +29,7 @@ span span_with_margin(span range, double margin, double least) {
 
 // ---------------------------------------------------------------- parts
 
-/// Room for one more of `count` things in an array, which doubles where it is full (at 0 and powers of two).
+/// Makes room for one more of `count` things in an array, which doubles when full (at 0 and powers of two).
 static bool make_room(whirl_figure *figure, void *array, size_t count, size_t size) {
     void **at = array;
     if (figure->failed) return false;

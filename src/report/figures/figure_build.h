@@ -1,4 +1,4 @@
-/// Making figures: panels and series that grow. What lacks memory is noted in the figure, and told in the end.
+/// Making figures: panels and series that grow. Without memory the figure is marked as failed.
 #ifndef REPORT_FIGURE_BUILD_H
 #define REPORT_FIGURE_BUILD_H
 
@@ -15,20 +15,21 @@ typedef struct span {
     double low, high;
 } span;
 
-/// The empty one, to be widened; values that are not finite are left out.
+/// span_empty: the empty span. span_widen: includes a value; values that are not finite are ignored.
 span span_empty(void);
 void span_widen(span *range, double value);
 
 /// With a margin of its width on both sides, and at least `least` wide.
 span span_with_margin(span range, double margin, double least);
 
-/// Ready to be drawn: whether it holds anything.
+/// Prepares a span for drawing; returns true if it has any value.
 bool span_has_any(span range);
 
-/// A panel below those before, or beside them: `width` of the figure's width, `height` cm. NULL without memory.
+/// Adds a panel of `width` (share of the figure's width) and `height` cm, next to the previous one or below it. NULL
+/// without memory.
 whirl_panel *figure_panel(whirl_figure *figure, const char *name, double width, double height);
 
-/// A series over those before; the panel may be NULL. NULL without memory.
+/// Adds a series above the previous ones; `panel` may be NULL. NULL without memory.
 whirl_series *panel_series(whirl_figure *figure, whirl_panel *panel, whirl_shape shape, const char *colour,
                            double size);
 
@@ -42,27 +43,27 @@ void series_break(whirl_figure *figure, whirl_series *series);
 void series_add_to(whirl_figure *figure, whirl_series *series, double x, double y, double y_to); ///< areas and bars
 void series_add_box(whirl_figure *figure, whirl_series *series, span x, span y);
 void series_add_text(whirl_figure *figure, whirl_series *series, double x, double y, const char *text);
-void series_value(whirl_figure *figure, whirl_series *series, double value); ///< of the box added last
+void series_value(whirl_figure *figure, whirl_series *series, double value); ///< value of the last box
 
 /// A part of a panel that shows a station.
 void panel_spot(whirl_figure *figure, whirl_panel *panel, const char *station, span x, span y);
 
-/// A tick with a text of its own.
+/// Adds a tick with a given text.
 void axis_tick(whirl_figure *figure, whirl_axis *axis, double at, const char *text);
 
-/// What an axis shows; a logarithmic one only where all of it is above 0. A range that is not finite leaves the axis to
-/// figure_finish, which shows its finite numbers.
+/// Sets the range of an axis; a logarithmic axis needs a positive one. For a range that is not finite figure_finish
+/// shows the finite numbers.
 void axis_show(whirl_axis *axis, span range);
 
 /// A line from edge to edge of a panel at a height, or at a place; the axes are shown.
 whirl_series *panel_level(whirl_figure *figure, whirl_panel *panel, double y, const char *colour, double width);
 whirl_series *panel_upright(whirl_figure *figure, whirl_panel *panel, double x, const char *colour, double width);
 
-/// Leaves the panels of these names ("x,exponent") alone. WHIRL_BAD_INPUT for a name that there is none of.
+/// Keeps only the named panels ("x,exponent"). WHIRL_BAD_INPUT for an unknown name.
 whirl_status figure_choose(whirl_figure *figure, const char *names);
 
-/// Gives axes that show nothing yet the range of their series, makes those logarithmic that `log` names (NULL: none),
-/// and places the panels: from the top, as many in a row as there is room for.
+/// Gives axes without a range the range of their series, makes the axes named by `log` logarithmic (NULL: none), and
+/// places the panels from the top, as many in a row as fit.
 void figure_finish(whirl_figure *figure, const char *log);
 
 /// Rows that the legend above the figure has.
@@ -71,13 +72,13 @@ size_t figure_legend_rows(const whirl_figure *figure);
 /// The distance of ticks (1, 2 or 5 times a power of ten) that gives at most `most` of them in a range.
 double tick_step(double width, int most);
 
-/// Fills in ticks, at most so many, where an axis has none.
+/// Fills in at most `most` ticks if an axis has none.
 void axis_fill_ticks(whirl_figure *figure, whirl_axis *axis, int most);
 
-/// cm that the numbers at the vertical axes take, in all panels alike: labels stand in one line.
+/// Width of the numbers at vertical axes in cm; the same for all panels, so that labels line up.
 double figure_number_width(const whirl_figure *figure);
 
-/// Beside panels lower than this (cm) labels of vertical axes do not stand.
+/// Least height of a panel with a vertical label (cm).
 #define FIGURE_LOW_PANEL 0.7
 
 /// cm of text of so many letters.
@@ -93,8 +94,8 @@ void script_text(FILE *stream, const char *text);
 /// Writes a number with the digits that give the same double back, null for NaN and infinities.
 void script_number(FILE *stream, double value);
 
-/// A member of an object: what stands before it, `{` of the first, `,` of others; its key; and its value, which follows
-/// a key alone.
+/// Writes a member of an object: `before` is `{` for the first member, else `,`. script_key writes the key alone, the
+/// caller the value.
 void script_key(FILE *stream, char before, const char *key);
 void script_text_member(FILE *stream, char before, const char *key, const char *text);
 void script_number_member(FILE *stream, char before, const char *key, double value);
@@ -106,13 +107,13 @@ void script_members(FILE *stream, const whirl_member *member, const void *from);
 typedef struct base64 {
     FILE *stream;
     uint32_t bits;
-    unsigned count; ///< bytes held in `bits`, 0 to 2
+    unsigned count; ///< bytes in `bits`, 0 to 2
 } base64;
 
 void base64_byte(base64 *to, uint8_t byte);
 void base64_float32(base64 *to, double value); ///< little-endian; NaN stays NaN
 void base64_float64(base64 *to, double value); ///< little-endian
-void base64_end(base64 *to);                   ///< writes what is held, with padding
+void base64_end(base64 *to);                   ///< writes the remaining bytes, with padding
 
 // ---------------------------------------------------------------- symbols
 // Symbols, words and units as journals set them, in labels of figures: letters between dollars are symbols, in italics

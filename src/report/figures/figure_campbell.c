@@ -21,10 +21,10 @@ static const struct {
 typedef struct view {
     const drawing *of;
     const whirl_table *table;
-    speed_unit unit;  ///< of frequencies
+    speed_unit unit;  ///< unit of frequencies
     double top;       ///< up to there, as shown
-    double size;      ///< of one unit of the parameter
-    mode_lines lines; ///< none where modes were not followed
+    double size;      ///< one unit of the parameter, in SI
+    mode_lines lines; ///< empty if modes were not followed
 } view;
 
 static const double *frequencies_of(const view *v, size_t point) {
@@ -42,10 +42,10 @@ static size_t modes_of(const view *v) {
     return whirl_layout_field(&v->table->layout, WHIRL_FIELD_MODES_FREQUENCY)->rows;
 }
 
-// ---------------------------------------------------------------- what is shown
+// ---------------------------------------------------------------- ranges
 
-/// Up to where frequencies are shown: where the parameter is a speed, what it meets and what lies below twice its
-/// largest value.
+/// Highest frequency to show: above all crossings and all frequencies below twice the largest speed, if the parameter
+/// is a speed.
 static double top_of(const view *v) {
     double fastest = 0.0, highest = 0.0, lowest = (double)INFINITY, near = 0.0;
     for (size_t point = 0; v->unit.of_speed && point < v->table->count; point++)
@@ -64,8 +64,8 @@ static double top_of(const view *v) {
     return top > 0.0 ? top / v->unit.size : 1.0;
 }
 
-/// What is shown of a field of damping: of modes whose frequencies are, up to `most`. More than 0.25 leaves no peak of
-/// a response to unbalance (amplification below 2.5, API 617): more is shown where no mode has less.
+/// Range of a damping field over modes with frequencies up to `most`. Damping above 0.25 is cut off, since it has no
+/// peak in the unbalance response (amplification below 2.5, API 617), unless all modes have more.
 static span damping_of(const view *v, const char *field, double most) {
     span shown = {0.0, 0.0};
     double least = (double)INFINITY;
@@ -79,7 +79,7 @@ static span damping_of(const view *v, const char *field, double most) {
                 if (pass == 1 && damping[i] <= fmax(most, 1.5 * least)) span_widen(&shown, damping[i]);
             }
         }
-    // What rounding leaves of no damping is no picture.
+    // A range of rounding size is widened.
     return span_with_margin(shown, 0.08, shown.high - shown.low > 1e-10 ? 0.0 : 0.02);
 }
 
@@ -108,11 +108,11 @@ static void add_modes(whirl_figure *figure, whirl_panel *panel, const view *v, c
     }
 }
 
-/// The end of a line, where the parameter is largest, and where its name stands.
+/// End of a line at the largest parameter, for its name.
 typedef struct line_end {
-    size_t line, points; ///< points of it that are shown
+    size_t line, points; ///< shown points of it
     double at, number, height;
-    double step; ///< the number in steps too fine to be seen: what differs by rounding keeps the order of lines
+    double step; ///< the number rounded to invisible steps, so that rounding does not change the order of names
     const char *name, *colour;
 } line_end;
 
@@ -122,7 +122,7 @@ static int by_height(const void *a, const void *b) {
     return p->line < q->line ? -1 : p->line > q->line;
 }
 
-/// Heights at which names stand, none over another, as near to their lines as that goes.
+/// Moves names apart so that none overlaps another, as near to their lines as possible.
 static void spread_names(const whirl_panel *panel, line_end *ends, size_t count, double apart) {
     enum { ROUNDS = 200 };
     const double low = panel->y.low + 0.5 * apart, high = panel->y.high - 0.5 * apart;
@@ -158,7 +158,7 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, line_end *ends, 
     }
 }
 
-/// One line, as far as its frequencies are shown; its end, NaN where nothing of it is.
+/// Adds one line where its frequencies are shown. Returns its end; NaN if no part of it is visible.
 static line_end add_line(whirl_figure *figure, whirl_series *series, const view *v, size_t line, const char *field) {
     const mode_lines *lines = &v->lines;
     line_end end = {.line = line, .at = -INFINITY, .number = NAN, .name = lines->names[line]};
@@ -215,7 +215,7 @@ static void add_synchronous(whirl_figure *figure, whirl_panel *panel, const view
 
 // ---------------------------------------------------------------- critical speeds and thresholds
 
-/// Of all points, in their order; how many, at most as many as there is room for.
+/// Collects the critical speeds of all points in order. Returns their number, at most `room`.
 static size_t gather_critical(const whirl_table *table, size_t room, const double **rows) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_MODES_CRITICAL);
     size_t count = 0;
@@ -227,7 +227,7 @@ static size_t gather_critical(const whirl_table *table, size_t room, const doubl
     return count;
 }
 
-/// Where the value stands beside the mark: on the right, or on the left where the next one or the edge is near.
+/// Side of a value next to its mark: right, or left if the next mark or the edge is near.
 static whirl_side side_of(const whirl_table *table, const double *const *rows, size_t count, size_t i) {
     const double first = table->values[0], last = table->values[table->count - 1];
     const double near = 0.1 * fabs(last - first);
@@ -267,7 +267,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
         list_figure(to, &place, "campbell", "Campbell diagram over %s", table->parameter);
 }
 
-/// Values of the parameter, with room for names at the right where modes were followed.
+/// Range of the parameter, with room at the right for names of followed modes.
 static span range_of(const view *v) {
     span range = span_empty();
     for (size_t i = 0; i < v->table->count; i++) span_widen(&range, v->table->values[i] / v->size);

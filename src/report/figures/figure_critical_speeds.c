@@ -15,7 +15,8 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
         list_figure(to, &place, "critical-speeds", "Critical speeds over %s", table->parameter);
 }
 
-/// The critical speed number `which` of a direction (1, -1 or 0: to and fro) of a point; NaN where there is none.
+/// Returns critical speed number `which` of a direction (1 forward, -1 backward, 0 plane) at a point; NaN if there is
+/// none.
 static double speed_of(const whirl_table *table, size_t point, int direction, size_t which) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED);
     const double *speeds = whirl_table_field(table, point, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, 0);
@@ -85,7 +86,7 @@ static void add_bearings(whirl_figure *figure, whirl_panel *panel, const drawing
     free(found);
 }
 
-/// Whether the values have equal ratios: the axis is logarithmic then, and that of the speeds.
+/// Returns true for values with equal ratios; both axes are logarithmic then.
 static bool has_ratios(const whirl_table *table) {
     const double *v = table->values;
     const size_t last = table->count - 1;
@@ -94,7 +95,7 @@ static bool has_ratios(const whirl_table *table) {
            fabs((v[1] - v[0]) * (double)last - (v[last] - v[0])) > 1e-6 * fabs(v[last] - v[0]);
 }
 
-/// The running speeds that any table of the result tells, rad/s; false where none does.
+/// Finds the running speeds in any table of the result, rad/s. Returns false if there are none.
 static bool running_of(const whirl_result *result, double *low, double *high) {
     for (size_t t = 0; t < result->table_count; t++)
         if (margin_running(&result->tables[t], low, high)) return true;
@@ -113,14 +114,14 @@ static void add_running(whirl_figure *figure, whirl_panel *panel, const drawing 
     series_add_box(figure, band, along, (span){low / unit, fmax(high, 1.002 * low) / unit});
 }
 
-/// Whether names at two speeds meet, nearer than a 22nd of what the axis shows of all of them.
+/// Returns true if names at two speeds would overlap: nearer than 1/22 of the axis.
 static bool names_meet(const whirl_panel *panel, span all, double one, double other) {
     if (panel->y.logarithmic && all.low > 0.0) return log(other / one) < log(all.high / all.low) / 22.0;
     return other - one < (all.high - all.low) / 22.0;
 }
 
-/// Names of lines at the last point, "1F" for the first that goes forward, B for backward and M for to and fro; of
-/// lines that end too near to one another they stand side by side.
+/// Adds names of lines at the last point: "1F" for the first forward, B backward, M to and fro. Names of lines with
+/// close ends are placed next to each other.
 static void add_names(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                       double unit) {
     const double size = whirl_shown_parameter(of->units, table->parameter).size;

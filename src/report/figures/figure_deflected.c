@@ -1,4 +1,4 @@
-// How shafts bend by their weight, and in the response to unbalance.
+// Deflection of shafts by their weight and by unbalance.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -81,7 +81,7 @@ static void add_point(const whirl_table *table, double speed, size_t points[DEFL
     if (own < table->count && *count < DEFLECTED) points[(*count)++] = own;
 }
 
-/// The largest peak that probes see below an amplitude; of an amplitude of 0 where there is none.
+/// Returns the largest peak at a probe below an amplitude; one of amplitude 0 if there is none.
 static margin_row next_peak(const drawing *of, const whirl_table *table, double below) {
     margin_row rows[2 * MARGIN_PEAKS], largest = {.amplitude = 0.0};
     for (size_t s = 0; s < of->result->station_count; s++) {

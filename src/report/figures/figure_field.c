@@ -1,5 +1,5 @@
-// The numbers of any field over the parameter, or over two of them as a map; made as they are asked for, by
-// "FIELD[:OF][:COLUMN]": "orbit/max_radius:disc", "orbit/mean:disc:y", "lyapunov/largest".
+// Figures of any field over one parameter, or over two as a map. They are made on request, by "FIELD[:OF][:COLUMN]":
+// "orbit/max_radius:disc", "orbit/mean:disc:y", "lyapunov/largest".
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 
 // ---------------------------------------------------------------- the name
 
-/// The number of a word among names, or an error that tells them.
+/// Finds a word among names; the error suggests the nearest name.
 static whirl_status choose(const char *word, const char *const *names, size_t count, const char *what, size_t *chosen) {
     for (*chosen = 0; *chosen < count; ++*chosen)
         if (strcmp(names[*chosen], word) == 0) return whirl_ok();
@@ -84,7 +84,8 @@ static whirl_status find(figure_list *list, const drawing *of, const char *name)
 
 // ---------------------------------------------------------------- the diagram
 
-/// The points of one regime, or all where there are no verdicts; crosses are carried down.
+/// Adds the points of one regime, or all points of a table without verdicts. Points of the branch from the last value
+/// on are crosses.
 static void add_points(const drawing *of, const figure_place *place, whirl_figure *figure, whirl_panel *panel, int kind,
                        int branch) {
     const whirl_table *table = place->table;

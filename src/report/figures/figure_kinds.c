@@ -1,4 +1,4 @@
-// The registry of figures, and what all of them go through.
+// Registry of figures, and the steps that all kinds share.
 #include "figure_kinds.h"
 
 #include <stdlib.h>
@@ -97,7 +97,7 @@ whirl_status whirl_figure_names(const whirl_result *result, const char *units, w
     return status;
 }
 
-/// The kind whose names begin as this one, where the result has no figure of it; else NULL.
+/// Returns the kind with this name's stem if the result has no figure of that kind; else NULL.
 static const figure_kind *kind_lacking(const figure_list *list, const char *name) {
     const figure_kind *lacking = NULL;
     for (size_t k = 0; k < KINDS; k++)
@@ -107,7 +107,7 @@ static const figure_kind *kind_lacking(const figure_list *list, const char *name
     return lacking;
 }
 
-/// What to say where there is no figure of a name, in a table or at all.
+/// Reports that there is no figure of a name, in a table or in the result.
 static whirl_status no_figure(const shown_result *shown, const whirl_table *within, const char *name) {
     const figure_list *list = &shown->list;
     const figure_kind *lacking = kind_lacking(list, name);
@@ -129,8 +129,8 @@ static whirl_status no_figure(const shown_result *shown, const whirl_table *with
     return status;
 }
 
-/// The place on the list of a figure that is there, or made as it is asked for; past its end where there is none. Of
-/// one table alone where `within` is not NULL.
+/// Finds the list index of a figure by name, or makes a figure on request; index list->count if there is none. Only
+/// figures of table `within` unless that is NULL.
 static whirl_status find_named(shown_result *shown, const whirl_table *within, const char *name, size_t *at) {
     figure_list *list = &shown->list;
     whirl_result alone = *shown->of.result;
@@ -151,7 +151,7 @@ static whirl_status find_named(shown_result *shown, const whirl_table *within, c
     return list->failed ? whirl_fail(WHIRL_NO_MEMORY, "no memory for the figure %.100s", name) : status;
 }
 
-/// Whether a field's name may begin with the word before `rest`, "modes/frequency".
+/// Returns true if some field's name begins with the word before `rest` and a slash, like "modes/frequency".
 static bool is_group(const whirl_result *result, const char *name, const char *rest) {
     for (size_t t = 0; t < result->table_count; t++)
         for (size_t f = 0; f < result->tables[t].layout.field_count; f++)

@@ -13,11 +13,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/// What figures are made from.
+/// Input of figures.
 typedef struct drawing {
     const whirl_result *result;
-    const whirl_shown_units *units; ///< of its numbers
-    const whirl_case *machine;      ///< that it is of (report_parts.h), or NULL
+    const whirl_shown_units *units; ///< units of its numbers
+    const whirl_case *machine;      ///< its machine (report_parts.h), or NULL
 } drawing;
 
 typedef struct figure_kind figure_kind;
@@ -27,13 +27,13 @@ enum { NO_POINT = -1 };
 /// A figure that there is.
 typedef struct figure_place {
     const figure_kind *kind;
-    const whirl_table *table; ///< whose
+    const whirl_table *table; ///< its table
     long point;               ///< or NO_POINT
-    size_t station, which;    ///< of several alike
-    const whirl_field *field; ///< whose numbers any figure of fields shows,
-    size_t column;            ///< and which of them; `which` is the station or contact
+    size_t station, which;    ///< index among several alike
+    const whirl_field *field; ///< field shown by a figure of fields
+    size_t column;            ///< its column; `which` is the station or contact
     whirl_figure_name name;
-    char within[176]; ///< its name among those of its table
+    char within[176]; ///< name within its table
 } figure_place;
 
 typedef struct figure_list {
@@ -47,20 +47,21 @@ struct figure_kind {
     void (*list)(figure_list *list, const drawing *of, const whirl_table *table);
     /// Makes one of them; name and title are there.
     void (*describe)(const drawing *of, const figure_place *place, whirl_figure *figure);
-    /// Optional: adds the figure of a name that is not on the list, made as it is asked for. WHIRL_BAD_INPUT where the
-    /// name is meant for this kind, and there is no such figure.
+    /// Optional: adds a figure that is not on the list but can be made on request. WHIRL_BAD_INPUT if the name is of
+    /// this kind but no such figure can be made.
     whirl_status (*find)(figure_list *list, const drawing *of, const char *name);
-    const char *stem;  ///< what all names begin with, where they do,
-    const char *study; ///< and what a case asks for to have them
-    bool whole;        ///< of the result, not of one of its tables: `list` is called once, with its first table or NULL
+    const char *stem;  ///< beginning of all names of this kind, or NULL
+    const char *study; ///< the study in a case that makes these figures
+    bool whole;        ///< figures of the whole result: `list` is called once, with its first table or NULL
 };
 
-/// A number of a point in the unit that is shown, of a figure of fields, in a row of the field; and what it is called.
+/// shown_number: a number of a point in its shown unit, for figures of fields, from a row of the field. shown_label:
+/// its label.
 double shown_number(const drawing *of, const figure_place *place, size_t point, size_t row);
 void shown_label(const drawing *of, const figure_place *place, char *label, size_t size);
 
-/// What the number is called without its unit: its column, or the meaning of the field up to what is said beside it;
-/// and the station or contact that it is of, "" of a point's.
+/// shown_quantity: name of the number without unit, either its column or the meaning of the field up to the remark.
+/// shown_owner: the station or contact, "" for numbers of a point.
 void shown_quantity(const figure_place *place, char *text, size_t size);
 const char *shown_owner(const drawing *of, const figure_place *place);
 
@@ -81,10 +82,10 @@ whirl_status figure_make(const drawing *of, const figure_place *place, const whi
 /// "#0072B2", "#D55E00", ...: the colours of lines, by their number.
 const char *line_colour(size_t number);
 
-/// Whether a table has a field.
+/// Returns true if a table has a field.
 bool table_has(const whirl_table *table, const char *field);
 
-/// Whether a table has the motions of a sweep over one parameter.
+/// Returns true if a table has the motions of a sweep over one parameter.
 bool table_is_sweep(const drawing *of, const whirl_table *table);
 
 extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map_figure, branch_figure, curves_figure,
@@ -95,22 +96,21 @@ extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map
 // ---------------------------------------------------------------- machine_layout
 // Where the parts of a machine lie in its drawing.
 
-/// What the drawing of a machine is laid out by. Lengths in m; of a machine without shafts of finite elements they mean
-/// nothing.
+/// Layout of a machine's drawing. Lengths are in m; without shafts of finite elements they have no meaning.
 typedef struct machine_layout {
     const whirl_result *result;
     whirl_model model;
     bool to_scale;                                           ///< the machine has shafts of finite elements
-    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< where a shaft begins; its height
+    double offset[WHIRL_MAX_SHAFTS], axis[WHIRL_MAX_SHAFTS]; ///< start of a shaft; its height
     bool placed_shaft[WHIRL_MAX_SHAFTS];
     bool placed[WHIRL_MAX_PROBES];
-    double x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], radius[WHIRL_MAX_PROBES]; ///< of every station
+    double x[WHIRL_MAX_PROBES], y[WHIRL_MAX_PROBES], radius[WHIRL_MAX_PROBES]; ///< positions and radii of all stations
     double symbol;                                                             ///< size of symbols
-    double top, bottom;                                                        ///< of all that is drawn
+    double top, bottom;                                                        ///< range of the whole drawing
     span along;
 } machine_layout;
 
-/// Lays out the machine of a drawing; NULL where there is none, or without memory. Freed by layout_free.
+/// layout_new: lays out the machine of a drawing; NULL without a machine or without memory. Free with layout_free.
 machine_layout *layout_new(const drawing *of);
 void layout_free(machine_layout *layout);
 
@@ -120,7 +120,8 @@ size_t layout_longest_name(const whirl_result *result);
 /// Returns true for a station of the layout, false for the ground.
 bool layout_has_station(const machine_layout *l, size_t station);
 
-/// Largest radius of a shaft and of all that sits on it; of a station, its disc's or its shaft's. m.
+/// layout_largest_radius: largest radius of a shaft and the parts on it. layout_rim_radius: radius of a station's disc,
+/// else of its shaft. m.
 double layout_largest_radius(const machine_layout *l, size_t shaft);
 double layout_rim_radius(const machine_layout *l, size_t station);
 
@@ -129,45 +130,46 @@ double layout_rim_radius(const machine_layout *l, size_t station);
 double layout_disc_radius(const whirl_model_mass *of);
 double layout_disc_width(const whirl_model_mass *of);
 
-/// How a station's disc or mass is drawn: half of its width, and its outer radius, neither too small to be seen. m.
+/// Drawn size of a station's disc or mass: half of its width, and its outer radius; both large enough to be visible. m.
 typedef struct layout_disc {
     double half, radius;
 } layout_disc;
 layout_disc layout_disc_of(const machine_layout *l, size_t station);
 
-/// The places of both ends of a shaft; empty where it has no sections.
+/// Places of both ends of a shaft; an empty span without sections.
 span layout_shaft_ends(const machine_layout *l, size_t shaft);
 
-/// The unit of places along shafts, in m, and the label of their axis: inches beside mils and inches, else mm.
+/// layout_unit: unit of places along shafts in m. layout_label: label of their axis. Inches if lengths are in mils or
+/// inches, else mm.
 double layout_unit(const whirl_shown_units *units);
 const char *layout_label(const whirl_shown_units *units);
 
 // ---------------------------------------------------------------- machine_along
 // Shapes of a machine over the places of its stations, with the machine in grey behind.
 
-/// Where stations and shafts stand along a figure: those of shafts of finite elements at their places, shafts that do
-/// not lie on one axis after one another, stations on none beyond the last of these; without shafts all one by one.
+/// Positions of stations and shafts along a figure. Stations of shafts of finite elements are at their places; shafts
+/// on different axes follow one another; stations on no shaft come last. Without shafts stations are spaced evenly.
 typedef struct machine_along {
-    machine_layout *layout;                               ///< of the machine to scale; NULL: none
+    machine_layout *layout;                               ///< layout of the machine, to scale; NULL: none
     bool shafts;                                          ///< there are any
-    size_t aside;                                         ///< stations on no shaft, where there are shafts
+    size_t aside;                                         ///< number of stations on no shaft, if there are shafts
     double unit;                                          ///< m of one unit
     span range;                                           ///< in units, or numbers of stations
-    double step, end;                                     ///< between stations on no shaft, which lie beyond `end`
-    double at[WHIRL_MAX_PROBES], start[WHIRL_MAX_SHAFTS]; ///< of stations; of place 0 of shafts
+    double step, end;                                     ///< spacing of stations on no shaft, which begin at `end`
+    double at[WHIRL_MAX_PROBES], start[WHIRL_MAX_SHAFTS]; ///< positions of stations; of place 0 of shafts
 } machine_along;
 
 /// Finds it; its layout is freed by layout_free.
 void along_place(const drawing *of, machine_along *out);
 
-/// The horizontal axis of a panel: places along the shafts, or the names of stations where there are none.
+/// Sets up the horizontal axis of a panel: places along shafts, or names of stations without shafts.
 void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, const machine_along *along);
 
-/// What a caption says of that machine; "" where it is not drawn.
+/// Caption of the machine; "" if it is not drawn.
 const char *along_caption(const machine_along *along);
 
-/// The machine in grey behind a panel whose vertical axis goes from -high to high: along to scale, across as far as it
-/// fits.
+/// Draws the machine in grey behind a panel whose vertical axis goes from -high to high: to scale along the axis, and
+/// across as large as fits.
 void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along *along, double high);
 
 // ---------------------------------------------------------------- shaft_bends
@@ -175,8 +177,8 @@ void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along
 
 typedef struct shaft_bends shaft_bends;
 
-/// The machine of a point of a study at rest; NULL where it cannot be made or has no shafts of finite elements. Freed
-/// by bends_free.
+/// bends_new: the shaft lines of the machine at a point of a study at rest; NULL if the machine cannot be built or has
+/// no shafts of finite elements. Free with bends_free.
 shaft_bends *bends_new(const drawing *of, const whirl_table *table, size_t point);
 void bends_free(shaft_bends *bends);
 
@@ -184,8 +186,9 @@ void bends_free(shaft_bends *bends);
 const whirl_shaft_line *bends_line(const shaft_bends *bends);
 double bends_length(const shaft_bends *bends);
 
-/// Fill moved [places][4] with x_cos, x_sin, y_cos, y_sin of the line, as `modes/shape` has them, and as lengths of the
-/// response to unbalance. False where the shape is not that of the result's stations, to 1e-6 of its largest.
+/// Fill moved [places][4] with x_cos, x_sin, y_cos, y_sin of the shaft line: of a mode as in `modes/shape`, of the
+/// unbalance response as lengths. Return false if the shape differs from the result's stations by more than 1e-6 of its
+/// largest value.
 bool bends_mode(shaft_bends *bends, size_t mode, double *moved);
 bool bends_response(shaft_bends *bends, double *moved);
 
@@ -202,7 +205,7 @@ typedef struct along_curve {
     size_t columns, column;
 } along_curve;
 
-/// Draws it, with marks at the stations, whose values [stations] are the same column; NaN: none.
+/// Draws the curve, with marks at stations from values [stations], the same column; NaN: no mark.
 void along_shape(whirl_figure *figure, whirl_panel *panel, const along_curve *of, const double *values);
 
 // ---------------------------------------------------------------- bifurcation
@@ -213,22 +216,22 @@ enum { MAX_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT 
 typedef struct bifurcation {
     const whirl_result *result;
     const whirl_table *table;
-    const whirl_case *machine; ///< that they are of (report_parts.h), or NULL
+    const whirl_case *machine; ///< their machine (report_parts.h), or NULL
     size_t station;
     span parameter, x, y, exponent, radius;
     bool rub, confidence, both;
-    bool shaded;             ///< where the rotor rubs, which is seen where it does not everywhere
+    bool shaded;             ///< contact is shaded, where there is any but not everywhere
     bool present[MAX_KINDS]; ///< kinds of points
-    size_t attractors; ///< that have a strip or a colour; 0 where every place has one start, and kinds are regimes
+    size_t attractors; ///< number of attractors with a strip or colour; 0: one start at each place, kinds are regimes
     const whirl_shown_units *units;
-    double length, value; ///< what displacements and values of the parameter are multiplied by to be shown
+    double length, value; ///< factors from SI to shown displacements and parameter values
     double share;         ///< largest share of the time in contact, with a margin
-    double gap;           ///< radius at which the station touches a stator, 0 where none is near or it changes
-    double clearance;     ///< of the bearing, 0 where there is none or it changes
+    double gap;           ///< radius of contact with a stator; 0 if there is none near or it changes
+    double clearance;     ///< bearing clearance; 0 if there is none or it changes
     bool ratios;          ///< the points have equal ratios: the axis is logarithmic
 } bifurcation;
 
-/// Kinds of points: classes of regimes, or attractors where several starts lead to them.
+/// Kinds of points: classes of regimes, or attractors if there are several starts at a place.
 size_t bifurcation_kinds(const bifurcation *of);
 size_t bifurcation_kind(const bifurcation *of, size_t point);
 const char *bifurcation_kind_colour(const bifurcation *of, size_t kind);
@@ -237,7 +240,7 @@ void bifurcation_kind_name(const bifurcation *of, size_t kind, char text[WHIRL_N
 /// Fills in ranges and flags from result, table, machine, station, units, length and value.
 void bifurcation_survey(bifurcation *of);
 
-/// What of the axis belongs to a point, in SI: up to half-way to its neighbours in its branch.
+/// Part of the axis that belongs to a point, in SI: half-way to its neighbours in its branch.
 void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *high);
 
 // ---------------------------------------------------------------- map_cells
@@ -246,12 +249,12 @@ void bifurcation_edges(const bifurcation *of, size_t i, double *low, double *hig
 typedef struct map_cells {
     size_t plane, columns, rows;
     double *x, *y;           ///< [columns + 1], [rows + 1] edges, in shown units
-    double z;                ///< value of the third parameter in the plane, in its shown unit; NaN where there is none
+    double z;                ///< value of the third parameter in the plane, in its shown unit; NaN without one
     bool x_ratios, y_ratios; ///< the axes are logarithmic
     bool refined;
-    size_t *cover;           ///< [rows][columns] the point of the table that stands for a cell (whirl_table_cover)
-    double *memory;          ///< of the edges
-    size_t *cover_of_planes; ///< of all, of which `cover` is a part
+    size_t *cover;           ///< [rows][columns] the point of the table that covers a cell (whirl_table_cover)
+    double *memory;          ///< memory of the edges
+    size_t *cover_of_planes; ///< covers of all planes; `cover` is a part of it
 } map_cells;
 
 /// Lays out the cells of a plane of a table with rows; of a partial one, too. False without memory. Freed by
@@ -261,15 +264,16 @@ void map_cells_free(map_cells *cells);
 
 /// Cells of one value that are drawn as one: in a refined map neighbours in a row. Starts as {0}.
 typedef struct map_run {
-    size_t next;  ///< cell behind them
+    size_t next;  ///< cell after them
     double value; ///< theirs
     span x, y;
 } map_run;
 
-/// The next of them, by values [rows][columns]; cells without one (NaN) are left out. False where there are no more.
+/// Advances to the next run of equal values in [rows][columns]; cells without a value (NaN) are skipped. Returns false
+/// at the end.
 bool map_cells_next(const map_cells *cells, const double *values, map_run *run);
 
-/// Adds lines where cells of different labels [rows][columns] meet; none beside cells without one (0).
+/// Adds borders between cells of different labels [rows][columns]; label 0 (no verdict) has no border.
 void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *cells, const long *labels);
 
 // ---------------------------------------------------------------- speed_unit
@@ -281,21 +285,21 @@ typedef struct speed_unit {
     bool of_speed; ///< the parameter is the speed of the shaft
 } speed_unit;
 
-/// The parameter's unit where that is the speed of the shaft (the field `speeds` of every point), else Hz.
+/// Returns the parameter's unit if the parameter is the shaft's speed (field `speeds` of every point), else Hz.
 speed_unit speed_unit_of(const drawing *of, const whirl_table *table, const char *speeds);
 
 // ---------------------------------------------------------------- tori
 // Tori in the figures of branches.
 
-/// The table of tori of the result, NULL where it has none or all are without one.
+/// Returns the result's table of tori; NULL if there is none, or no torus in it.
 const whirl_table *tori_table(const whirl_result *result);
 
-/// Adds the bands in which a coordinate (0: x, 1: y) of the sections of a station lies, from the orbits at which they
+/// Adds the bands covered by a coordinate (0: x, 1: y) of a station's section, starting from the orbits where tori
 /// begin; `size` is one unit of the parameter.
 void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of, size_t station, size_t column,
                     double size);
 
-/// What a caption says of them.
+/// Caption of the bands of tori.
 extern const char tori_caption[];
 
 #endif

@@ -1,10 +1,11 @@
-// Where the panels of a figure stand, and what their axes show.
+// Positions of a figure's panels, and ranges of their axes.
 #include <math.h>
 #include <string.h>
 
 #include "figure_build.h"
 
-// cm around a panel: beside numbers, a label, on the right, below with numbers and label, below without, titles.
+// Margins around a panel in cm: left of the numbers, for a label, right, below with numbers and label, below without,
+// for titles.
 static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART = 0.16, TITLE = 0.45;
 /// cm on the right for the colours of numbers.
 static const double SCALE = 2.0;
@@ -31,7 +32,7 @@ double figure_number_width(const whirl_figure *figure) {
 
 // ---------------------------------------------------------------- axes
 
-/// Of all numbers along an axis.
+/// Range of all numbers along an axis.
 static span range_of(const whirl_panel *panel, bool upright) {
     span range = span_empty();
     for (size_t i = 0; i < panel->count; i++) {
@@ -56,7 +57,7 @@ static double least_of(const whirl_panel *panel, bool upright, double most) {
     return least;
 }
 
-/// A logarithmic axis has as much around what it shows, in its own measure.
+/// Adds a margin to the range of a logarithmic axis, as a ratio.
 static span around(span range, double margin) {
     const double ratio = pow(range.high / range.low, margin);
     return (span){range.low / ratio, range.high * ratio};
@@ -85,8 +86,8 @@ static void fit_axis(const whirl_panel *panel, whirl_axis *axis, bool upright, b
     if (!(axis->low < axis->high)) axis_show(axis, span_with_margin((span){axis->low, axis->low}, 0.0, wide));
 }
 
-/// An axis of which no range could be made, such as one of infinite numbers alone, goes from 0 to 1. A logarithmic one
-/// lies above 0.
+/// Gives an axis without a valid range (only infinite numbers, say) the range from 0 to 1, and makes a logarithmic axis
+/// linear unless its range is positive.
 static void bound_axis(whirl_axis *axis) {
     if (!(axis->low > 0.0)) axis->logarithmic = false;
     if (isfinite(axis->low) && isfinite(axis->high) && axis->low < axis->high) return;
@@ -119,7 +120,7 @@ size_t figure_legend_rows(const whirl_figure *figure) {
 
 // ---------------------------------------------------------------- places
 
-/// Panels from `first` on that stand in one row.
+/// Returns the end of the row of panels that begins with `first`.
 static size_t row_end(const whirl_figure *figure, size_t first) {
     double width = 0.0;
     size_t end = first;
@@ -149,14 +150,14 @@ static double row_height(const whirl_figure *figure, size_t first, size_t end) {
     return height;
 }
 
-/// cm on the left of a panel.
+/// Left margin of a panel, cm.
 static double left_of(const whirl_figure *figure, const whirl_panel *panel) {
     const double label = *panel->y.label ? LABEL : 0.0;
     return panel->y.shown ? BARE + figure_number_width(figure) + label : BARE;
 }
 
-/// cm on the left of a panel of a row, the same in all rows of as many panels of these widths: their axes are below one
-/// another.
+/// Left margin of a panel in its row, cm. It is the same in all rows with the same number and widths of panels, so that
+/// their axes line up.
 static double left_in_column(const whirl_figure *figure, size_t first, size_t end, size_t panel) {
     double left = 0.0;
     for (size_t other = 0, next; other < figure->count; other = next) {
@@ -169,7 +170,7 @@ static double left_in_column(const whirl_figure *figure, size_t first, size_t en
     return left;
 }
 
-/// What is left beside numbers and labels is shared out.
+/// Places the panels of a row, and shares the width that numbers and labels leave.
 static void place_row(whirl_figure *figure, size_t first, size_t end, double top) {
     const double wide = figure->width - (*figure->scale.label ? SCALE : 0.0);
     double shares = 0.0, inner = 0.0, left = 0.0;
@@ -193,7 +194,7 @@ static void break_label(const whirl_figure *figure, whirl_panel *panel) {
     if (panel->height >= FIGURE_LOW_PANEL && gap && figure_text_width(figure, letters) > panel->height) *gap = '\n';
 }
 
-/// Ticks follow from the place that there is: those of x, too, once panels have one.
+/// Fills in ticks, whose number depends on an axis' length. Horizontal axes get theirs after the panels are placed.
 static void fill_ticks(whirl_figure *figure, bool upright) {
     for (size_t i = 0; i < figure->count; i++) {
         whirl_panel *panel = figure->panels[i];
@@ -214,7 +215,7 @@ static void match_scales(const whirl_figure *figure, whirl_panel *panel) {
     axis_show(narrow, (span){middle - half, middle + half});
 }
 
-/// Panels that all stand alone in a row where there is room beside them get a figure that is as wide as they are.
+/// Shrinks the figure to its panels if each stands alone in a row and is narrower.
 static void fit_width(whirl_figure *figure) {
     const double beside = *figure->scale.label ? SCALE : 0.0;
     double widest = 0.0;

@@ -1,4 +1,4 @@
-// What kinds of figures share: their list, colours of lines, fields of tables.
+// Parts shared by the kinds of figures: their list, colours of lines, fields of tables.
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ static bool is_taken(const figure_list *list, const char *name) {
     return false;
 }
 
-/// What the table of a study at rest is called beside others of its kind: "first_minimum" of "unbalance_first_minimum".
+/// The own name of a table of a study at rest: "first_minimum" for "unbalance_first_minimum"; "" without one.
 static const char *name_beside(const whirl_table *table) {
     if (whirl_analysis_kind(table->analyses)->moves || whirl_analysis_kind(table->analyses)->found) return "";
     for (const whirl_analysis *one = whirl_analyses(); one->name; one++) {

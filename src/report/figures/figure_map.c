@@ -1,6 +1,5 @@
-// Maps over two parameters: every point a cell, coloured by its regime (paler where the verdict is less to be trusted)
-// or by one of its numbers; those of a basin by the attractor that they came to rest on. Of several planes a panel
-// each.
+// Maps over two parameters. Every point is a cell, coloured by its regime (paler for lower confidence) or by one of its
+// numbers; cells of a basin by their attractor. Several planes have a panel each.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +12,7 @@
 
 enum { MAX_PLANES = 12, LEVELS = WHIRL_HIGH + 1 };
 
-/// How strong the colour of a verdict is over white, by how far it can be trusted.
+/// Strength of a verdict's colour over white, by confidence.
 static const double strength[LEVELS] = {[WHIRL_LOW] = 0.4, [WHIRL_FAIR] = 0.8, [WHIRL_HIGH] = 1.0};
 
 // Viridis and a blue-white-vermilion scale: both are read alike by all kinds of colour vision.
@@ -21,22 +20,22 @@ static const char *const rising[] = {"#440154", "#46327e", "#365c8d", "#277f8e",
                                      "#1fa187", "#4ac16d", "#a0da39", "#fde725"};
 static const char *const around_zero[] = {"#0072B2", "#ffffff", "#D55E00"};
 
-/// A map that is drawn, and where it goes.
+/// A map to draw, and its figure.
 typedef struct map_drawing {
     const drawing *of;
     const figure_place *place;
     const whirl_table *table;
     whirl_figure *figure;
-    size_t *labels;                                ///< [count] attractors of a basin; NULL: it is none
-    whirl_attractor attractors[ATTRACTOR_COLOURS]; ///< those of most starts
-    size_t attractor_count;                        ///< of all
+    size_t *labels;                                ///< [count] attractors of a basin; NULL for other maps
+    whirl_attractor attractors[ATTRACTOR_COLOURS]; ///< attractors with the most starts
+    size_t attractor_count;                        ///< number of all attractors
 } map_drawing;
 
-/// What a figure shows of every point.
+/// A quantity that a figure shows at every point.
 typedef struct map_quantity {
     const char *name, *title, *label;
     double (*of)(const map_drawing *map, size_t point, size_t station);
-    void (*scale)(whirl_colour_scale *scale, span range); ///< NULL: points are of kinds, each with a colour
+    void (*scale)(whirl_colour_scale *scale, span range); ///< NULL: points have kinds, each with a colour
     bool per_station;
 } map_quantity;
 
@@ -162,7 +161,7 @@ static double square_number(const map_drawing *map, const map_cells *cells, cons
     return 0.25 * sum;
 }
 
-/// The numbers of all cells of a plane, by those of all points; NaN where there is none.
+/// Fills in the numbers of all cells of a plane from those of all points; NaN for cells without one.
 static void fill_cells(const map_drawing *map, const map_cells *cells, bool mixes, const double *of, double *values) {
     const size_t count = map->table->count;
     for (size_t slot = 0; slot < cells->columns * cells->rows; slot++) {
@@ -175,7 +174,8 @@ static void fill_cells(const map_drawing *map, const map_cells *cells, bool mixe
     }
 }
 
-/// What borders lie between: another number for every regime and period, or attractor; 0 where nothing is judged.
+/// Region id of a cell, used to draw borders: one id per regime and period (or attractor); 0 if the point has no
+/// verdict.
 static long kind_of(const map_drawing *map, size_t point) {
     if (point == map->table->count) return 0;
     if (map->labels) return (long)map->labels[point];
@@ -194,7 +194,7 @@ static void add_borders(const map_drawing *map, whirl_panel *panel, const map_ce
     free(kinds);
 }
 
-/// The colour of a class or attractor, mixed with white where a verdict is less to be trusted.
+/// Colour of a class or attractor, mixed with white for low confidence.
 static void kind_colour(const map_quantity *what, size_t code, char colour[8]) {
     const bool judged = what == &quantities[REGIMES];
     const char *full = judged ? regime_class_colour((regime_class)(code / LEVELS)) : attractor_colour(code + 1);
@@ -207,7 +207,7 @@ static void kind_colour(const map_quantity *what, size_t code, char colour[8]) {
     snprintf(colour, 8, "#%06X", mixed & 0xffffffu);
 }
 
-/// What the legend says of a class or an attractor, "P-5 (31 %)".
+/// Legend of a class or an attractor, "P-5 (31 %)".
 static void kind_name(const map_drawing *map, const map_quantity *what, size_t code, char *name, size_t size) {
     if (what == &quantities[REGIMES]) {
         snprintf(name, size, "%s", regime_class_name((regime_class)(code / LEVELS)));
@@ -343,7 +343,7 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
     snprintf(map->figure->caption, sizeof map->figure->caption, "%s%s", text, note);
 }
 
-/// Whether there is a number at any point.
+/// Returns true if any point has a number.
 static bool is_known(const map_drawing *map, const map_quantity *what, size_t station) {
     for (size_t i = 0; i < map->table->count; i++)
         if (whirl_table_done(map->table, i) && !isnan(what->of(map, i, station))) return true;
@@ -371,7 +371,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (table->row == 0) return;
     if (is_basin(table)) add_to_list(to, &map, BASINS, 0);
     if (whirl_layout_has_verdict(&table->layout)) add_to_list(to, &map, REGIMES, 0);
-    // All other numbers of a basin are those of its attractors.
+    // Other numbers of a basin belong to its attractors, and are not drawn.
     for (size_t which = REGIMES + 1; which < QUANTITIES && !is_basin(table); which++)
         for (size_t s = 0; s < (quantities[which].per_station ? of->result->station_count : 1); s++)
             if (is_known(&map, &quantities[which], s)) add_to_list(to, &map, which, s);

@@ -1,4 +1,4 @@
-// Orbits in the real films beside a lateral analysis: every station with a clearance, all motions of the table, within
+// Orbits in the nonlinear films of a lateral analysis: every station with a clearance, all motions of the table, within
 // the walls around them.
 #include <math.h>
 #include <stdio.h>
@@ -20,7 +20,7 @@ static size_t motions_of(const whirl_table *table, size_t motions[MAX_MOTIONS]) 
     return count;
 }
 
-/// Stations with walls; those that motions come nearest to where there are more than are drawn, in their order.
+/// Selects the stations with walls; if there are too many, those that motions come nearest to. Keeps their order.
 static size_t stations_of(const drawing *of, const whirl_table *table, const size_t *motions, size_t count,
                           size_t stations[MAX_STATIONS]) {
     double shares[MAX_STATIONS];
@@ -84,8 +84,8 @@ static double add_wall(whirl_figure *figure, whirl_panel *panel, const machine_w
     return most;
 }
 
-/// The walls around a station, all that motions have: a parameter may be the clearance. In the unit that is shown;
-/// gives the widest.
+/// Draws the walls around a station for all motions (a parameter may change the clearance). Returns the largest radius
+/// in the shown unit.
 static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing *of, const whirl_table *table,
                         size_t station, const size_t *motions, size_t count) {
     double widest = 0.0, clearances[MAX_MOTIONS], gaps[MAX_MOTIONS];

@@ -61,14 +61,14 @@ static window window_around(span x, span y, double side) {
     return (window){0.5 * (x.low + x.high), 0.5 * (y.low + y.high), side};
 }
 
-/// Whether a circle around (0, 0) passes through a window; one of radius 0 is none.
+/// Returns true if a circle around (0, 0) passes through a window; never for radius 0.
 static bool circle_shows(const window *in, double radius) {
     const double half = 0.5 * in->side, x = fabs(in->x), y = fabs(in->y);
     return radius > 0.0 && radius >= hypot(fmax(x - half, 0.0), fmax(y - half, 0.0)) &&
            radius <= hypot(x + half, y + half);
 }
 
-/// The window holds the orbit and, where the orbit comes near a circle, the nearest part of that too.
+/// Window of the orbit, and of the nearest part of a circle if the orbit comes near it.
 static window orbit_window(const subject *of) {
     span x = of->x, y = of->y;
     size_t far = 0;
@@ -90,7 +90,7 @@ static window orbit_window(const subject *of) {
     return window_around(x, y, 1.16 * fmax(x.high - x.low, y.high - y.low));
 }
 
-/// Which circles the orbit's window shows: bit 0 the bearing, bit 1 the stator.
+/// Circles in the orbit's window: bit 0 the bearing, bit 1 the stator.
 static unsigned shown_circles(const subject *of) {
     const window in = orbit_window(of);
     return (unsigned)circle_shows(&in, of->length * machine_wall_radius(&of->wall, atan2(in.y, in.x))) |
@@ -99,7 +99,7 @@ static unsigned shown_circles(const subject *of) {
 
 // ---------------------------------------------------------------- panels
 
-/// Two letters that stand for x and y in a label.
+/// Writes the symbols of x and y for a label.
 static void name_both(const subject *of, char *text, size_t size) {
     char x[SYMBOL_SIZE], y[SYMBOL_SIZE];
     symbol_length(of->units, WHIRL_FROM_CENTRE, "$x$", x, sizeof x);
@@ -149,7 +149,8 @@ static void show_window(whirl_panel *panel, const subject *of, const window *in)
 
 /// The part of a circle around (0, 0) that falls into a window, and some more.
 static void add_circle(whirl_figure *figure, whirl_series *line, const window *in, double radius) {
-    // From outside of it the window is seen from the centre under an angle below that of its circumscribed circle.
+    // Only the arc that may cross the window is drawn. Seen from the centre, it lies within the angle of the window's
+    // circumscribed circle.
     enum { STEPS = 500 };
     const double distance = hypot(in->x, in->y), reach = 0.85 * in->side, pi = acos(-1.0);
     const double half = distance > reach ? asin(reach / distance) : pi, middle = atan2(in->y, in->x);
@@ -163,7 +164,7 @@ static bool is_periodic(const subject *of) {
     return whirl_table_verdict(of->table, of->point).regime == WHIRL_PERIODIC;
 }
 
-/// Of a place once a revolution: periodic motions have few.
+/// Size of marks in the section: larger for periodic motions, which have few.
 static double mark_size(const subject *of) {
     return is_periodic(of) ? 2.2 : 1.1;
 }
@@ -252,7 +253,7 @@ static void add_section(whirl_figure *figure, whirl_panel *panel, const subject 
 
 enum { WAVEFORM_PANEL, ORBIT_PANEL, SPECTRUM_PANEL, SECTION_PANEL, FULL_PANEL, LINES_PANEL, PANEL_COUNT };
 
-/// Which panels there are data for, in the order in which they are lettered.
+/// Finds out which panels have data, in the order of their letters.
 static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
     there[WAVEFORM_PANEL] = there[ORBIT_PANEL] = of->waveform.at != NULL;
     there[SPECTRUM_PANEL] = there[FULL_PANEL] = of->spectrum.at != NULL;
@@ -263,7 +264,7 @@ static void panels_there(const subject *of, bool there[PANEL_COUNT]) {
 static void (*const adders[])(whirl_figure *, whirl_panel *, const subject *) = {
     add_waveform, add_orbit, add_half_spectrum, add_section, add_full_spectrum, add_lines};
 
-/// " (a) Waveform, (b) orbit (grey: bearing), ...": what the letters stand for.
+/// Caption of the letters: " (a) Waveform, (b) orbit (grey: bearing), ...".
 static void name_panels(const subject *of, char *text, size_t size) {
     const unsigned circles = of->waveform.at ? shown_circles(of) : 0;
     const char *orbit = circles == 3u   ? "orbit (grey: bearing, dashed: stator)"
@@ -288,7 +289,7 @@ static void name_panels(const subject *of, char *text, size_t size) {
         }
 }
 
-/// Whether there is anything to show of a point at a station.
+/// Returns true if a point has anything to show at a station.
 static bool is_there(const whirl_table *table, size_t point, size_t station) {
     return whirl_table_done(table, point) &&
            (point_waveform(table, point, station).at || point_section(table, point, station).at ||
@@ -328,7 +329,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
 
 // ---------------------------------------------------------------- any point: "@6000 rpm:disc", "@#12"
 
-/// The point of a table, among those that have something to show, whose value is nearest to the one that is told.
+/// Finds the point of a table with something to show whose value is nearest to the given one.
 static whirl_status nearest_point(const drawing *of, const whirl_table *table, const char *told, size_t station,
                                   size_t *point) {
     double *const values = malloc((table->count + 1) * sizeof *values);
@@ -339,8 +340,8 @@ static whirl_status nearest_point(const drawing *of, const whirl_table *table, c
     return status;
 }
 
-/// Of all tables along a parameter the one that has the nearest point. Points in detail have more to show, and stand
-/// behind those of the sweep.
+/// Adds the nearest point from all tables along a parameter. Detail points win over those of the sweep, since they have
+/// more to show.
 static whirl_status add_nearest(figure_list *to, const drawing *of, const char *told, size_t station) {
     const whirl_table *found = NULL;
     whirl_status first = whirl_ok();

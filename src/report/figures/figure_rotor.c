@@ -1,4 +1,4 @@
-// The machine as a drawing, to scale: shafts, discs, and symbols of what acts on them.
+// Drawing of the machine to scale: shafts, discs, and symbols of the elements on them.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,14 +10,14 @@
 
 // ---------------------------------------------------------------- drawing
 
-/// A drawing under way: the figure, its panel, and how large a metre is in the unit shown. Places are those of a
-/// machine that lies, x along and y across its shafts; one that stands is drawn upright, x upwards or downwards.
+/// State of the drawing: the figure, its panel, and the size of a metre in the shown unit. Places are those of a
+/// horizontal machine, x along and y across its shafts; a vertical machine is drawn upright, with x up or down.
 typedef struct pen {
     whirl_figure *figure;
     whirl_panel *panel;
     machine_layout *l;
     double unit;
-    double upright; ///< 0 of a machine that lies; 1 or -1 where x rises or falls
+    double upright; ///< 0 for a horizontal machine; 1 or -1 if x points up or down
     double cm;      ///< m a cm of the drawing, or so
 } pen;
 
@@ -27,7 +27,7 @@ static void reach(machine_layout *l, double x, double low, double high) {
     l->bottom = fmin(l->bottom, low);
 }
 
-/// A place in the panel, in units; x of one that stands is its height.
+/// Panel coordinates of a place, in units; for a vertical machine x is the height.
 static double pen_x(const pen *p, double x, double y) {
     return (p->upright != 0.0 ? y : x) / p->unit;
 }
@@ -59,8 +59,8 @@ static void pen_line(const pen *p, whirl_series *to, double x, double y, double 
     series_break(p->figure, to);
 }
 
-/// Fills a wall along `x`, of radii at its ends, above (side 1) or below the axis. Areas are filled upwards: of a wall
-/// that stands they go across it, from the end that lies further inside to the one further outside.
+/// Fills a wall along `x`, with radii at its ends, above (side 1) or below the axis. Areas are filled upwards, so the
+/// wall of a vertical machine is filled across, from the inner end to the outer one.
 static void pen_fill(const pen *p, whirl_series *area, span x, const double inner[2], const double outer[2], int side) {
     if (p->upright == 0.0) {
         for (int end = 0; end < 2; end++)
@@ -155,11 +155,11 @@ static void draw_ground(const pen *p, whirl_series *to, double x, double y) {
     for (int k = -1; k <= 1; k++) pen_line(p, to, x + 0.5 * k * u + 0.2 * u, y, x + 0.5 * k * u - 0.2 * u, y - 0.4 * u);
 }
 
-/// A bearing, seal, stator or support: blocks above and below its station, and what carries it.
+/// Symbol of a bearing, seal, stator or support: blocks above and below its station, and its link to the ground.
 typedef struct symbol {
     whirl_model_role role;
     const char *name, *colour;
-    double half, from, to; ///< width, and where it begins and ends outside the station, in sizes of symbols
+    double half, from, to; ///< width, and inner and outer edge beyond the station's radius, in symbol sizes
 } symbol;
 
 static const symbol symbols[] = {
@@ -175,7 +175,7 @@ static void draw_symbol(const pen *p, const symbol *what) {
         const whirl_model_element *e = &l->model.elements[i];
         if (e->role != what->role || !layout_has_station(l, e->station[0])) continue;
         const double x = l->x[e->station[0]], y = l->y[e->station[0]], u = l->symbol;
-        // A stator is around the disc, all else around the shaft.
+        // A stator surrounds the disc, other symbols the shaft.
         const double r =
             what->role == WHIRL_ROLE_STATOR ? layout_rim_radius(l, e->station[0]) : l->radius[e->station[0]];
         if (!blocks) {
@@ -239,7 +239,7 @@ static void draw_links(const pen *p) {
     }
 }
 
-/// Whether a table names the station among those with probes.
+/// Returns true if a table names the station among those with probes.
 static bool has_probe(const whirl_result *result, size_t station) {
     for (size_t t = 0; t < result->table_count; t++)
         if (*result->tables[t].record.probes_at && margin_probed(result, &result->tables[t], station)) return true;
@@ -275,8 +275,8 @@ static int by_place(const void *a, const void *b) {
     return (one > other) - (one < other);
 }
 
-/// Moves labels apart to at least `step`, as little as that takes: neighbours that are too close form a group, which is
-/// centred upon their places.
+/// Moves labels apart to at least `step`, as little as possible: labels that are too close form a group, centred on
+/// their places.
 static void spread_labels(label *labels, size_t count, double step) {
     size_t sizes[WHIRL_MAX_PROBES], groups = 0;
     double middles[WHIRL_MAX_PROBES]; // where a group's first label would stand, were all of them at one place
@@ -293,8 +293,8 @@ static void spread_labels(label *labels, size_t count, double step) {
         for (size_t k = 0; k < sizes[g]; k++, i++) labels[i].x = middles[g] + (double)i * step;
 }
 
-/// Names of the stations of one axis above all that is drawn there, apart from each other, with strokes to their
-/// places; `step` is the least distance, `high` the top of the axis' parts.
+/// Writes the names of an axis' stations above its parts, apart from each other, with strokes to their places; `step`
+/// is the least distance, `high` the top of the parts.
 static void name_axis(const pen *p, double axis, double high, double step) {
     machine_layout *l = p->l;
     label labels[WHIRL_MAX_PROBES];
@@ -314,7 +314,7 @@ static void name_axis(const pen *p, double axis, double high, double step) {
     }
 }
 
-/// Where names begin above an axis, over all of its parts.
+/// Height at which names begin above an axis, over all of its parts.
 static double axis_top(const machine_layout *l, double axis) {
     double high = axis;
     for (size_t k = 0; k < l->model.station_count && k < WHIRL_MAX_PROBES; k++)
@@ -324,7 +324,7 @@ static double axis_top(const machine_layout *l, double axis) {
     return high + 2.9 * l->symbol;
 }
 
-/// Names at stations of housings, which lie below the others.
+/// Writes the names at stations of housings, which are below the shafts.
 static void name_housings(const pen *p) {
     machine_layout *l = p->l;
     whirl_series *names = panel_series(p->figure, p->panel, WHIRL_TEXTS, "#303030", 1.0);
@@ -346,7 +346,7 @@ static void name_housings(const pen *p) {
     }
 }
 
-/// Half of the width along the axis that stands for a station: its parts, up to half-way to its neighbours.
+/// Half of the width of a station's hot spot: its parts, up to half-way to its neighbours.
 static double spot_half(const machine_layout *l, size_t station) {
     double half = 1.5 * l->symbol;
     if (l->model.stations[station].mass > 0.0 && l->to_scale)
@@ -357,7 +357,7 @@ static double spot_half(const machine_layout *l, size_t station) {
     return half;
 }
 
-/// Parts of the drawing that stand for stations, from their names down to their lower edges.
+/// Adds hot spots of stations, from their names down to their lower edges.
 static void add_spots(const pen *p) {
     const machine_layout *l = p->l;
     for (size_t s = 0; s < l->model.station_count && s < WHIRL_MAX_PROBES; s++) {
@@ -378,7 +378,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (of->machine && of->result->station_count > 0) list_figure(to, &place, "rotor", "The machine");
 }
 
-/// cm that names take above a machine that lies.
+/// Height of the names above a horizontal machine, cm.
 static double names_height(const pen *p) {
     return 0.87 * figure_text_width(p->figure, layout_longest_name(p->l->result)) + 0.25;
 }
@@ -397,7 +397,7 @@ static void fit_lying(const pen *p) {
     p->panel->x.shown = l->to_scale;
 }
 
-/// The same of a machine that stands, whose names stand to the right of it; the figure is as wide as that takes.
+/// Sizes the figure of a vertical machine, with names to the right of it; the figure is as wide as needed.
 static void fit_standing(const pen *p) {
     enum { HEIGHT = 14, WIDTH = 15 }; // cm, at most
     const machine_layout *l = p->l;
@@ -428,7 +428,7 @@ static void draw(const pen *p) {
     for (size_t i = 0; i < sizeof symbols / sizeof *symbols; i++) draw_symbol(p, &symbols[i]);
     draw_supports(p);
     draw_marks(p);
-    // Names of every axis stand above its own parts.
+    // Names of every axis go above its own parts.
     const double step = 0.42 * p->cm;
     double done = HUGE_VAL;
     for (size_t s = 0; s < (l->to_scale ? l->model.shaft_count : 1); s++) {
@@ -448,7 +448,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         layout_free(l);
         return;
     }
-    // Lumped stations stand one apart, and are measured when they are drawn.
+    // Lumped stations have unit spacing; their symbols are sized when drawn.
     const double length = l->to_scale ? l->along.high - l->along.low : (double)l->model.station_count;
     pen p = {.figure = figure, .panel = panel, .l = l, .unit = l->to_scale ? layout_unit(of->units) : 1.0};
     figure->font = 6.5;

@@ -4,7 +4,7 @@
 
 #include "figure_kinds.h"
 
-/// Whether a point stands in the diagram.
+/// Returns true if a point is in the diagram.
 static bool stands(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) &&
            isfinite(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0));

@@ -8,7 +8,7 @@
 
 enum { SHAPES = 6 };
 
-/// A mode, by the line of the shafts where it is known (`moved` has room for it), else from station to station.
+/// Adds a mode along the shaft lines if these are known (`moved` is their buffer), else from station to station.
 static void add_mode(whirl_figure *figure, const drawing *of, const whirl_table *table, size_t mode, bool lowest,
                      const machine_along *places, shaft_bends *bends, double *moved) {
     const size_t point = table->count - 1;

@@ -20,7 +20,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-/// An upright line at a cross coupling, of what name.
+/// Adds a named vertical line at a cross coupling.
 static void add_mark(whirl_figure *figure, whirl_panel *panel, double at, double low, double high, const char *name,
                      size_t colour) {
     if (!isfinite(at)) return;
@@ -47,7 +47,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     whirl_series *line = panel_named(figure, panel, WHIRL_LINE, "least of forward modes", line_colour(0), 1.2);
     const double limit = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_LIMIT, 0);
     for (size_t i = 0; i < field->rows; i++) {
-        // Between two numbers of the curve it goes through the limit, where it is 0.
+        // The curve crosses 0 at the limit, between two of its points.
         if (i > 0 && limit > coupling[i - 1] && limit < coupling[i]) series_add(figure, line, limit / mega, 0.0);
         series_add(figure, line, coupling[i] / mega, curve[i]);
         low = fmin(low, curve[i]);

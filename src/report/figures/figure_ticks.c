@@ -1,4 +1,4 @@
-// Where the ticks of axes stand and what is written there: the same in all renderers.
+// Positions and texts of axis ticks; the same for all renderers.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +24,7 @@ static void power_text(int power, char *text, size_t size) {
         used += (size_t)snprintf(text + used, size - used, "%s", digits[*at - '0']);
 }
 
-/// A number with a minus sign of its own; large and small ones as powers.
+/// Writes a number with a typographic minus sign; large and small numbers as powers of ten.
 static void number_as_tick(double value, double step, char *text, size_t size) {
     const double size_of = fmax(fabs(value), step);
     const int decimals = step > 0.0 ? (int)fmax(0.0, -floor(log10(step) + 1e-9)) : 0;
@@ -40,7 +40,7 @@ static void number_as_tick(double value, double step, char *text, size_t size) {
     }
 }
 
-/// The step of at most `most` ticks, or more where fewer than three would stand on the axis.
+/// Step of at most `most` ticks; more if fewer than three would be on the axis.
 static double even_step(const whirl_axis *axis, int most) {
     const double width = axis->high - axis->low;
     for (double step = tick_step(width, most);; step = tick_step(width, ++most))
@@ -51,7 +51,7 @@ static void fill_even(whirl_figure *figure, whirl_axis *axis, double step) {
     enum { MOST = 40 };
     char text[64];
     const double first = ceil(axis->low / step - 1e-9);
-    // Of numbers so large beside their differences no digits would tell one tick from the next.
+    // Beyond 1e9 steps from 0, ticks would have the same digits: there are none.
     for (int k = 0; k < MOST && fabs(first) < 1e9 && (first + k) * step <= axis->high + 1e-9 * step; k++) {
         const double at = (first + k) * step;
         if (!isfinite(at)) return;
@@ -73,7 +73,7 @@ static void log_text(double value, int power, int digit, char *text, size_t size
         snprintf(text, size, "%d\u00b7%s", digit, own);
 }
 
-/// Powers of ten; where these are few, 2 and 5 times them, too; where there is hardly any, even steps.
+/// Fills in powers of ten; 2 and 5 times them if they are few; even steps if they are hardly any.
 static void fill_powers(whirl_figure *figure, whirl_axis *axis, int most) {
     const int first = (int)floor(log10(axis->low)), last = (int)ceil(log10(axis->high));
     const int step = last - first > most ? (last - first + most - 1) / most : 1;

@@ -28,7 +28,7 @@ const whirl_table *tori_table(const whirl_result *result) {
 
 // ---------------------------------------------------------------- bands
 
-/// A band of a station at one value: where one of the closed curves of its section lies, x and y.
+/// Band of a station at one value: the x and y ranges of one closed curve of its section.
 typedef struct band {
     double value, low[2], high[2];
     bool stable;
@@ -48,7 +48,7 @@ static bool beginning(const drawing *to, const whirl_table *table, size_t first,
     return section != NULL;
 }
 
-/// Where it shrinks to an orbit, the middle of its last band.
+/// Last band of a branch that shrinks to an orbit: the middle of the band before. Returns false for other ends.
 static bool closing(const whirl_table *table, size_t last, size_t station, size_t line, band *out) {
     const double *low = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_LOW, station);
     const double *high = whirl_table_field(table, last, WHIRL_FIELD_TORUS_SECTION_HIGH, station);
@@ -58,7 +58,7 @@ static bool closing(const whirl_table *table, size_t last, size_t station, size_
     return true;
 }
 
-/// The bands of a branch by index: the beginning, its rows, the end; false where there is none of that index.
+/// Band of a branch by index: the beginning, its rows, the end. Returns false if there is none.
 static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own, size_t index, size_t station,
                     size_t line, band *out) {
     if (index == 0) return beginning(to, table, own.first, station, line, out);
@@ -72,7 +72,7 @@ static bool band_at(const drawing *to, const whirl_table *table, whirl_tori own,
     return is_torus(table, point);
 }
 
-/// What is drawn of bands: the fill, and their edges where they are stable or not.
+/// Series of bands: the fill, and the edges of stable and unstable ones.
 typedef struct band_series {
     whirl_series *fill, *edges[2][2]; ///< [stable][side]
 } band_series;
@@ -89,7 +89,7 @@ static void add_edges(whirl_figure *figure, const band_series *to, const band *b
     series_add(figure, to->edges[stable][1], b->value / size, length * b->high[column]);
 }
 
-/// The bands of one branch and one line of its section; pieces that are stable, or not, meet where that changes.
+/// Adds the bands of one branch and one curve of its section. Stable and unstable pieces meet where stability changes.
 static void add_line(whirl_figure *figure, const band_series *to, const drawing *of, whirl_tori own, size_t station,
                      size_t line, size_t column, double size) {
     const whirl_table *table = tori_table(of->result);
@@ -130,12 +130,12 @@ void tori_add_bands(whirl_figure *figure, whirl_panel *panel, const drawing *of,
 
 // ---------------------------------------------------------------- numbers over the parameter
 
-/// A branch of tori, and what its panels share.
+/// A branch of tori, and data shared by its panels.
 typedef struct torus_view {
     const drawing *of;
     const whirl_table *table;
     whirl_tori own;
-    double size; ///< of one unit of the parameter
+    double size; ///< one unit of the parameter, in SI
     span range;
 } torus_view;
 
@@ -155,7 +155,7 @@ static double amplitude_of(const torus_view *v, size_t point, size_t station) {
     return units_length(v->of->units, v->table, point, WHIRL_AMPLITUDE) * fmax(amplitude[0], amplitude[1]);
 }
 
-/// Solid with discs where tori are stable, dashed with rings where not.
+/// Adds a line with discs where tori are stable, dashed with rings where they are unstable.
 static void add_numbers(whirl_figure *figure, whirl_panel *panel, const torus_view *v, size_t station, const char *name,
                         double (*number)(const torus_view *v, size_t point, size_t station)) {
     const char *colour = line_colour(station);
@@ -180,7 +180,7 @@ static size_t common_divisor(size_t p, size_t q) {
     return p == 0 ? q : common_divisor(q % p, p);
 }
 
-/// Simple fractions of the range as lines: those of the smallest q, some.
+/// Adds the simplest fractions in the range as lines, those of smallest denominator q first.
 static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range) {
     enum { LARGEST = 12, SOME = 5 };
     const double turns = 1e3; // rotation numbers are below 1; a file may say otherwise
@@ -201,7 +201,7 @@ static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range)
         }
 }
 
-/// Of the rotation numbers, and of the resonance at which tori end.
+/// Range of the rotation numbers, and of the resonance at which tori end.
 static span rotations_of(const torus_view *v) {
     const double *resonance = whirl_table_field(v->table, v->own.last, WHIRL_FIELD_TORUS_RESONANCE, 0);
     span range = span_empty();
@@ -221,7 +221,7 @@ static whirl_panel *add_panel(whirl_figure *figure, const torus_view *v, const c
     return panel;
 }
 
-/// From where the tori begin to where they end, or seem to.
+/// Range of the parameter from the birth of the tori to their end.
 static span axis_of(const torus_view *v) {
     span range = span_empty();
     span_widen(&range, point_number(v->table, v->own.first, WHIRL_FIELD_TORUS_BEGINS) / v->size);

@@ -32,7 +32,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-/// The least and the largest of every few samples, in their order: as many as can be seen.
+/// Adds the least and the largest of every few samples, in order, to limit the number of drawn points.
 static void add_samples(whirl_figure *figure, whirl_series *line, const numbers *samples, size_t column, double turn,
                         double length) {
     const size_t step = samples->rows / MAX_STEPS + 1;

@@ -12,7 +12,7 @@ typedef struct view {
     const drawing *of;
     const whirl_table *table;
     size_t station;
-    double size; ///< of one unit of the parameter
+    double size; ///< one unit of the parameter, in SI
 } view;
 
 static const double *field_of(const view *v, size_t point, const char *field) {
@@ -31,7 +31,7 @@ static double value_at(const view *v, size_t point) {
     return v->table->values[point] / v->size;
 }
 
-/// The running speeds within `shown`, where they are said and the parameter is the speed; false where none are.
+/// Finds the running speeds within `shown`. Returns false if there are none, or the parameter is no speed.
 static bool running_of(const view *v, span shown, span *out) {
     double from, to;
     if (!margin_running(v->table, &from, &to) || !units_of_speed(v->table, WHIRL_FIELD_UNBALANCE_SPEED)) return false;
@@ -64,7 +64,7 @@ static void add_lags(whirl_figure *figure, whirl_panel *panel, const view *v) {
     }
 }
 
-/// Of the first and the second probe, and of the major axis.
+/// Field of curve `which`: the first probe, the second probe, the major axis.
 static const char *source_of(size_t which) {
     return which == 2 ? WHIRL_FIELD_UNBALANCE_AXES : WHIRL_FIELD_UNBALANCE_PROBE;
 }
@@ -121,7 +121,7 @@ static void add_lag_axes(whirl_figure *figure, whirl_panel *panel, double high) 
     }
 }
 
-/// Amplitude and lag that a probe sees at a point, as a place of the polar diagram; false where there are none.
+/// Amplitude and lag at a probe, as a place in the polar diagram. Returns false if there are none.
 static bool polar_place(const view *v, size_t point, size_t probe, double place[2]) {
     const double *at = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE);
     const double *lag = field_of(v, point, WHIRL_FIELD_UNBALANCE_PROBE_LAG);
@@ -132,8 +132,7 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
     return true;
 }
 
-/// Marks with their speed on the line of a probe, at round values of the parameter; names that would meet another one
-/// are left out.
+/// Marks speeds on a probe's line at round values of the parameter; names that would overlap are left out.
 static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe, double high,
                        double (*named)[2], size_t *count) {
     enum { MAX_NAMED = 32 };
@@ -188,7 +187,8 @@ static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
     axis_tick(figure, &panel->y, 0.0, "");
 }
 
-/// What moves less than a thousandth of its place stands still.
+/// Adds the shaft centreline; a point that moves less than a thousandth of its distance from the centre counts as at
+/// rest.
 static void add_centreline(whirl_figure *figure, whirl_panel *panel, const view *v) {
     span x = span_empty(), y = span_empty();
     double size = 0.0;

@@ -1,5 +1,5 @@
-// Waterfalls: the spectral lines of a station over the swept parameter, backward whirl on the left, forward whirl on
-// the right, each a mark in the colour of its amplitude.
+// Waterfalls: spectral lines of a station over the swept parameter, backward whirl on the left, forward whirl on the
+// right. Each line is a mark coloured by amplitude.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,22 +13,22 @@
 static const char *const darker[] = {"#fde725", "#a0da39", "#4ac16d", "#1fa187",
                                      "#277f8e", "#365c8d", "#46327e", "#440154"};
 
-/// Lines below this share of the largest are left out.
+/// Least amplitude of a line, relative to the largest.
 static const double LEAST = 1e-3;
 
-/// Shares of the axes: how wide a mark is, and how high it is at most where points stand far apart.
+/// Width of a mark, and its largest height where points are far apart, as parts of the axes.
 static const double WIDE = 0.007, HIGH = 0.03;
 
 /// A whirl of a line.
 typedef struct mark {
     size_t point;
-    double at, amplitude; ///< frequency, negative where it is backward; as shown
+    double at, amplitude; ///< shown frequency, negative for backward whirl; shown amplitude
 } mark;
 
 typedef struct waterfall {
-    bifurcation axis; ///< of the parameter
+    bifurcation axis; ///< axis of the parameter
     bool orders;      ///< frequencies are shown as orders of the running speed
-    double *sizes;    ///< [points] what an order is, as shown
+    double *sizes;    ///< [points] shown size of one order
     mark *marks;      ///< the largest last, which is drawn over the others
     size_t count;
     double largest; ///< amplitude
@@ -39,7 +39,7 @@ static int by_amplitude(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// What orders are shown as, at all points: frequencies where the speed is known everywhere.
+/// Sets the shown size of an order at all points: a frequency if the speed is known everywhere.
 static void find_sizes(const drawing *to, waterfall *of) {
     const whirl_table *table = of->axis.table;
     of->orders = !(to->units->frequency > 0.0);
@@ -72,7 +72,7 @@ static void gather(waterfall *of) {
     if (kept > 1) qsort(of->marks, kept, sizeof *of->marks, by_amplitude);
 }
 
-/// Where a point's marks stand: as high as the part of the axis that belongs to it, but no bars.
+/// Height of a point's marks: its part of the axis, up to a limit.
 static span height_of(const waterfall *of, size_t point) {
     const bifurcation *axis = &of->axis;
     const double at = axis->value * axis->table->values[point];

@@ -16,7 +16,7 @@ static span axis_reach(const machine_layout *l, double axis) {
     return reach;
 }
 
-/// Shafts of one axis keep their places to one another; the next axis begins behind them.
+/// Places the shafts. Shafts on one axis keep their relative places; the next axis begins after them.
 static span along_place_shafts(const machine_layout *l, machine_along *out) {
     span places = span_empty();
     bool placed[WHIRL_MAX_SHAFTS] = {false};
@@ -111,9 +111,9 @@ void along_axis(whirl_figure *figure, whirl_panel *panel, const drawing *of, con
     if (along->aside > 0) panel_upright(figure, panel, along->end, "#909090", 0.4);
 }
 
-// ---------------------------------------------------------------- the machine behind
+// ---------------------------------------------------------------- the machine in grey
 
-/// Units of the vertical axis a m, of one scale with the horizontal one where that fits.
+/// Shown units per m of the vertical axis: the same scale as along the axis if that fits.
 static double across_scale(const whirl_figure *figure, const whirl_panel *panel, const machine_along *along,
                            double high) {
     const machine_layout *l = along->layout;
@@ -174,7 +174,7 @@ const char *along_caption(const machine_along *along) {
 
 // ---------------------------------------------------------------- shapes
 
-/// The station that follows one on its shaft, along it; station_count where there is none.
+/// Next station along a shaft; station_count if there is none.
 static size_t next_on_shaft(const whirl_result *result, size_t shaft, double after) {
     size_t next = result->station_count;
     for (size_t s = 0; s < result->station_count; s++) {

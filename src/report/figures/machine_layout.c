@@ -1,5 +1,4 @@
-// Where the parts of a machine lie in drawings: shafts along one axis or below one another, stations on and beside
-// them.
+// Layout of a machine's drawing: shafts along one axis or below one another, stations on and off shafts.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +14,7 @@ bool layout_has_station(const machine_layout *l, size_t station) {
     return station < l->model.station_count && station < WHIRL_MAX_PROBES;
 }
 
-/// Outer radius of a shaft at a place along it, the larger one where it steps; 0 beyond its ends.
+/// Outer radius of a shaft at a place along it, the larger one at a step; 0 beyond its ends.
 static double layout_shaft_radius(const machine_layout *l, size_t shaft, double at) {
     double radius = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++) {
@@ -72,14 +71,15 @@ size_t layout_longest_name(const whirl_result *result) {
     return longest;
 }
 
-/// Room for the names of stations beside a shaft, m, where the longest shaft is some 14 cm long in the figure.
+/// Width for the names of stations next to a vertical shaft, m. It assumes that the longest shaft is 14 cm long in the
+/// figure.
 static double layout_names(const machine_layout *l) {
     double length = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++) length = fmax(length, l->model.sections[i].to);
     return (0.12 * (double)layout_longest_name(l->result) + 0.25) * length / 14.0;
 }
 
-/// Shafts that an element joins lie on one axis, the others below one another.
+/// Places the shafts: those joined by an element on one axis, others below one another.
 static void layout_place_shafts(machine_layout *l) {
     double axis = 0.0;
     size_t left = l->model.shaft_count;
@@ -116,13 +116,13 @@ layout_disc layout_disc_of(const machine_layout *l, size_t station) {
                          .radius = fmax(layout_disc_radius(own), l->radius[station] + 0.3 * l->symbol)};
 }
 
-/// The radius of a station's disc, or of its shaft where that is larger.
+/// Radius of a station's disc, or of its shaft if that is larger.
 double layout_rim_radius(const machine_layout *l, size_t station) {
     const whirl_model_mass *own = &l->model.stations[station];
     return own->shaft < l->model.shaft_count ? fmax(layout_disc_radius(own), l->radius[station]) : l->radius[station];
 }
 
-/// A station that lies on no shaft stands below what an element joins it to.
+/// Places a station that is on no shaft below the station that an element joins it to.
 static bool layout_hang_station(machine_layout *l, size_t station) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
@@ -137,7 +137,8 @@ static bool layout_hang_station(machine_layout *l, size_t station) {
     return false;
 }
 
-/// Whether a station is the housing or the support of another one: the second end of a bearing, stator or support.
+/// Returns true if a station is the housing or the support of another one: the second end of a bearing, stator or
+/// support.
 static bool layout_is_housing(const machine_layout *l, size_t station) {
     for (size_t i = 0; i < l->model.element_count; i++) {
         const whirl_model_element *e = &l->model.elements[i];
@@ -175,7 +176,7 @@ static void layout_place_stations(machine_layout *l) {
     }
 }
 
-/// Sizes of symbols, and of stations: those of a machine that is not to scale by the cube root of their masses.
+/// Sizes symbols and stations. Without shafts to scale, stations are sized by the cube root of their masses.
 static void layout_size_stations(machine_layout *l) {
     double length = 0.0, thick = 0.0, heaviest = 0.0;
     for (size_t i = 0; i < l->model.section_count; i++) {

@@ -1,4 +1,4 @@
-// Cells of a map: where they lie, and where those of different kinds meet.
+// Cells of a map: their edges, and the borders between cells of different kinds.
 #include "figure_kinds.h"
 
 #include <math.h>
@@ -28,7 +28,7 @@ static void find_edges(const double *values, size_t count, bool ratios, double *
     edges[count] = ratios ? last * last / before : 2.0 * last - before;
 }
 
-/// The values along both axes, by the points that are there; of columns and rows without any point those beside.
+/// Reads the values along both axes from the points that exist. Columns and rows without a point stay NaN.
 static void read_axes(map_cells *map, const whirl_shown_units *units, const whirl_table *table, double *x, double *y) {
     const double across = whirl_shown_parameter(units, table->parameter).size;
     const double up = whirl_shown_parameter(units, table->second).size;
@@ -46,7 +46,7 @@ static void read_axes(map_cells *map, const whirl_shown_units *units, const whir
     }
 }
 
-/// Whether the values that are there have equal ratios from column to column, or row to row, and no equal differences.
+/// Returns true if the known values have equal ratios from column to column (or row to row) and unequal differences.
 static bool are_ratios(const double *values, size_t first, size_t last) {
     const double steps = (double)(last - first), ratio = values[last] / values[first];
     bool ratios = ratio > 0.0, differences = true;
@@ -60,12 +60,12 @@ static bool are_ratios(const double *values, size_t first, size_t last) {
     return ratios && !differences;
 }
 
-/// What stands between or beyond two values, `share` of the way from one to the other.
+/// Interpolates (or extrapolates) to `share` of the way from `a` to `b`; by ratio on a logarithmic axis.
 static double between(double a, double b, double share, bool ratios) {
     return ratios ? a * pow(b / a, share) : a + share * (b - a);
 }
 
-/// Cells without a value stand evenly between those that have one, or beyond; by ratios where the values do.
+/// Fills in missing values evenly between known ones, or beyond them; by ratio on a logarithmic axis.
 static void fill_gaps(double *values, size_t count) {
     size_t first = 0, last = count - 1;
     while (first < last && isnan(values[first])) first++;
@@ -117,7 +117,7 @@ void map_cells_free(map_cells *map) {
     map->cover = map->cover_of_planes = NULL;
 }
 
-// ---------------------------------------------------------------- what is drawn
+// ---------------------------------------------------------------- runs and borders
 
 bool map_cells_next(const map_cells *map, const double *values, map_run *run) {
     const size_t all = map->columns * map->rows;
@@ -135,7 +135,7 @@ bool map_cells_next(const map_cells *map, const double *values, map_run *run) {
     return true;
 }
 
-/// Where the cells on both sides of a line meet: those of column `at` - 1 and `at` where it stands, else of rows.
+/// A line of the grid: between columns `at` - 1 and `at` if it stands upright, else between rows.
 typedef struct border {
     const map_cells *map;
     const long *labels;

@@ -8,8 +8,8 @@
 #include "figure_kinds.h"
 
 enum {
-    MAX_BINS = 2500, ///< of a drawn spectrum: more are grouped and the largest of a group is kept (peak hold)
-    MAX_LABELS = 8   ///< spectral lines that get their order written beside them
+    MAX_BINS = 2500, ///< bins in a drawn spectrum; more are grouped, by the largest of each group (peak hold)
+    MAX_LABELS = 8   ///< spectral lines labelled with their order
 };
 
 static double order_size(const subject *of) {
@@ -20,16 +20,16 @@ static double amplitude(const double *line, int full) {
     return full ? fmax(line[3], line[4]) : fmax(line[1], line[2]);
 }
 
-/// The axis of amplitudes: logarithmic where lines would be lost at the foot of a linear one.
+/// Axis of amplitudes: logarithmic if lines would be too small on a linear one.
 typedef struct scale {
     bool logarithmic;
     double low, high; ///< as shown
 } scale;
 
-/// Lines of a spectrum below this share of the largest are not seen on a linear axis.
+/// Least amplitude, relative to the largest, that is visible on a linear axis.
 static const double SEEN = 0.01;
 
-/// Over the tallest line stands room for its label.
+/// Makes the axis, with room for the label of the tallest line.
 static scale scale_of(const subject *of, int full, double room) {
     double tallest = 0.0, least = INFINITY;
     for (size_t k = 0; k < of->spectrum.rows; k++) tallest = fmax(tallest, amplitude(&of->spectrum.at[5 * k], full));
@@ -43,19 +43,18 @@ static scale scale_of(const subject *of, int full, double room) {
     return (scale){true, low, high * pow(high / low, room - 1.0)};
 }
 
-/// Where on the axis an amplitude stands, from 0 to 1.
+/// Position of an amplitude on the axis, from 0 to 1.
 static double scale_place(const scale *axis, double height) {
     if (!axis->logarithmic) return height / axis->high;
     return fmax(log(fmax(height, axis->low) / axis->low) / log(axis->high / axis->low), 0.0);
 }
 
-/// The amplitude that stands there.
+/// Amplitude at a position of the axis.
 static double scale_height(const scale *axis, double place) {
     return axis->logarithmic ? axis->low * pow(axis->high / axis->low, place) : place * axis->high;
 }
 
-/// A peak that may get its order written above it, and its height on the axis; in a full spectrum backward ones stand
-/// on the left.
+/// A peak that may be labelled, and its height on the axis; backward peaks of a full spectrum have negative places.
 typedef struct peak {
     double place, height;
 } peak;
@@ -89,7 +88,7 @@ static size_t find_peaks(const subject *of, const scale *axis, int full, peak *p
     return count;
 }
 
-/// The place of a label: the orders that it covers; none where low is not below high.
+/// A label's box over the orders; no label if low is not below high.
 typedef struct label {
     double low, high, height;
 } label;
@@ -109,7 +108,7 @@ static bool peak_stands_alone(const peak *candidate, const peak *labelled, int c
     return true;
 }
 
-/// Where another peak of about this height stands beside it: -1 left, 1 right, 0 nowhere. Of two the nearer counts.
+/// Side on which another peak of about this height is: -1 left, 1 right, 0 none. The nearest one decides.
 static int neighbour_side(const peak *peaks, size_t count, const peak *of, double wide, double tall) {
     const peak *nearest = NULL;
     for (const peak *other = peaks; other < peaks + count; other++) {
@@ -119,8 +118,8 @@ static int neighbour_side(const peak *peaks, size_t count, const peak *of, doubl
     return !nearest ? 0 : nearest->place < of->place ? -1 : 1;
 }
 
-/// Above the peak or, where it has a neighbour, on the side away from that; else on whatever side no label is there;
-/// empty where nothing fits.
+/// Places a label above the peak or, if it has a neighbour, on the other side; else on any free side. Returns an empty
+/// label if none fits.
 static label place_label(const peak *of, int neighbour, const label *placed, int count, double wide, double tall) {
     const label tries[] = {{of->place - 0.5 * wide, of->place + 0.5 * wide, of->height},
                            {of->place - 0.1 * wide, of->place + 0.9 * wide, of->height},
@@ -131,7 +130,7 @@ static label place_label(const peak *of, int neighbour, const label *placed, int
     return (label){0};
 }
 
-/// The order as it is shown and, where the machine names it, that name: "3.58 (BPFO)". Gives its length.
+/// Writes the shown order and the machine's name for it, "3.58 (BPFO)". Returns the length.
 static int label_text(const subject *of, const whirl_machine *named, double place, char *text, size_t size) {
     const int letters = snprintf(text, size, "%.3g", place);
     char name[LINE_NAME_SIZE];
@@ -191,7 +190,7 @@ static scale begin_spectrum(whirl_figure *figure, whirl_panel *panel, const subj
     return axis;
 }
 
-/// A column of the spectrum; bins that are too many are grouped, and the largest of a group is kept.
+/// Adds a column of the spectrum; too many bins are grouped, by the largest of each group.
 static void add_spectrum(whirl_figure *figure, whirl_series *line, const subject *of, const scale *axis, int column,
                          double direction) {
     const size_t group = (of->spectrum.rows + MAX_BINS - 1) / MAX_BINS;

@@ -1,5 +1,5 @@
-// How shafts bend between stations. Results hold shapes at stations alone; the machine of a point is made once more
-// from the result's case, and what it does is taken where it is the same at the stations.
+// Deflection of shafts between stations. Results have shapes at stations only. The machine of a point is built again
+// from the result's case; its mode or response is used if it agrees with the result at the stations.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -14,11 +14,11 @@ struct shaft_bends {
     const whirl_table *table;
     size_t point;
     whirl_study study;
-    whirl_batch *batch; ///< of the study
+    whirl_batch *batch; ///< batch of the study
     whirl_placed *placed;
     whirl_machine machine;
     whirl_shaft_line line;
-    whirl_modes *modes; ///< of the machine, once they are asked for
+    whirl_modes *modes; ///< modes of the machine, computed on first use
 };
 
 shaft_bends *bends_new(const drawing *of, const whirl_table *table, size_t point) {
@@ -55,13 +55,13 @@ double bends_length(const shaft_bends *b) {
     return b->machine.length;
 }
 
-/// What a vector [dimension][2] moves of a station along x (axis: 0) or y.
+/// Displacement of a station along x (axis: 0) or y in a vector [dimension][2].
 static double complex moved_at(const whirl_probe *probe, int axis, const double *vector) {
     const double *at = vector + 2 * (axis == 0 ? probe->x : probe->y);
     return whirl_probe_sees(probe, (size_t)axis) ? at[0] + at[1] * I : 0.0;
 }
 
-/// What a vector [dimension][2] moves of a place of the line along x (axis: 0) or y, in length scales.
+/// Displacement of a place on the shaft line along x (axis: 0) or y in a vector [dimension][2], in length scales.
 static double complex moved_on_line(const shaft_bends *b, size_t place, int axis, const double *vector, double length) {
     return (whirl_shaft_line_at(&b->line, place, axis, vector, 2) +
             whirl_shaft_line_at(&b->line, place, axis, vector + 1, 2) * I) /
@@ -70,8 +70,8 @@ static double complex moved_on_line(const shaft_bends *b, size_t place, int axis
 
 // ---------------------------------------------------------------- modes
 
-/// Vectors, one or two of them, whose sum, each times a number, is to be the shape of a result. Vectors hold real and
-/// imaginary parts side by side.
+/// One or two vectors whose linear combination is to be the shape of a result. Vectors interleave real and imaginary
+/// parts.
 typedef struct fit {
     const shaft_bends *of;
     size_t mode, count;
@@ -86,7 +86,7 @@ static double complex fit_wanted(const fit *f, size_t station, int axis) {
     return row[at] - row[at + 1] * I;
 }
 
-/// Sum over all stations of what a vector has, conjugate, times what another one has; NULL: the result.
+/// Scalar product of two vectors over all stations, the first one conjugated; `other` NULL: the shape of the result.
 static double complex fit_product(const fit *f, const whirl_system *system, const double *one, const double *other) {
     double complex sum = 0.0;
     for (size_t p = 0; p < 2 * system->probe_count; p++) {
@@ -97,7 +97,7 @@ static double complex fit_product(const fit *f, const whirl_system *system, cons
     return sum;
 }
 
-/// Finds the factors by least squares; false where the sum is not the result's shape, whose largest number is 1.
+/// Finds the factors by least squares. Returns false if the sum is not the result's shape, whose largest number is 1.
 static bool fit_solve(fit *f, const whirl_system *system) {
     const double complex a = fit_product(f, system, f->vectors[0], f->vectors[0]);
     const double complex p = fit_product(f, system, f->vectors[0], NULL);
@@ -120,7 +120,7 @@ static bool fit_solve(fit *f, const whirl_system *system) {
     return true;
 }
 
-/// The modes of a machine nearest to a mode of the result: one, or two of one eigenvalue, whose shapes are any mixture.
+/// Chooses the modes of a machine that match a mode of the result: one, or two with one eigenvalue, whose shapes mix.
 static void fit_choose(fit *f, const whirl_modes *modes, double clock) {
     const shaft_bends *b = f->of;
     const double rate = whirl_table_field(b->table, b->point, WHIRL_FIELD_MODES_FREQUENCY, 0)[f->mode] / clock;
@@ -132,7 +132,7 @@ static void fit_choose(fit *f, const whirl_modes *modes, double clock) {
     }
 }
 
-/// Fills `moved` by the modes of a machine; false where none of them is the result's.
+/// Fills in `moved` from the modes of a machine. Returns false if none of them is the result's mode.
 static bool fit_draw(const shaft_bends *b, size_t mode, const whirl_machine *machine, const whirl_modes *modes,
                      double *moved) {
     fit f = {.of = b, .mode = mode};
@@ -148,7 +148,8 @@ static bool fit_draw(const shaft_bends *b, size_t mode, const whirl_machine *mac
     return true;
 }
 
-/// The modes of a machine that has them at one frequency of whirl alone are those of another machine at each.
+/// Fills in `moved` for a machine whose coefficients depend on the whirl frequency: it is built again at the mode's
+/// frequency.
 static bool bends_mode_at(const shaft_bends *b, size_t mode, double *moved) {
     whirl_machine machine;
     whirl_modes *modes = NULL;
@@ -172,7 +173,7 @@ bool bends_mode(shaft_bends *b, size_t mode, double *moved) {
 
 // ---------------------------------------------------------------- response to unbalance
 
-/// Whether a response [dimension][2] is that of the result at all stations.
+/// Returns true if a response [dimension][2] is that of the result at all stations.
 static bool is_response(const shaft_bends *b, const double *response) {
     const whirl_system *system = b->machine.system;
     double largest = 0.0, apart = 0.0;

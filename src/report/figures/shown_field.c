@@ -1,4 +1,4 @@
-// The numbers of any field as figures show them, and what they are called.
+// Numbers of any field as figures show them, and their names.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@ const char *shown_owner(const drawing *of, const figure_place *place) {
     return place->field->extent == WHIRL_PER_CONTACT ? of->result->contacts[place->which] : "";
 }
 
-/// The name of the column, "" where the field has one number.
+/// Name of the column; "" if the field has one number.
 static void column_of(const figure_place *place, char name[WHIRL_NAME_SIZE]) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     *name = '\0';
@@ -22,7 +22,7 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
     const char *meaning = place->field->meaning, *last = strrchr(place->field->name, '/');
     char column[WHIRL_NAME_SIZE];
     column_of(place, column);
-    // What numbers stand for in a list is no name.
+    // A meaning that lists codes ("0: ...") is no name.
     const bool told = !*column && *meaning && !strchr("0123456789", *meaning);
     if (told)
         snprintf(text, size, "%.*s", (int)strcspn(meaning, ",;(:"), meaning);
@@ -33,7 +33,7 @@ void shown_quantity(const figure_place *place, char *text, size_t size) {
     for (size_t end = strlen(text); end > 0 && text[end - 1] == ' '; end--) text[end - 1] = '\0';
 }
 
-/// How the numbers of a place are shown.
+/// Units in which the numbers of a place are shown.
 typedef enum measure { PLAIN, OF_LENGTH, OF_VELOCITY, OF_PARAMETER, OF_SPEED } measure;
 
 static measure measure_of(const figure_place *place) {
@@ -46,7 +46,7 @@ static measure measure_of(const figure_place *place) {
     return PLAIN;
 }
 
-/// Frequencies and speeds in the unit that is asked for, else in that of a speed along the axis.
+/// Unit of frequencies and speeds: the one asked for, else that of a speed on the axis.
 static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table) {
     whirl_unit unit = {.name = "rad/s", .size = 1.0};
     if (of->units->frequency > 0.0) {
@@ -60,7 +60,7 @@ static whirl_unit speed_unit_beside(const drawing *of, const whirl_table *table)
     return unit;
 }
 
-/// The unit of what is no length.
+/// Unit of a number that is no length.
 static whirl_unit unit_of(const drawing *of, const figure_place *place) {
     static const char *const kept[] = {"revolution", "1/revolution", "order"};
     const whirl_field *field = place->field;

@@ -22,8 +22,8 @@ static const char *greek_letter(const char *name, size_t length) {
     return NULL;
 }
 
-/// The length of the symbol that a name begins with, 0 where it is a word: a letter or a Greek name, then its end,
-/// digits or a subscript.
+/// Length of the symbol at the beginning of a name: a letter or a Greek name, then the end, digits or a subscript. 0
+/// for a word.
 static size_t letters_of(const char *name) {
     const size_t letters = strcspn(name, "_0123456789");
     const bool symbol = (letters == 1 && isalpha((unsigned char)*name)) || greek_letter(name, letters);

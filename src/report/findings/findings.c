@@ -1,4 +1,4 @@
-// All that is found in a result, and a sheet of it by its name.
+// All findings of a result, and a sheet of it by its name.
 #include "whirl/engine/findings.h"
 
 #include <stdlib.h>
@@ -23,7 +23,7 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
     const int before = exhausted_watch();
     whirl_findings *all = find_begin();
     for (size_t t = 0; all && t < view->table_count; t++) find_table(&(finder){all, units, view, &view->tables[t]});
-    // Peaks, scales and lines of modes are looked for in functions that find none without memory.
+    // Functions for peaks, scales and mode lines find nothing when out of memory.
     if (all && exhausted(before)) all->failed = true;
     return find_made(all, findings);
 }

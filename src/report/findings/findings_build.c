@@ -1,4 +1,4 @@
-// How findings are made: memory, statements and sheets.
+// Making findings: memory, statements and sheets.
 #include "findings_build.h"
 
 #include <math.h>
@@ -15,7 +15,8 @@ const char *whirl_judgement_name(whirl_judgement judgement) {
 
 // ---------------------------------------------------------------- memory
 
-/// What texts and numbers lie in, and what is written to where memory is lacking: such findings are given up.
+/// Memory of texts and numbers, and dummies that are written to after an allocation failed; such findings are
+/// discarded.
 typedef struct find_memory {
     memory_arena arena;
     whirl_statement statement;
@@ -104,7 +105,7 @@ void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...
     va_end(arguments);
 }
 
-/// No zero is told with a sign.
+/// Turns -0 into 0.
 static double unsigned_zero(double number) {
     return number == 0.0 ? 0.0 : number;
 }

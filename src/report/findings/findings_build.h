@@ -1,5 +1,5 @@
-/// How findings are made: statements and sheets are begun, and filled in piece by piece. Memory that is lacking is
-/// noted (whirl_findings.failed), and what follows does nothing.
+/// Making findings: statements and sheets are begun, and filled in piece by piece. A failed allocation is noted
+/// (whirl_findings.failed); later calls do nothing.
 #ifndef REPORT_FINDINGS_BUILD_H
 #define REPORT_FINDINGS_BUILD_H
 
@@ -8,7 +8,7 @@
 /// A table of a result on which findings are made.
 typedef struct finder {
     whirl_findings *findings;
-    const whirl_shown_units *units; ///< of the result
+    const whirl_shown_units *units; ///< units of the result
     const whirl_result *result;     ///< a view of it (whirl_result_by_attractor)
     const whirl_table *table;
 } finder;
@@ -16,7 +16,7 @@ typedef struct finder {
 /// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.
 whirl_findings *find_begin(void);
 
-/// Hands over findings that are made, or frees them and says WHIRL_NO_MEMORY (NULL, or where memory was lacking).
+/// Hands over complete findings. If `made` is NULL or an allocation failed, frees them and returns WHIRL_NO_MEMORY.
 whirl_status find_made(whirl_findings *made, whirl_findings **findings);
 
 /// The first and the last point that is done; how many: 0, 1 or 2.
@@ -28,10 +28,11 @@ const char *find_text(whirl_findings *findings, const char *format, ...) __attri
 /// Begins a statement; never NULL. The texts are static, or from find_text. It lives until the next one is begun.
 whirl_statement *find_statement(const finder *of, const char *what);
 
-/// The same with a verdict, which `told` begins with.
+/// Begins a statement with a verdict, the first word of its phrase `told`.
 whirl_statement *find_judgement(const finder *of, const char *what, const char *clause, whirl_judgement judgement);
 
-/// Add to a phrase: a text, a number with its unit, one with a unit of its own, and a value of the table's parameter.
+/// Append to a phrase: a text, a number with the unit of its quantity, a number with a given unit, a value of the
+/// table's parameter.
 void phrase_text(const finder *of, whirl_phrase *phrase, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void phrase_number(const finder *of, whirl_phrase *phrase, whirl_quantity quantity, int digits, double value);
 void phrase_unit(const finder *of, whirl_phrase *phrase, const whirl_unit *unit, int digits, double value);
@@ -40,18 +41,19 @@ void phrase_value(const finder *of, whirl_phrase *phrase, int digits, double val
 /// Begins a sheet; never NULL. It lives until the next one is begun.
 whirl_sheet *find_sheet(const finder *of, const char *name, const char *title);
 
-/// Lets go of the last sheet where it has no rows.
+/// Removes the last sheet if it has no rows.
 void find_sheet_end(const finder *of);
 
 /// Add columns before the first row.
 void sheet_column(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
                   int digits);
 void sheet_units(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, const whirl_unit *unit,
-                 int digits); ///< in a unit of its own
+                 int digits); ///< with a given unit
 void sheet_list(const finder *of, whirl_sheet *sheet, const char *key, const char *heading, whirl_quantity quantity,
-                int digits, const char *between); ///< of several numbers a cell
-void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< of texts
-void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading, int digits); ///< of the parameter, if any
+                int digits, const char *between); ///< several numbers a cell
+void sheet_texts(const finder *of, whirl_sheet *sheet, const char *key, const char *heading); ///< texts
+void sheet_values(const finder *of, whirl_sheet *sheet, const char *heading,
+                  int digits); ///< values of the parameter, if any
 /// kxx, kxy, kyx, kyy, cxx, ..., of stiffness and damping of a bearing; headings [8], static; NULL: the same words.
 void sheet_coefficients(const finder *of, whirl_sheet *sheet, const char *const *headings);
 

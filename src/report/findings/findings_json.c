@@ -1,4 +1,4 @@
-// Findings as JSON: numbers in SI beside what is shown.
+// Findings as JSON: numbers in SI, next to their shown texts.
 #include <errno.h>
 #include <string.h>
 

@@ -9,7 +9,7 @@
 
 enum { CELL_SIZE = 1024 };
 
-/// Appends what a format gives; what does not fit is cut.
+/// Appends formatted text; what does not fit is cut off.
 #define APPEND(text, size, ...) snprintf((text) + strlen(text), (size)-strlen(text), __VA_ARGS__)
 
 /// A number with so many significant digits; up to ten million without a power of ten.
@@ -84,11 +84,11 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
 
 enum { MAX_WIDTH = 118, MAX_BESIDE = 3 };
 
-/// A sheet as texts, without empty columns, in a grid whose first line is the heading.
+/// A sheet as a grid of texts, without empty columns; the first line is the heading.
 typedef struct text_grid {
     size_t lines, columns;
     char **texts;   ///< [lines][columns]
-    bool *right;    ///< [columns] of numbers, which stand at the right
+    bool *right;    ///< [columns] numbers, aligned right
     size_t *widths; ///< [columns] letters of the longest text
 } text_grid;
 
@@ -117,7 +117,7 @@ static bool grid_measure(text_grid *grid) {
     return grid->widths != NULL;
 }
 
-/// Of these rows of a sheet [count]; false without memory.
+/// Makes the grid of rows [count] of a sheet. Returns false without memory.
 static bool grid_make(const whirl_sheet *sheet, const size_t *rows, size_t count, text_grid *grid) {
     char text[CELL_SIZE];
     *grid = (text_grid){.lines = count + 1};
@@ -200,7 +200,7 @@ bool sheet_write_text(FILE *stream, const whirl_sheet *sheet, size_t most) {
 
 // ---------------------------------------------------------------- CSV and LaTeX
 
-/// A field after RFC 4180: quoted where it must be.
+/// Writes a CSV field (RFC 4180), quoted if necessary.
 static void write_field(FILE *stream, const char *text) {
     if (!text[strcspn(text, "\",\n\r")]) {
         fputs(text, stream);
@@ -225,7 +225,7 @@ static void write_letters(FILE *stream, const char *text) {
     }
 }
 
-/// A row, of which 0 is the heading, with what stands between cells and at its end.
+/// Writes a row (0: the heading) with separators and an end.
 static void write_cells(FILE *stream, const whirl_sheet *sheet, size_t row, void (*write)(FILE *, const char *),
                         int digits, const char *between, const char *end) {
     const bool drop = digits == 0; // a file for programs has all columns

@@ -1,4 +1,4 @@
-// Findings in every form: a sheet, those of a table, and of a result, as texts for programs in other languages.
+// Findings in every form: a sheet, the findings of a table, or of a result, as texts for programs in other languages.
 #include <stdint.h>
 #include <string.h>
 
@@ -39,10 +39,10 @@ bool findings_write_table(FILE *stream, const whirl_findings *findings, const ch
     return well;
 }
 
-/// Statements that say the same of many points are cut here: other forms have them all.
+/// Largest number of statements of the same kind in text; other forms have all.
 enum { MAX_ALIKE = 20 };
 
-/// Of how many statements up to `end` `what` is.
+/// Number of statements before `end` with the same `what`.
 static size_t statements_alike(const whirl_findings *findings, size_t end, const char *what) {
     size_t count = 0;
     for (size_t i = 0; i < end; i++) count += strcmp(findings->statements[i].what, what) == 0;
@@ -68,7 +68,7 @@ whirl_status whirl_findings_write_text(const whirl_findings *findings, FILE *str
 
 // ---------------------------------------------------------------- all of a result
 
-/// What is written: a sheet, or all findings of a result.
+/// Selection to write: a sheet, or all findings of a result.
 typedef struct findings_asked {
     const whirl_result *result;
     const whirl_findings *findings;
@@ -84,7 +84,7 @@ static bool findings_has(const whirl_findings *findings, const char *table) {
     return false;
 }
 
-/// Those of each table below its name.
+/// Writes the findings of each table below its name.
 static whirl_status findings_write_tables(const findings_asked *asked, FILE *stream) {
     for (size_t t = 0; t < asked->result->table_count; t++) {
         const char *const table = asked->result->tables[t].name;

@@ -1,8 +1,9 @@
-// What is asked of a machine, what was found and whether it holds: derived here alone, from the fields of a result.
+// Acceptance criteria of standards, the values found, and the verdicts. They are derived only here, from the fields of
+// a result.
 //
-// Clauses are told by what follows the number of the chapter, which editions have alike: SP6.8 of API RP 684 (2nd
-// edition, 2005), 2.6 of API 617 (7th, 2002), 4.8 of its first part (8th, 2014). Which edition counts is for the user
-// to check.
+// Clauses are given by the number after the chapter, which is the same in all editions: SP6.8 of API RP 684 (2nd
+// edition, 2005), 2.6 of API 617 (7th, 2002), 4.8 of its first part (8th, 2014). The user has to check which edition
+// applies.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -63,8 +64,8 @@ void asked_stability_told(const asked_stability *at, char text[ASKED_TEXT]) {
                  at->region > 0.5 ? "region B and " : "", at->factor, whole);
 }
 
-/// Whether Level I lacks more at a point than at another one: less of the limit that is asked for there, or more asked
-/// for where no limit was found at either.
+/// Returns true if Level I fails by more at point `at` than at `than`: a smaller share of the required limit or, if no
+/// limit was found at either, a larger requirement.
 static bool lacks_more(const asked_stability *at, const asked_stability *than) {
     const double share = isnan(at->ratio) ? (double)INFINITY : at->ratio / at->factor;
     const double other = isnan(than->ratio) ? (double)INFINITY : than->ratio / than->factor;

@@ -1,6 +1,5 @@
-// What is found of spectra along a parameter: lines below and above the synchronous one, from where to where they are
-// there, with what they take of clearances; how they begin and end on the way up and on the way down; where their order
-// is locked at a ratio.
+// Spectral lines along a parameter, below and above the synchronous one: the range of each line, its share of the
+// clearance, how it begins and ends on the way up and on the way down, and where its order is locked at a ratio.
 #include <math.h>
 #include <stdlib.h>
 
@@ -10,7 +9,8 @@
 /// A line counts from this share of the largest one of its station on.
 static const double least_share = 0.05;
 
-/// Of more points a line is one of several neighbours: at single ones among chaotic motions it is none.
+/// With more points than this, a line must be present at several neighbouring points: single lines among chaotic
+/// motions do not count.
 enum { FEW_POINTS = 8 };
 
 /// Orders that are one multiple of the speed to a reader of spectra; and how much an order drifts from point to point.
@@ -19,13 +19,13 @@ static const double multiple = 0.02, drift = 0.1;
 /// The strongest line of a point on one side of the synchronous one.
 typedef struct line_seen {
     size_t station;
-    double order, size; ///< size in m, zero to peak, along the axis where it is larger; 0: there is none
-    double share;       ///< of the clearance there; NaN where there is none
+    double order, size; ///< size in m, zero to peak, along the axis where it is larger; 0: no line
+    double share;       ///< part of the clearance there; NaN without one
     double direction;   ///< 1: forward, -1: backward
     double over;        ///< its size over that of the largest line of its station
 } line_seen;
 
-/// Of a line and all that is around its station.
+/// Measures a line against the walls around its station.
 static line_seen line_of(const finder *of, size_t point, size_t station, const double *line) {
     const whirl_probe *around = &of->result->stations[station];
     const double largest = fmax(line[1], line[2]), clearance = around->gap > 0.0 ? around->gap : around->clearance;
@@ -55,7 +55,7 @@ static line_seen strongest_line(const finder *of, size_t point, bool below) {
     return best;
 }
 
-/// Neighbouring points at which a line is there, whose order hardly changes from one to the next.
+/// Neighbouring points with a line whose order hardly changes from one to the next.
 typedef struct line_track {
     size_t first, last, largest_at;
     line_seen from, to, largest;
@@ -101,7 +101,7 @@ static void side_free(line_side *side) {
     free(side->tracks);
 }
 
-/// Takes a track up, but of many points no single one.
+/// Adds a track, unless it is a single point among many.
 static void side_add(const finder *of, line_side *side, const line_track *track) {
     if (track->last > track->first || of->table->count <= FEW_POINTS) side->tracks[side->count++] = *track;
 }
@@ -144,8 +144,8 @@ static line_track side_largest(const line_side *side) {
 /// One end of a track.
 typedef struct line_edge {
     bool there;           ///< the points beyond it have no such line; false: the sweep ends there, or there is no track
-    size_t point, beyond; ///< of the table: the last one with the line, and the first one without it
-    bool known, sudden;   ///< how it begins or ends is known: at once
+    size_t point, beyond; ///< rows: the last one with the line, and the first one without it
+    bool known, sudden;   ///< known: it could be judged; sudden: it is a jump
 } line_edge;
 
 static int by_size(const void *left, const void *right) {
@@ -153,8 +153,9 @@ static int by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// At once: there at a multiple of the least size that is seen, and as large as at the points behind. A line that grows
-/// as a root of the parameter is there at less than 0.64 of the median of the next two to four points.
+/// Judges whether a line begins suddenly: it has a multiple of the least visible size at its first point, and about the
+/// size of the next points. A line that grows as the square root of the parameter has less than 0.64 of the median of
+/// the next two to four points.
 static void edge_judge(const line_side *side, const line_track *track, bool first, line_edge *edge) {
     enum { LOOKED_AT = 4, MIN_KNOWN = 2 };
     static const double least_ratio = 0.75, least_over = 2.0;
@@ -170,15 +171,14 @@ static void edge_judge(const line_side *side, const line_track *track, bool firs
     edge->sudden = own->over >= least_over * least_share && own->size >= least_ratio * usual;
 }
 
-/// Whether values rise from point to point of a branch; all branches have them in one order.
+/// Returns true if values rise from point to point of a branch; all branches have the same order.
 static bool values_rise(const whirl_table *table) {
     for (size_t i = 0; i + 1 < table->count; i++)
         if (table->branch[i] == table->branch[i + 1]) return table->values[i + 1] > table->values[i];
     return true;
 }
 
-/// Whether points of a track are travelled from lower to higher values: those that are carried from the last value go
-/// the other way.
+/// Returns true if a track is travelled from lower to higher values. Branches from the last value go the other way.
 static bool track_rises(const whirl_table *table, const line_track *track) {
     return values_rise(table) == (table->branch[track->first] >= 0);
 }
@@ -213,8 +213,8 @@ static void cells_edge(const finder *of, const line_side *side, whirl_sheet *she
     cell_number(of, sheet, edge->there ? 100.0 * line->share : (double)NAN);
 }
 
-/// "line of order 0.48: begins at once at 5200 rpm on the way up, is there down to 4800 rpm on the way down: hysteresis
-/// of 400 rpm", where it jumps, or where the ways differ by more than a step.
+/// Reports "line of order 0.48: begins at once at 5200 rpm on the way up, is there down to 4800 rpm on the way down:
+/// hysteresis of 400 rpm", if it jumps or the ways differ by more than a step.
 static void tell_edge(const finder *of, double order, bool low, const line_edge *up, const line_edge *down) {
     const double *values = of->table->values;
     const double apart = up->there && down->there ? fabs(values[up->point] - values[down->point]) : 0.0;
@@ -258,7 +258,7 @@ static void edge_row(const finder *of, const line_side *side, whirl_sheet *sheet
     tell_edge(of, order, low, &rising, &falling);
 }
 
-/// Both ends of every line of a side, on the way up beside the way down.
+/// Reports both ends of every line of a side, on the way up and on the way down.
 static void find_edges(const finder *of, const line_side *side, whirl_sheet *sheet) {
     bool *taken = calloc(side->count + 1, sizeof *taken);
     if (!taken) of->findings->failed = true;
@@ -288,14 +288,14 @@ static void find_edges(const finder *of, const line_side *side, whirl_sheet *she
 enum { MAX_LOCKED = 8, MIN_LOCKED = 3 };
 static const double locked = 1e-3;
 
-/// The q of the simplest ratio p/q that an order stands at; 0 where there is none.
+/// Denominator q of the simplest ratio p/q equal to an order; 0 if there is none.
 static int ratio_of(double order) {
     for (int q = 2; q <= MAX_LOCKED; q++)
         if (fabs(order - round(order * q) / q) <= locked && round(order * q) > 0.0) return q;
     return 0;
 }
 
-/// Where motions have frequencies of their own beside the forcing, an order at a ratio is a chance.
+/// Returns 0 for quasi-periodic and chaotic motions, whose order can equal a ratio only by chance.
 static int ratio_at(const finder *of, const line_side *side, size_t point) {
     const whirl_verdict verdict = whirl_table_verdict(of->table, point);
     const bool free = verdict.regime == WHIRL_QUASI_PERIODIC || verdict.regime == WHIRL_CHAOTIC;

@@ -58,7 +58,7 @@ size_t margin_response(const whirl_result *result, const whirl_table *table, siz
     return count;
 }
 
-/// Those that probe 0 or 1 of a station sees.
+/// Finds the peaks at probe 0 or 1 of a station.
 static size_t find_peaks(const whirl_result *result, const whirl_table *table, size_t station, size_t probe,
                          whirl_response_peak peaks[MARGIN_PEAKS]) {
     double *speeds = malloc((3 * table->count + 1) * sizeof *speeds);
@@ -79,7 +79,7 @@ static void tell_way(const whirl_response_peak *peak, char text[MARGIN_TEXT]) {
         snprintf(text, MARGIN_TEXT, "%s", ways[peak->way]);
 }
 
-/// Sets what is asked of a peak, and what it has.
+/// Fills in the required margin of a peak, and the margin found.
 static void ask_margin(const whirl_table *table, bool probed, const whirl_response_peak *peak, margin_row *row) {
     double low, high;
     row->had = row->asked = NAN;

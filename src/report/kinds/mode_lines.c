@@ -6,7 +6,7 @@
 #include "shown_kinds.h"
 #include "whirl/engine/analyze.h"
 
-/// Where a line was seen last, by which its name goes.
+/// The point at which a line was last seen; it determines the line's name.
 typedef struct line_end {
     size_t line, point;
     double frequency;
@@ -14,7 +14,7 @@ typedef struct line_end {
     bool seen; ///< a mode of it swings anywhere
 } line_end;
 
-/// Those that are seen first, of these those that go on to the last point, by rising frequency.
+/// Orders lines: visible ones first, then by their last point (those that reach the end first), then by frequency.
 static int by_end(const void *a, const void *b) {
     const line_end *p = a, *q = b;
     if (p->seen != q->seen) return p->seen ? -1 : 1;
@@ -23,14 +23,14 @@ static int by_end(const void *a, const void *b) {
     return p->line < q->line ? -1 : p->line > q->line;
 }
 
-/// Whether the row before holds the value before: results that are not whole have gaps.
+/// Returns true if the previous row is the neighbouring point; partial results have gaps.
 static bool follows(const whirl_table *table, size_t point) {
     return point > 0 && whirl_table_done(table, point - 1) &&
            whirl_table_slot(table, point) == whirl_table_slot(table, point - 1) + 1;
 }
 
-/// Gives every mode of every point its line; ends [points x modes] are those of lines. None where frequencies are known
-/// but for multiples of the speed: these fold.
+/// Assigns every mode of every point to a line; ends [points x modes] are the lines' ends. There are no lines if
+/// frequencies are known only modulo the speed, since they fold.
 static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     const size_t modes = out->modes;
     for (size_t point = 0; point < table->count; point++) {
@@ -55,7 +55,7 @@ static void follow(const whirl_table *table, mode_lines *out, line_end *ends) {
     }
 }
 
-/// Names the lines on which a mode swings anywhere, and takes overdamped modes off theirs.
+/// Names the lines with an oscillating mode, and removes overdamped modes from theirs.
 static void name_lines(const whirl_table *table, mode_lines *out, line_end *ends) {
     static const char letters[] = {'B', 'M', 'F'};
     unsigned counts[3] = {0, 0, 0};

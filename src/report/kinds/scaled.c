@@ -5,7 +5,7 @@
 
 #include "whirl/engine/analyze.h"
 
-/// Whether any station has a clearance.
+/// Returns true if any station has a clearance.
 static bool has_clearances(const whirl_result *result, const whirl_table *table) {
     for (size_t s = 0; s < result->station_count; s++)
         if (table->count > 0 && whirl_table_number(table, 0, WHIRL_FIELD_UNBALANCE_CLEARANCE, s) > 0.0) return true;
@@ -43,8 +43,8 @@ static double largest_seen(const whirl_result *result, const whirl_table *table,
     return largest;
 }
 
-/// The least speed of a point that is not below the trip speed, up to which points count: those between are so at both
-/// ends; infinite where the trip speed is not said, or no point reaches it.
+/// Least speed of a point at or above the trip speed: clearances count up to it, since points in between meet them if
+/// both neighbours do. Infinite if no trip speed is given, or no point reaches it.
 static double last_speed(const whirl_table *table) {
     double last = INFINITY;
     for (size_t i = 0; i < table->count; i++) {

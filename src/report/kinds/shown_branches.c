@@ -1,10 +1,10 @@
-// What is found along branches: where and why motions change, and where branches begin and end.
+// Findings along branches: where and why motions change, and where branches begin and end.
 #include <math.h>
 
 #include "quantities.h"
 #include "shown_kinds.h"
 
-/// The regular points of the branch on both sides of a special one; both the same where there is one side.
+/// Finds the regular points of the branch on both sides of a special one; with one side both are the same.
 static void find_sides(const whirl_table *table, size_t point, size_t *before, size_t *after) {
     const double branch = point_number(table, point, WHIRL_FIELD_TRACE_NUMBER);
     *before = *after = point;
@@ -15,14 +15,14 @@ static void find_sides(const whirl_table *table, size_t point, size_t *before, s
     if (point_number(table, *before, WHIRL_FIELD_TRACE_NUMBER) != branch) *before = *after;
 }
 
-/// What changes, and of what grazes the contact, where every contact has one switching function.
+/// Name of a special point; for grazing with the contact, if every contact has one switching function.
 static const char *special_name(const finder *of, const whirl_trace *at) {
     const char *name = whirl_special_name(at->point.special);
     if (at->point.special != WHIRL_GRAZE || at->point.orbit->touch_count != of->result->contact_count) return name;
     return find_text(of->findings, "%s: %s", name, of->result->contacts[at->point.touch]);
 }
 
-/// Why, with "; contacts in a period: 2 to 1" of what grazes.
+/// Cause of the change; for grazing with "; contacts in a period: 2 to 1".
 static const char *special_told(const finder *of, const whirl_trace *at, size_t before, size_t after) {
     char text[WHIRL_MESSAGE_SIZE];
     const double *first = whirl_table_field(of->table, before, WHIRL_FIELD_TRACE_TOUCHES, 0);

@@ -1,4 +1,4 @@
-// What is found of critical speeds without damping: forward and backward apart.
+// Findings of undamped critical speeds: forward and backward ones.
 #include <math.h>
 
 #include "shown_kinds.h"

@@ -1,4 +1,4 @@
-// What is found of modes: critical speeds, thresholds of stability, and the lowest modes at the ends of the parameter.
+// Findings of modes: critical speeds, stability thresholds, and the lowest modes at the ends of the parameter.
 #include <math.h>
 
 #include "quantities.h"
@@ -6,7 +6,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// The columns that tell a mode.
+/// Adds the columns of a mode.
 static void mode_columns(const finder *of, whirl_sheet *sheet) {
     sheet_column(of, sheet, "angular_frequency", "angular frequency", WHIRL_QUANTITY_ANGULAR, 6);
     sheet_column(of, sheet, "frequency", "frequency", WHIRL_QUANTITY_FREQUENCY, 6);
@@ -15,7 +15,7 @@ static void mode_columns(const finder *of, whirl_sheet *sheet) {
     sheet_texts(of, sheet, "whirl", "whirl");
 }
 
-/// A mode in these columns; a damping ratio is 0 where it is nothing but rounding.
+/// Writes a mode into these columns; a damping ratio below rounding is 0.
 static void mode_cells(const finder *of, whirl_sheet *sheet, double frequency, double damping, double direction) {
     static const char *const ways[] = {"backward", "to and fro", "forward"};
     const double rounding = 1e-10, ratio = fabs(damping) < rounding ? 0.0 : damping;
@@ -69,7 +69,7 @@ static void find_stability(const finder *of, size_t point) {
     if (rigid > 0.0) phrase_text(of, find_at(of, point, "rigid-body modes"), "%g, which nothing holds", rigid);
 }
 
-/// What is not known of frequencies.
+/// Reports the limits of known frequencies.
 static void find_limits(const finder *of, size_t point) {
     const double modulo = point_number(of->table, point, WHIRL_FIELD_MODES_MODULO);
     const double *known = whirl_table_field(of->table, point, WHIRL_FIELD_MODES_KNOWN, 0);
@@ -111,7 +111,7 @@ static void phrase_change(const finder *of, whirl_phrase *found, const double *r
     }
 }
 
-/// How many values are unstable, where none was located at which that begins or ends.
+/// Writes the number of unstable values, for tables in which no threshold was located.
 static void phrase_unstable(const finder *of, whirl_phrase *found) {
     size_t unstable = 0, done = 0;
     for (size_t point = 0; point < of->table->count; point++) {
@@ -124,7 +124,7 @@ static void phrase_unstable(const finder *of, whirl_phrase *found) {
                 found->count ? ", " : "", unstable, done);
 }
 
-/// Whether frequencies are known but for multiples of the speed, at any point.
+/// Returns true if frequencies at any point are known only modulo the speed.
 static bool is_modulated(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++)
         if (whirl_table_done(of->table, point) && isfinite(point_number(of->table, point, WHIRL_FIELD_MODES_MODULO)))
@@ -132,7 +132,7 @@ static bool is_modulated(const finder *of) {
     return false;
 }
 
-/// What was located along the parameter, as a sheet, and as a sentence.
+/// Reports critical speeds and thresholds along the parameter, as a sheet and as a sentence.
 static void find_critical(const finder *of) {
     static const char *const names[] = {"", "critical speed", "instability begins", "instability ends"};
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_CRITICAL);
@@ -170,7 +170,7 @@ static void find_critical(const finder *of) {
     find_statement(of, "critical speeds with damping, and thresholds of stability")->found = told;
 }
 
-/// The lowest modes at the first and the last value; names are those of the last one.
+/// Reports the lowest modes at the first and the last value; names are those at the last one.
 static void find_lowest(const finder *of, const size_t *ends, size_t count) {
     const whirl_field *field = whirl_layout_field(&of->table->layout, WHIRL_FIELD_MODES_FREQUENCY);
     mode_lines lines;

@@ -1,4 +1,4 @@
-// What is found of stability: decrements, the limit of the cross coupling, and whether seals are to be counted.
+// Findings of stability: decrements, the limit of the cross coupling, and whether seals have to be included.
 #include <math.h>
 
 #include "quantities.h"
@@ -43,7 +43,7 @@ static void find_levels(const finder *of) {
     find_sheet_end(of);
 }
 
-/// Decrements with bearings and what is at one station alone.
+/// Reports decrements with bearings, and with the seals and impellers of one station.
 static void find_parts(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "parts", "Decrements with bearings, and seals and impellers of one station");
     sheet_values(of, sheet, "", 6);

@@ -1,10 +1,10 @@
-// What is found of a machine at rest: weight and sag, places in films, coefficients of bearings.
+// Findings of a machine at rest: weight and sag, positions in films, coefficients of bearings.
 #include <math.h>
 #include <stdio.h>
 
 #include "shown_kinds.h"
 
-/// The number of a station at a point, in SI where it is a length.
+/// Number of a station at a point, in SI if it is a length.
 static double number(const finder *of, size_t point, const char *field, size_t station) {
     return whirl_table_number(of->table, point, field, station);
 }
@@ -44,7 +44,7 @@ static void find_weight(const finder *of, const size_t *ends, size_t count) {
     find_sheet_end(of);
 }
 
-/// Axial forces of shafts that stand, and what holds these.
+/// Reports axial forces of vertical shafts, and the parts that carry them.
 static void find_axial(const finder *of, const size_t *ends, size_t count) {
     bool stands = false;
     for (const size_t *point = ends; point < ends + count; point++)
@@ -86,7 +86,7 @@ static const char *pads_of(const finder *of, double unloaded) {
     return find_text(of->findings, "%s", list);
 }
 
-/// Where shafts rest in their films and seals.
+/// Reports rest positions of shafts in films and seals.
 static void find_films(const finder *of, const size_t *ends, size_t count) {
     whirl_sheet *sheet = find_sheet(of, "films", "Shafts at rest in films and seals");
     sheet_values(of, sheet, "", 6);

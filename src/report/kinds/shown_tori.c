@@ -1,4 +1,4 @@
-// What is found of tori: quasi-periodic motions past Neimark-Sacker points, a row a branch of tori.
+// Findings of tori: quasi-periodic motions past Neimark-Sacker points, a row for each branch.
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ static double second_frequency(const finder *of, const whirl_tori *own, size_t p
     return clock ? line * clock[point] : line;
 }
 
-/// The speeds of all tori, rad/s, to be freed; NULL where frequencies are shown as orders, or a speed is not known.
+/// Returns the speeds of all tori, rad/s, to be freed; NULL if frequencies are shown as orders, or a speed is unknown.
 static double *clocks_of(const finder *of) {
     if (!(of->units->frequency > 0.0) || of->table->count == 0) return NULL;
     double *clock = malloc(of->table->count * sizeof *clock);

@@ -1,4 +1,4 @@
-// What is found of responses to unbalance: the largest, peaks with margins, and what they take of clearances.
+// Findings of unbalance responses: the largest, peaks with margins, and their share of clearances.
 #include <math.h>
 #include <stdlib.h>
 
@@ -23,7 +23,7 @@ static void find_placed(const finder *of) {
     find_sheet_end(of);
 }
 
-/// The largest response of every station, and where.
+/// Reports the largest response of every station, and its place along the parameter.
 static void find_largest(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "largest", "Largest response");
     sheet_texts(of, sheet, "station", "station");
@@ -82,7 +82,7 @@ static void find_peaks(const finder *of) {
     find_sheet_end(of);
 }
 
-/// What scaled responses take of clearances.
+/// Reports the share of clearances that scaled responses take.
 static void find_clearances(const finder *of, const scaled *by) {
     whirl_sheet *sheet = find_sheet(of, "clearances", "Scaled responses and clearances");
     scaled_row *rows = malloc((of->result->station_count + 1) * sizeof *rows);
@@ -110,7 +110,7 @@ static void find_clearances(const finder *of, const scaled *by) {
     free(rows);
 }
 
-/// By what responses are scaled, and why, or why they are not.
+/// Reports the factor by which responses are scaled, or why they are not scaled.
 static void find_scaled(const finder *of) {
     scaled by;
     if (!scaled_of(of->result, of->table, &by)) {

@@ -1,4 +1,4 @@
-// What was found, in sentences: critical speeds, margins, clearances and stability of studies at rest, and motions.
+// Findings as sentences: critical speeds, margins, clearances and stability of studies at rest, and motions.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +38,7 @@ static void list_judged(const page *to, whirl_judgement judgement) {
         }
 }
 
-/// How many of the things that are asked for hold, and which do not.
+/// Writes how many of the acceptance criteria hold, and which fail.
 static void write_judgements(const page *to) {
     size_t all = 0, held = 0;
     for (size_t r = 0; r < to->count; r++)
@@ -75,7 +75,7 @@ void found_at_rest(const page *to) {
     write_judgements(to);
 }
 
-// ---------------------------------------------------------------- motions, and what summaries tell
+// ---------------------------------------------------------------- motions, and lines of the summary
 
 enum { MAX_RANGES = 12, MAX_LINES = 8, RANGE_SIZE = 512 };
 
@@ -122,7 +122,7 @@ static void write_confidence(const page *to, size_t index, const whirl_table *ta
             tally.sure[WHIRL_FAIR], tally.sure[WHIRL_LOW]);
 }
 
-/// Lines of a summary as items of a list; all but the first so many are left to its table.
+/// Writes lines of a summary as items of a list, at most MAX_LINES of them.
 static void write_lines(FILE *stream, char *text) {
     size_t count = 0;
     for (char *line = strtok(text, "\n"); line; line = strtok(NULL, "\n")) {
@@ -137,12 +137,12 @@ static void write_lines(FILE *stream, char *text) {
     if (count > 0) fputs("</ul>\n", stream);
 }
 
-/// One motion, of which the summary tells all.
+/// Returns true for a table with a single motion, which the summary describes completely.
 static bool is_single(const whirl_table *table) {
     return !*table->parameter && !table->source && table->count == 1;
 }
 
-/// What the summary says of motions, below the heading.
+/// Writes the summary's account of motions below the heading.
 static void tell_motions(const page *to, size_t index, const whirl_table *table) {
     const whirl_shown_units *units = &to->units[index];
     if (!whirl_layout_has_verdict(&table->layout)) {

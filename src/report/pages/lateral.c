@@ -1,5 +1,5 @@
-// The page of a lateral analysis: machine, model, critical speeds, modes, responses with their margins, stability, and
-// the nonlinear motions beside them, with what was found first.
+// Page of a lateral analysis: summary, machine, model, critical speeds, modes, responses with their margins, stability,
+// and the nonlinear motions.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,9 +12,9 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/model.h"
 
-// ---------------------------------------------------------------- what was found
+// ---------------------------------------------------------------- summary
 
-/// What the motions of the machine do to clearances, and what stands beside them.
+/// Writes what the motions of the machine do to clearances, and whether others coexist.
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const told = context;
     char text[MOTIONS_TOLD_SIZE];
@@ -22,7 +22,7 @@ static void tell_motions(const page *to, size_t result, const whirl_table *table
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
 }
 
-/// How many laws have been gone beyond, in all tables.
+/// Number of validity ranges that were left, in all tables.
 static size_t laws_left(const whirl_result *result) {
     size_t count = 0;
     whirl_left left;
@@ -51,13 +51,13 @@ static void write_found(const page *to) {
 
 // ---------------------------------------------------------------- chapters
 
-/// What is found in a table.
+/// Writes the statements and sheets of a table.
 static void write_findings(const page *to, size_t result, const whirl_table *table) {
     page_statements(to, result, table);
     page_sheets(to, result, table);
 }
 
-/// What a chapter has told: of which kind its last table was, and the section of the first one.
+/// State of a chapter: kind of the last table, and the section of the first one.
 typedef struct chapter_told {
     const shown_kind *kind;
     const whirl_table *first;
@@ -71,7 +71,7 @@ static size_t part_length(const char *text) {
     return at ? (size_t)(at - text) + sizeof end - 1 : strlen(text);
 }
 
-/// Writes a section; parts that are the same in that of the chapter's first table are told to be so.
+/// Writes a section; parts that repeat those of the chapter's first table are replaced by a reference.
 static void write_section(const page *to, const whirl_table *table, const char *section, const chapter_told *told) {
     const char *before = told->section && told->first != table ? told->section : "";
     bool same = false;
@@ -90,7 +90,7 @@ static void write_section(const page *to, const whirl_table *table, const char *
     }
 }
 
-/// Motions in time: what they do in one paragraph, and each by itself.
+/// Writes motions in time: a paragraph on all of them, then each one.
 static void write_motions(const page *to, size_t result, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
     if (motions_told(&to->units[result], to->results[result], table, text).code != WHIRL_OK) *to->failed = true;
@@ -101,7 +101,7 @@ static void write_motions(const page *to, size_t result, const whirl_table *tabl
     write_findings(to, result, table);
 }
 
-/// All figures of a table but for responses of stations that nobody watches.
+/// Writes all figures of a table except responses of stations that are not checked.
 static void write_figures(const page *to, size_t result, const whirl_table *table) {
     const bool response = whirl_layout_field(&table->layout, WHIRL_FIELD_UNBALANCE_PROBE) != NULL;
     size_t left = 0;
@@ -149,7 +149,7 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
     }
 }
 
-/// A chapter is of all tables that have a field, or (NULL) of all motions.
+/// A chapter: all tables that have a field, or (NULL) all motions.
 typedef struct chapter {
     const char *title, *about, *field;
 } chapter;
@@ -192,7 +192,7 @@ static void write_chapter(const page *to, size_t index) {
 
 // ---------------------------------------------------------------- machine and model
 
-/// Masses are those that stand at stations besides the shaft; model NULL: not known.
+/// Writes the stations. Masses are those besides the shaft; `model` NULL: unknown.
 static void write_stations(const page *to, const whirl_result *result, const whirl_model *model) {
     html_table(to->stream, "Stations", "");
     fputs("<thead><tr><th>station</th><th class=\"number\">position along its shaft (m)</th>"

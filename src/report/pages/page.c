@@ -73,21 +73,21 @@ static bool has_figures(const page *to, size_t result, bool diagrams) {
     return found;
 }
 
-/// Whether places of the study have several starts.
+/// Returns true if places of the study have several starts.
 static bool has_starts(const whirl_result *result) {
     for (size_t i = 0; i < result->table_count; i++)
         if (result->tables[i].source && result->tables[i].count > 0) return true;
     return false;
 }
 
-/// How a table is shown that has a section of its own, else NULL: curves are told by their figure.
+/// Returns the kind of a table with a section of its own, else NULL: curves over two parameters have only a figure.
 static const shown_kind *section_of(const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     return kind && !*table->second ? kind : NULL;
 }
 
-/// How a table is called where a section is for it: "Peaks of the response", and of which where there are several; and
-/// the anchor of that.
+/// Writes the heading of a table's section, "Peaks of the response", with the table's own name if there are several,
+/// and its anchor.
 static void name_section(const whirl_result *result, const whirl_table *table, char *name, char *anchor, size_t size) {
     const shown_kind *kind = section_of(table);
     size_t alike = 0;
@@ -117,7 +117,7 @@ static void write_kinds(const page *to, size_t r) {
     }
 }
 
-/// What is found in motions along a parameter.
+/// Writes the findings of motions along a parameter.
 static void write_motions(const page *to, size_t r) {
     for (size_t t = 0; t < to->results[r]->table_count; t++)
         if (!shown_kind_of(&to->results[r]->tables[t])) page_sheets(to, r, &to->results[r]->tables[t]);

@@ -16,10 +16,10 @@ enum { FOLDER_NAME_SIZE = 96, FIGURE_FILE_SIZE = 208 };
 /// A figure of a report: NAME.png, NAME.pdf, NAME.gp and NAME.dat in the folder of its result.
 typedef struct drawn_figure {
     size_t result;            ///< index of the result it shows
-    const whirl_table *table; ///< whose it is
+    const whirl_table *table; ///< its table
     whirl_figure_name name;
     char caption[900];
-    bool whole; ///< it is of the result, not of one of its tables
+    bool whole; ///< a figure of the whole result
     bool drawn; ///< gnuplot made its pictures
 } drawn_figure;
 
@@ -28,12 +28,12 @@ typedef struct drawn_figures {
     drawn_figure *items;
 } drawn_figures;
 
-/// All that a page shows. Borrowed.
+/// Content of a page. Borrowed.
 typedef struct page {
     FILE *stream;
     const whirl_result *const *results;      ///< [count]
     const char *const *names;                ///< [count] as the caller names them
-    const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] of their files, beside the page
+    const char (*folders)[FOLDER_NAME_SIZE]; ///< [count] folders of their files, next to the page
     size_t count;
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
@@ -41,38 +41,38 @@ typedef struct page {
     const whirl_shown_units *units;  ///< [count]
     whirl_findings *const *findings; ///< [count]
     bool *failed;                    ///< memory was lacking for a part of the page
-    bool explorer;                   ///< explorer.html stands beside the page
+    bool explorer;                   ///< explorer.html is next to the page
     bool printed;                    ///< it is to be printed: all of its figures are loaded at once
 } page;
 
 /// Writes the whole page.
 void page_write(const page *to);
 
-/// Writes the page of a lateral analysis: what engineers give of a machine, in their order.
+/// Writes the page of a lateral analysis, in the usual order of such reports.
 void lateral_write(const page *to);
 
 /// Sections.
 void page_head(const page *to, const char *title);
 void page_document(const page *to); ///< tag, customer, revision, ... of the first result
 void page_style(FILE *stream);
-void page_claims(const page *to);               ///< the table of claims and what was not reproduced
+void page_claims(const page *to);               ///< the table of claims, and claims that were not reproduced
 void page_found(const page *to, size_t result); ///< verdicts in numbers, and the main figure
 void page_parameters(const page *to, size_t result);
-void page_computed(const page *to, size_t result); ///< what was computed, parameters
+void page_computed(const page *to, size_t result); ///< computed tables, parameters
 void page_ranges(const page *to, size_t result);   ///< laws that points have gone beyond
 void page_provenance(const page *to, size_t result);
 void page_intervals(const page *to, size_t result);  ///< regimes along the sweep
-void page_jumps(const page *to, size_t result);      ///< where neighbours of one regime differ
-void page_attractors(const page *to, size_t result); ///< of a basin
+void page_jumps(const page *to, size_t result);      ///< jumps between neighbours of one regime
+void page_attractors(const page *to, size_t result); ///< attractors of a basin
 void page_starts(const page *to, size_t result);     ///< attractors of places with several starts
 void page_points(const page *to, size_t result);     ///< the table of points
 void page_motions(const page *to, size_t result, const whirl_table *table); ///< verdicts, sizes and contacts of motions
-const char *page_diagrams_title(const whirl_result *result); ///< what its diagrams over parameters are; static text
+const char *page_diagrams_title(const whirl_result *result); ///< title of its diagrams over parameters; static text
 void page_machine(const page *to, size_t result);            ///< the machine's drawing
 void page_figures(const page *to, size_t result);            ///< all but that and the main one
 void page_figure(const page *to, const drawn_figure *what);
 const drawn_figure *page_main_figure(const page *to,
-                                     size_t result); ///< that of its first diagram; NULL where it has none
+                                     size_t result); ///< parameter of its first diagram; NULL without one
 
 // ---------------------------------------------------------------- page_findings
 // Statements and sheets.
@@ -83,30 +83,31 @@ void page_statements(const page *to, size_t result, const whirl_table *table);
 /// All sheets of a table.
 void page_sheets(const page *to, size_t result, const whirl_table *table);
 
-/// What all results have that is asked for by a standard: what, asked for, found, verdict, clause.
+/// Writes the acceptance criteria of all results: criterion, required, found, verdict, clause.
 void page_asked(const page *to);
 
-/// Writes something as a text of its own, to be freed; NULL, and noted in page.failed, without memory.
+/// Writes a part of a page as a text, to be freed; NULL, and noted in page.failed, without memory.
 typedef void page_part(const page *to, size_t result, const whirl_table *table);
 char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
 
-/// The case of a result (machine_of), to be freed; NULL where it holds none, and, noted in page.failed, without memory.
+/// Returns the case of a result (machine_of), to be freed; NULL if it has none and, noted in page.failed, without
+/// memory.
 whirl_case *page_case(const page *to, const whirl_result *result);
 
 // ---------------------------------------------------------------- found
 // What was found, in sentences, each an item of a list.
 
-/// What is done with a table.
+/// Function applied to a table.
 typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);
 
-/// Does it (NULL: nothing) with every table of all results that has points and the field, or, of no field (NULL), whose
-/// points are motions; how many have.
+/// Applies `act` (NULL: nothing) to every table of all results that has points and the field (NULL: whose points are
+/// motions). Returns the number of tables.
 size_t found_each(const page *to, const char *field, each_table *act, void *context);
 
-/// What is found in whole tables of machines at rest, and how much of what is asked for holds.
+/// Writes the findings of studies at rest, and the number of criteria that hold.
 void found_at_rest(const page *to);
 
-/// Of a table what the summary says: kinds of motion with their ranges, trust, doubts, attractors, jumps.
+/// Writes the summary of a table: kinds of motion with their ranges, confidence, doubts, attractors, jumps.
 void found_table(const page *to, size_t result, const whirl_table *table);
 
 // ---------------------------------------------------------------- html
@@ -123,14 +124,14 @@ void html_printf(FILE *stream, const char *format, ...)
 #endif
     ;
 
-/// Begins a table of that class ("" for none) that scrolls by itself where it is wider than the page: a region with a
-/// name, which the keyboard can reach. Ends with </table></div>.
+/// Begins a table of a class ("" for none) that scrolls by itself if it is wider than the page: a named region that the
+/// keyboard can reach. End it with </table></div>.
 void html_table(FILE *stream, const char *label, const char *class);
 
-/// A cell of a table with a number of six digits; an empty one where it is not finite.
+/// Writes a cell with a number of six digits; empty if it is not finite.
 void html_number(FILE *stream, double value);
 
-/// Writes a paragraph on how weight acts on a machine, where the result knows it.
+/// Writes a paragraph on how weight acts on a machine, if the result has it.
 void html_weight(FILE *stream, const whirl_result *result);
 
 #endif

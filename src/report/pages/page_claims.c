@@ -1,4 +1,4 @@
-// The claims beside what was found.
+// The table of claims and findings.
 #include <math.h>
 #include <string.h>
 
@@ -21,7 +21,7 @@ static void write_badge(FILE *stream, whirl_agreement agreement) {
     fprintf(stream, "<span class=\"badge %s\">%s</span>", badges[agreement].style, badges[agreement].text);
 }
 
-/// A line for each part, with a mark of its own where a claim states several.
+/// Writes a line for each part, with a mark if a claim has several.
 static void write_findings(FILE *stream, const claim_outcome *of) {
     fprintf(stream, "<ul class=\"findings%s\">", of->count > 1 ? " marked" : "");
     for (size_t i = 0; i < of->count; i++) {
@@ -114,7 +114,7 @@ static whirl_agreement best(const page *to, size_t claim) {
     return found;
 }
 
-/// A claim with where it fails and where it is met, for the results that come nearest to it.
+/// Writes where a claim fails and where it is met, for the results that come nearest to it.
 static void write_missed(const page *to, size_t claim) {
     const whirl_claim *of = &to->claims->items[claim];
     const whirl_agreement reached = best(to, claim);

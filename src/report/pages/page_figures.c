@@ -28,7 +28,7 @@ void page_figure(const page *to, const drawn_figure *what) {
     fputs("</figcaption>\n</figure>\n", to->stream);
 }
 
-/// Whether a figure is a diagram of a result.
+/// Returns true if a figure is a diagram of a result.
 static bool is_diagram(const drawn_figure *of, size_t index) {
     return of->result == index && of->name.point < 0 && !of->whole;
 }

@@ -39,7 +39,7 @@ static void write_row(FILE *stream, const whirl_sheet *sheet, size_t row) {
     fputs("</tr>\n", stream);
 }
 
-/// Of many points every so many are shown.
+/// Writes a sheet; of many points only every n-th one.
 static void write_sheet(const page *to, const whirl_sheet *sheet) {
     const size_t step = sheet->of_points ? 1 + (sheet->rows - 1) / MAX_ROWS : 1;
     fputs("<h4>", to->stream);
@@ -66,7 +66,7 @@ void page_sheets(const page *to, size_t result, const whirl_table *table) {
         if (strcmp(findings->sheets[i].table, table->name) == 0) write_sheet(to, &findings->sheets[i]);
 }
 
-// ---------------------------------------------------------------- what is asked for
+// ---------------------------------------------------------------- acceptance criteria
 
 static void write_phrase(const page *to, const whirl_phrase *phrase) {
     char text[STATEMENT_SIZE];

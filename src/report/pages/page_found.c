@@ -1,4 +1,4 @@
-// What was found, first, and the figure that shows it.
+// The findings that come first on a page, and the figure that shows them.
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 #include "report_parts.h"
 #include "shown_kinds.h"
 
-/// Whether sentences tell of a table: not of points that a sweep beside them tells of.
+/// Returns true if sentences cover a table; detail points are covered by the sweep.
 static bool is_told(const whirl_result *result, const whirl_table *table) {
     if (table->count == 0) return false;
     return table->role != WHIRL_ROLE_DETAIL || result->table_count == 1;

@@ -40,7 +40,7 @@ static void write_interval(FILE *stream, const shown_table *of, const regime_int
             interval->rubbing);
 }
 
-/// Several short windows in a row stand as one line that names their regimes.
+/// Writes several short windows in a row as one line with their regimes.
 static void write_windows(FILE *stream, const shown_table *of, const regime_interval *windows, size_t count) {
     size_t points = 0, rubbing = 0;
     char names[NAMES_SIZE];
@@ -127,14 +127,14 @@ static void write_number(FILE *stream, const char *format, double value) {
     fputs("</td>", stream);
 }
 
-/// What the tables of points share.
+/// Data shared by the tables of points.
 typedef struct point_page {
     FILE *stream;
     const whirl_result *result;
     const whirl_table *table;
     const whirl_shown_units *units;
-    double unit;               ///< of the parameter, in SI
-    const whirl_case *machine; ///< which tells the speed at a point; NULL where orders are shown, or it is not known
+    double unit;               ///< unit of the parameter, in SI
+    const whirl_case *machine; ///< case that gives the speed at a point; NULL if orders are shown, or there is no case
 } point_page;
 
 static void write_value(const point_page *to, size_t point, size_t rows) {
@@ -147,7 +147,7 @@ static void write_value(const point_page *to, size_t point, size_t rows) {
     fputs("</th>", to->stream);
 }
 
-/// Begins a table whose first column is the point.
+/// Begins a table with the point in its first column.
 static void begin_table(const point_page *to, const char *label) {
     char parameter[UNIT_LABEL_SIZE];
     units_parameter_label(to->units, to->table->parameter, parameter, sizeof parameter);
@@ -163,7 +163,7 @@ static void end_table(const point_page *to) {
 
 // ---------------------------------------------------------------- verdicts
 
-/// "high", and what the second tolerance says where it was asked.
+/// Writes the confidence, "high", and the verdict at the second tolerance if there is one.
 static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
     char other[WHIRL_NAME_SIZE];
     const whirl_verdict second = {.regime = verdict->other_regime, .period = verdict->other_period};
@@ -174,7 +174,7 @@ static void write_confidence(FILE *stream, const whirl_verdict *verdict) {
     html_printf(stream, same ? ", confirmed" : "; at the second tolerance %s", other);
 }
 
-/// All exponents with their sum and what it is exactly, where they were computed.
+/// Writes all exponents, their sum and its exact value, if they were computed.
 static void write_exponents(FILE *stream, const whirl_table *table, size_t point) {
     const numbers values = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_VALUES, 0);
     const numbers errors = point_numbers(table, point, WHIRL_FIELD_EXPONENTS_ERRORS, 0);
@@ -198,7 +198,7 @@ static void write_exponents(FILE *stream, const whirl_table *table, size_t point
     if (dimension.at) html_printf(stream, "; Kaplan-Yorke dimension %.3g", dimension.at[0]);
 }
 
-/// Why the verdict is what it is, what would settle it where it is in doubt, and all exponents.
+/// Writes the reason of the verdict, advice if it is in doubt, and all exponents.
 static void write_reason(const point_page *to, size_t point, const whirl_verdict *verdict) {
     char text[512];
     fputs("<td class=\"why\">", to->stream);
@@ -253,21 +253,21 @@ static void write_verdicts(const point_page *to) {
 
 // ---------------------------------------------------------------- size and sense
 
-/// Whether any station is a journal.
+/// Returns true if any station is a journal.
 static bool has_bearing(const whirl_result *result) {
     bool found = false;
     for (size_t s = 0; s < result->station_count; s++) found = found || result->stations[s].clearance > 0.0;
     return found;
 }
 
-/// Whether any station may touch a stator.
+/// Returns true if any station may touch a stator.
 static bool has_gap(const whirl_result *result) {
     bool found = false;
     for (size_t s = 0; s < result->station_count; s++) found = found || result->stations[s].gap > 0.0;
     return found;
 }
 
-/// A line's place: its frequency, or its order, with an X where the others are frequencies.
+/// Writes the frequency of a line, or its order, with an X if the other lines have frequencies.
 static void write_place(const point_page *to, double order, double frequency) {
     if (isfinite(frequency))
         html_printf(to->stream, "%.4g", order * frequency);
@@ -388,15 +388,16 @@ static void write_running_speed(const point_page *to) {
     fputs("x&nbsp;= a&nbsp;cos(\u03c4&nbsp;\u2212&nbsp;lag).</p>\n", to->stream);
 }
 
-// ---------------------------------------------------------------- all that was watched
+// ---------------------------------------------------------------- watched quantities
 
-/// A row of numbers of every station or contact over the record, by the analyses of all that is watched.
+/// Returns true for fields with one row for every station or contact over the whole record: the analyses of watched
+/// quantities.
 static bool is_watched(const whirl_field *field, whirl_extent extent) {
     return field->extent == extent && field->rows == 1 &&
            (strncmp(field->name, "orbit/", 6) == 0 || strncmp(field->name, "rub/", 4) == 0);
 }
 
-/// "max radius / c", "mean x (um)", "max force (N)", with the meaning behind it.
+/// Writes a heading "max radius / c", "mean x (um)", "max force (N)", with the meaning as its title.
 static void write_watched_head(const point_page *to, const whirl_field *field, size_t column) {
     char name[2 * WHIRL_NAME_SIZE], label[sizeof name + UNIT_LABEL_SIZE];
     char columns[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
@@ -413,7 +414,7 @@ static void write_watched_head(const point_page *to, const whirl_field *field, s
     fputs("</th>", to->stream);
 }
 
-/// What a number of the field is multiplied by to be shown.
+/// Factor from a number of the field to its shown value.
 static double watched_factor(const point_page *to, const whirl_field *field, size_t point) {
     if (strcmp(field->unit, "length") == 0)
         return units_length(to->units, to->table, point, whirl_field_counting(field));
@@ -437,7 +438,7 @@ static void write_watched_of(const point_page *to, size_t point, size_t which, w
     fputs("</tr>\n", to->stream);
 }
 
-/// A table of all stations, or of all contacts, where anything was watched of them.
+/// Writes a table of all stations, or of all contacts, if anything was watched there.
 static void write_watched(const point_page *to, whirl_extent extent, const char *label, const char *head) {
     const whirl_layout *layout = &to->table->layout;
     size_t fields = 0, repeat = 0;

@@ -1,4 +1,4 @@
-// What was computed, with which numbers, and where it came from.
+// Computation of a result: tables, parameters, numerical options, and origin.
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-// Attractors side by side: what the starts of every point lead to.
+// Coexisting attractors that the starts of every point lead to.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,7 +34,7 @@ static void write_motions(const shown_view *to, size_t first, size_t end) {
     if (count == MAX_NAMES) fputs(", &hellip;", to->stream);
 }
 
-/// The rows of one number: its motions, where it was met, and its shares.
+/// Writes the row of one attractor: its motions, range, and shares.
 static void write_attractor(const shown_view *to, size_t first, size_t end) {
     const whirl_table *table = to->table;
     const whirl_coexisting *one = &table->attractors[first];
@@ -80,7 +80,7 @@ static void write_attractors(const shown_view *to, const char *label) {
     if (shown > SHOWN) fprintf(to->stream, "<p class=\"soft small\">And %zu more.</p>\n", shown - SHOWN);
 }
 
-/// Attractors of every place [places], to be freed, and the value of its parameter [places] behind them.
+/// Returns the number of attractors at every place [places], to be freed, followed by the parameter's values [places].
 static double *places_of(const whirl_table *table, size_t places) {
     double *found = calloc(2 * places + 1, sizeof *found);
     for (size_t i = 0; found && i < table->count; i++) {

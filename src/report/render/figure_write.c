@@ -1,4 +1,4 @@
-// A figure as a file: JSON, or what gnuplot makes of its script.
+// Writing a figure to a file: JSON, or gnuplot's output for its script.
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +17,7 @@ static whirl_status write_json(const whirl_figure *figure, const char *folder, c
     return status;
 }
 
-/// Script and data in a folder of their own, and the picture beside them.
+/// Writes script and data to a folder, and draws the picture next to it.
 static whirl_status draw(const whirl_figure *figure, const char *folder, const char *format, const char *program) {
     report_file file;
     whirl_status status = report_file_open(&file, folder, "figure.dat");
@@ -33,7 +33,7 @@ static whirl_status draw(const whirl_figure *figure, const char *folder, const c
     return status;
 }
 
-/// What gnuplot said first.
+/// Returns an error with gnuplot's first message.
 static whirl_status tell_why(const whirl_figure *figure, const char *folder) {
     char path[FILE_PATH_SIZE], line[200] = "";
     snprintf(path, sizeof path, "%.4000s/figure.gp.log", folder);

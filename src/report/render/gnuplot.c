@@ -42,7 +42,7 @@ void gnuplot_comment(FILE *script, const char *text) {
     }
 }
 
-/// What is started for every job. Scripts are UTF-8, which gnuplot believes only where the locale says so.
+/// Environment of all jobs. Scripts are UTF-8, which gnuplot assumes only in a UTF-8 locale.
 typedef struct launch {
     const char *program;
     char **environment; ///< ours with a locale of UTF-8
@@ -91,7 +91,7 @@ static void remove_empty_log(const gnuplot_job *job) {
     if (stat(path, &found) == 0 && found.st_size == 0) unlink(path);
 }
 
-/// gnuplot writes through links, and into files of other modes: what has its names goes before.
+/// Removes files with the names of gnuplot's outputs first: gnuplot would write through links, and keep the old modes.
 static void remove_earlier(const gnuplot_job *job) {
     static const char *const endings[] = {"png", "pdf", "gp.log"};
     char path[4096 + LOG_NAME_SIZE];

@@ -86,7 +86,7 @@ static void write_series(FILE *data, const whirl_panel *panel, const whirl_serie
     }
 }
 
-/// Texts stand in the script; what has no numbers has no block.
+/// Returns true if a series has a data block. Texts are in the script; an empty series has none.
 static bool has_block(const whirl_series *series) {
     return series->count > 0 && series->shape != WHIRL_TEXTS;
 }
@@ -111,7 +111,7 @@ void gnuplot_write_data(FILE *data, const whirl_figure *figure) {
 
 // ---------------------------------------------------------------- axes
 
-/// Between the powers of a logarithmic axis stand small ticks.
+/// Writes small ticks between the powers of a logarithmic axis.
 static void write_small_ticks(FILE *script, const whirl_axis *axis) {
     for (int k = (int)floor(log10(axis->low)); k <= (int)ceil(log10(axis->high)); k++)
         for (int digit = 2; digit < 10; digit++) {
@@ -143,7 +143,7 @@ static void write_axis(FILE *script, const whirl_axis *axis, char which) {
     }
 }
 
-/// Labels of vertical axes stand in one line, whatever the width of their numbers.
+/// Writes the label of a vertical axis, in line with those of other panels.
 static void write_upright_label(FILE *script, const whirl_figure *figure, const whirl_panel *panel) {
     char label[MARKUP_SIZE];
     if (!panel->y.shown || !*panel->y.label) return;
@@ -151,7 +151,7 @@ static void write_upright_label(FILE *script, const whirl_figure *figure, const 
     const bool flat = panel->height < FIGURE_LOW_PANEL;
     const double beside = figure_number_width(figure) + (flat ? 0.95 : 0.58);
     char *rest = strchr(label, '\n');
-    // The second line stands between the first and the numbers: both move by half a line.
+    // A second line comes between the first and the numbers: both move by half a line.
     const double left = panel->left - (beside + (rest ? 0.021 * figure->font : 0.0)) / figure->width;
     fputs("set label 2 ", script);
     // A double-quoted text has the line break.
@@ -277,7 +277,7 @@ static void write_texts(FILE *script, const whirl_panel *panel, const whirl_seri
     }
 }
 
-/// Whether the legend of the figure has samples of lines, which need room.
+/// Returns true if the legend has samples of lines, which need room.
 static bool has_lines(const whirl_figure *figure) {
     for (size_t p = 0; p < figure->count; p++)
         for (size_t s = 0; s < figure->panels[p]->count && !figure->panels[p]->keyed; s++)
@@ -285,7 +285,7 @@ static bool has_lines(const whirl_figure *figure) {
     return false;
 }
 
-/// The legend of the figure has a plot of its own, as wide as the figure.
+/// Writes the figure's legend as a plot of its own, as wide as the figure.
 static void write_legend(FILE *script, const whirl_figure *figure) {
     const size_t rows = figure_legend_rows(figure);
     if (rows == 0) return;
@@ -393,7 +393,7 @@ void gnuplot_write_script(FILE *script, const whirl_figure *figure, const char *
     size_t index = 0;
     write_head(script, figure, name, data);
     write_palette(script, &figure->scale);
-    // Cairo takes a point for 1/96 inch: the scales make fonts, lines and points as large as they say.
+    // Cairo takes a point for 1/96 inch: the scales correct the sizes of fonts, lines and points.
     fprintf(script,
             "do for [format in '%s'] {\n"
             "if (format eq 'png') {\n"

@@ -20,7 +20,7 @@ void gnuplot_string(FILE *script, const char *text);
 /// Writes text within a comment line: one line, and no backslash that would join it with the next.
 void gnuplot_comment(FILE *script, const char *text);
 
-/// A script in a folder; `drawn` tells how it ended.
+/// A script in a folder; `drawn` is the outcome.
 typedef struct gnuplot_job {
     const char *folder; ///< borrowed
     const char *script; ///< file name in it; borrowed
@@ -28,9 +28,8 @@ typedef struct gnuplot_job {
 } gnuplot_job;
 
 /// Runs `program` (NULL: gnuplot on the PATH) on all scripts, each in its folder, as many at once as there are cores.
-/// What gnuplot says goes to SCRIPT.log beside the script, which is removed when gnuplot says nothing.
-/// WHIRL_MISSING_PROGRAM when the program is not there; WHIRL_IO_ERROR naming the first script that failed, after
-/// all have been tried.
+/// gnuplot's output goes to SCRIPT.log next to the script; an empty log is removed. Returns WHIRL_MISSING_PROGRAM if
+/// the program does not exist, WHIRL_IO_ERROR with the first script that failed, after all have been tried.
 whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count);
 
 // ---------------------------------------------------------------- gnuplot_script
@@ -50,15 +49,15 @@ void gnuplot_markup(const char *label, char *markup, size_t size);
 // ---------------------------------------------------------------- print
 // Documents to be printed, from pages.
 
-/// Makes FOLDER/PDF of FOLDER/PAGE by weasyprint (`program`; NULL: the one on the PATH). WHIRL_MISSING_PROGRAM where
-/// that is not there, WHIRL_IO_ERROR where it fails.
+/// Makes FOLDER/PDF from FOLDER/PAGE with weasyprint (`program`; NULL: the one on the PATH). Returns
+/// WHIRL_MISSING_PROGRAM if that does not exist, WHIRL_IO_ERROR if it fails.
 whirl_status document_print(const char *program, const char *folder, const char *page, const char *pdf);
 
 // ---------------------------------------------------------------- program
 // Programs that are run for reports, in other folders than this one.
 
-/// What is to be run for a program: a name for the PATH, or the whole path of what is named with a folder, which a
-/// relative one would not lead to from elsewhere. NULL where that is not there, or without memory; freed by the caller.
+/// Returns what to execute for a program: a bare name for the PATH, or an absolute path, since a relative one would not
+/// work from another folder. NULL if the file does not exist, or without memory. Freed by the caller.
 char *program_found(const char *program);
 
 #endif

@@ -1,4 +1,4 @@
-// What a result says in lines of text.
+// Summary of a result as text.
 #include "summary.h"
 
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "shown_kinds.h"
 #include "whirl/engine/report.h"
 
-/// Motions of a table with several starts that began where those of neighbours ended.
+/// Number of starts in a table that continue neighbours' motions.
 static size_t count_from_neighbours(const whirl_table *table) {
     size_t count = 0;
     for (size_t i = 0; i < table->source->count; i++) count += whirl_table_from_neighbour(table->source, i);

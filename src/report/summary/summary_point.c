@@ -17,8 +17,8 @@ static void print_rubs(FILE *out, const whirl_shown_units *units, const whirl_ta
     }
 }
 
-/// "largest radius: disc 1.154, journal 0.957 (in 0.2 mm 0-p)", or "disc 231, journal 191 µm 0-p" where the case asks
-/// for a unit.
+/// Writes "largest radius: disc 1.154, journal 0.957 (in 0.2 mm 0-p)", or "disc 231, journal 191 µm 0-p" if the case
+/// asks for a unit.
 static void print_radii(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;
     if (!whirl_layout_field(&table->layout, WHIRL_FIELD_ORBIT_MAX_RADIUS)) return;
@@ -91,7 +91,7 @@ static whirl_status print_named_of(FILE *out, const whirl_shown_units *units, co
     return status;
 }
 
-/// "lines of its spectrum hold 61 % of the motion of disc", of stations where much of the motion is in none.
+/// Writes "lines of its spectrum hold 61 % of the motion of disc" for stations with less than FEW_LINES in them.
 static void print_shares(FILE *out, const whirl_result *result, const whirl_table *table, size_t point) {
     for (size_t s = 0; s < result->station_count; s++) {
         const double share = line_share(table, point, s);
@@ -104,7 +104,7 @@ static void print_shares(FILE *out, const whirl_result *result, const whirl_tabl
 /// "confidence: fair (one tolerance only); to settle it, let it run 2 times as long".
 static void print_confidence(FILE *out, const whirl_verdict *verdict) {
     char other[VERDICT_SIZE], advice[WHIRL_MESSAGE_SIZE];
-    // A motion rests where it does at both tolerances.
+    // At the second tolerance only the regime is stored; a motion that rests does so at both.
     const whirl_verdict second = {
         .regime = verdict->other_regime, .period = verdict->other_period, .rests = verdict->rests};
     regime_name(&second, other, sizeof other);

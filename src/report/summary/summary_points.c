@@ -48,7 +48,8 @@ void summary_range(const whirl_unit *unit, const whirl_table *table, size_t firs
         snprintf(text, size, "%.6g%s%s", from, gap, unit->name);
 }
 
-/// "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. False, and nothing, where they are too many.
+/// Writes "2000 to 6000 rpm  P-1", one line a window, in the order of the sweep. Returns false, and writes nothing, if
+/// there are too many.
 static bool print_windows(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     regime_interval windows[LONGEST_LIST];
     const size_t count = regime_intervals(table, units->result->contact_count, windows, LONGEST_LIST);
@@ -64,8 +65,8 @@ static bool print_windows(FILE *out, const whirl_shown_units *units, const whirl
     return count <= LONGEST_LIST;
 }
 
-/// How many points of the grid of a refined map each of its points stands for [count]; NULL where points stand for
-/// themselves. False without memory.
+/// Finds the number of grid cells that each point of a refined map covers [count]; NULL for other tables. Returns false
+/// without memory.
 static bool weights_of(const whirl_table *table, size_t **weights) {
     const size_t grid = whirl_table_grid(table);
     *weights = NULL;
@@ -144,8 +145,8 @@ static void print_tally(FILE *out, const whirl_shown_units *units, const whirl_t
                 tally.sure[WHIRL_LOW]);
 }
 
-/// Verdicts in the order in which the sweep meets them, with their ranges where these are few; in a refined map those
-/// of its grid, told or computed.
+/// Writes verdicts in the order of the sweep, with their ranges if these are few; for a refined map those of its grid,
+/// including cells that were not computed.
 static void print_counts(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
     verdict_count counts[SUMMARY_VERDICTS];
     const bool listed =

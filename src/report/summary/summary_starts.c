@@ -1,4 +1,4 @@
-// What several starts a point have come to rest on.
+// Attractors that the starts of every point came to rest on.
 #include "summary.h"
 
 #include <math.h>
@@ -19,8 +19,8 @@ void summarize_share(FILE *out, const whirl_table *table, size_t point, const ch
             100.0 * one->error);
 }
 
-/// "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Those of one number stand
-/// together.
+/// Writes "attractor 2: at 5 points, 0 % to 12.5 % of the starts; at 2 found from neighbours alone". Entries of one
+/// number are consecutive.
 static void print_attractors(FILE *out, const whirl_table *table) {
     size_t told = 0;
     for (size_t i = 0; i < table->count;) {
