@@ -34,7 +34,7 @@ void *field_memory(import_reader *reader, size_t size) {
     return memory;
 }
 
-/// The value of a key; NULL where there is none, with a problem where it must be there.
+/// Finds the value of a key; NULL without one, which is a problem for a required key.
 static value *find(field_section *section, const char *key, bool required, const char *expected) {
     value *const found = field_good(section->reader) ? value_member(section->table, key) : NULL;
     if (!found && required) field_refuse(section, key, NULL, "is missing, expected %s", expected);
@@ -93,7 +93,7 @@ const char *field_text(field_section *section, const char *key, const char *fall
     return found && found->kind == VALUE_TEXT ? found->text : fallback;
 }
 
-/// How many numbers the rows of a list have, 1 of a list of numbers; refuses rows that are not equal.
+/// Number of values in the rows of a list, 1 for a list of numbers; refuses unequal rows.
 static size_t width_of(field_section *section, const field_kind *kind, const value *list) {
     const bool nested = list->kind == VALUE_LIST && list->first && list->first->kind == VALUE_LIST;
     const size_t width = nested ? list->first->count : 1;

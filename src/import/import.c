@@ -30,7 +30,7 @@ static whirl_status take_notes(const note_list *notes, whirl_imported *out) {
     return out->notes ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
-/// A case that is no good is none: what is wrong with the machine it is of, in the words of the case.
+/// Rejects a converted case that `whirl check` would reject, with the same messages.
 static whirl_status check_case(const char *file, const whirl_imported *made) {
     whirl_problems problems = {0};
     whirl_case *object = NULL;
@@ -49,7 +49,7 @@ static bool has_frequencies(const ross_rotor *rotor) {
     return false;
 }
 
-/// What stands in time for tables over the frequency of whirl, as the machine of a case that moves tells it.
+/// Notes the curve fits that replace frequency-dependent tables in motions.
 static void note_machine(note_list *notes, const char *text, size_t length, const char *file) {
     char told[WHIRL_MESSAGE_SIZE];
     whirl_problems problems = {0};

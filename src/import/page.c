@@ -7,7 +7,7 @@
 #include "whirl/status.h"
 #include "words.h"
 
-enum { COMMENTS = 64, LAST_ITEM = 98 }; ///< columns where comments begin, and items end
+enum { COMMENTS = 64, LAST_ITEM = 98 }; ///< column of comments; last column of items
 
 void page_quantity(double number, const char *unit, char text[QUANTITY_SIZE]) {
     char digits[NUMBER_SIZE];

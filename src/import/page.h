@@ -15,7 +15,7 @@ enum { PAGE_WIDTH = 120, QUANTITY_SIZE = 64 };
 /// A line that is being written, broken between its items.
 typedef struct page_line {
     FILE *out;
-    int column, indent; ///< of what is written, and where its next line begins
+    int column, indent; ///< current column; indent of the next line
     int items;          ///< since page_open
 } page_line;
 
@@ -23,25 +23,26 @@ typedef struct page_line {
 /// 0.10000000000000001, and its unit.
 void page_quantity(double number, const char *unit, char text[QUANTITY_SIZE]);
 
-/// Starts a line with `head`; what follows is broken to `indent`.
+/// Starts a line with `head`; later lines are indented by `indent`.
 page_line page_open(FILE *out, int indent, const char *head);
 
-/// Adds an item, behind a comma where one stands before it; printf.
+/// Adds an item, after a comma unless it is the first; printf.
 void page_item(page_line *line, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /// Adds "key: number unit".
 void page_number(page_line *line, const char *key, double number, const char *unit);
 
-/// Ends the line with `tail`, and with a comment (cut at the end of the line) where it is not NULL.
+/// Ends the line with `tail`, and with a comment (cut at the end of the line) unless NULL.
 void page_close(page_line *line, const char *tail, const char *comment);
 
-/// A text as a comment, broken into lines, each behind `mark` ("# "); later lines are indented by the blanks of `hang`.
+/// Writes a text as a comment, broken into lines, each after `mark` ("# "); later lines are indented by the width of
+/// `hang`.
 void page_comment(FILE *out, const char *mark, const char *hang, const char *text);
 
 // ---------------------------------------------------------------- note
 // What could not be taken over from a file, or was chosen: a sentence each, for the reader and for the case.
 
-/// What is left out of more than one section at a time, said in one sentence for all of them.
+/// Omissions that several sections share, reported in one sentence.
 typedef enum note_kind {
     NOTE_DRAWING,
     NOTE_AXIAL,
@@ -106,30 +107,30 @@ typedef struct import_reader {
 
 typedef struct field_section {
     import_reader *reader;
-    const char *name; ///< as it stands between the brackets
+    const char *name; ///< name between the brackets
     value *table;
 } field_section;
 
-/// Whether nothing is wrong yet.
+/// Returns true if no problem was found.
 bool field_good(const import_reader *reader);
 
-/// Says what is wrong with a key (NULL: with the section) that has this value (NULL: none).
+/// Reports a problem with a key (NULL: with the section) that has this value (NULL: none).
 void field_refuse(field_section *section, const char *key, const value *at, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
 /// `size` bytes of zeros of the reader's memory; NULL, and a problem, without it.
 void *field_memory(import_reader *reader, size_t size);
 
-/// What a key should be: unit, range.
+/// Expected unit and range of a key.
 typedef struct field_kind {
     const char *key, *unit;
     whirl_range range;
 } field_kind;
 
-/// A number; `fallback` where the key is missing, NAN: then it must be there.
+/// Reads a number; `fallback` for a missing key, NAN: the key is required.
 double field_number(field_section *section, const field_kind *kind, double fallback);
 
-/// A whole number from 0 to a million; `fallback` where it is missing, below -1: then it must be there.
+/// Reads a whole number from 0 to a million; `fallback` for a missing key, below -1: the key is required.
 long field_whole(field_section *section, const char *key, long fallback);
 
 /// true or false.
@@ -138,11 +139,11 @@ bool field_truth(field_section *section, const char *key, bool fallback);
 /// A text, or `fallback`; borrowed.
 const char *field_text(field_section *section, const char *key, const char *fallback);
 
-/// A number, a list of them, or a list of equally long rows, one after the other: [*rows][*columns]; *rows is 0 and the
-/// result NULL where the key is missing.
+/// Reads a number, a list, or a list of rows of equal length, as [*rows][*columns]; *rows is 0 and the result NULL if
+/// the key is missing.
 double *field_table(field_section *section, const field_kind *kind, size_t *rows, size_t *columns);
 
-/// A number or a list of them; *count is 0 and the result NULL where the key is missing.
+/// Reads a number or a list; *count is 0 and the result NULL if the key is missing.
 double *field_numbers(field_section *section, const field_kind *kind, size_t *count);
 
 #endif

@@ -1,9 +1,9 @@
-/// A rotor as ROSS saves it: what of a file is taken over, in SI and checked.
+/// A rotor from a ROSS file: the parts that are converted, in SI and checked.
 ///
-/// The format after petrobras/ross, versions 0.x to 3.0: Rotor.save, Element.save. A section "Class_tag" is an element;
-/// node n of the shaft lies between elements n - 1 and n; elements on one node are layers; where couplings alone stand
-/// between two nodes, one shaft ends and another begins; nodes beyond the shafts are supports, which move along x and
-/// y. Speeds turn from x to y, as here.
+/// Format of petrobras/ross, versions 0.x to 3.0: Rotor.save, Element.save. A section "Class_tag" is an element. Node n
+/// of the shaft is between elements n - 1 and n. Elements on one node are layers. Where only couplings join two nodes,
+/// one shaft ends and another begins. Nodes beyond the shafts are supports, which move along x and y. Rotation is from
+/// x to y, as in whirl.
 #ifndef IMPORT_ROSS_H
 #define IMPORT_ROSS_H
 
@@ -18,9 +18,9 @@ typedef struct ross_material {
 
 typedef struct ross_piece {
     const char *tag;
-    long node;            ///< where it begins
-    size_t shaft;         ///< that it is a part of
-    double length, start; ///< from the left end of its shaft
+    long node;            ///< node of its left end
+    size_t shaft;         ///< its shaft
+    double length, start; ///< start: from the left end of its shaft
     double axial_force;
     double inner[2], outer[2]; ///< at its left and right end
     size_t material;
@@ -87,17 +87,17 @@ typedef struct ross_bearing {
     bool varies[COEFFICIENTS]; ///< [1 or speed_count][1 or frequency_count], else one for all
     bool seal;
     const ross_magnet *magnet; ///< in place of coefficients; NULL: none
-    const ross_film *film;     ///< that they are of; NULL: the file does not say
+    const ross_film *film;     ///< film of the coefficients; NULL: not in the file
     field_section section;
 } ross_bearing;
 
-/// Springs and dampers between a node and the next one, and what both ends weigh.
+/// Springs and dampers between a node and the next one, and the masses of both ends.
 typedef struct ross_coupling {
-    const char *tag, *end_tag[2]; ///< ends: left and right
-    long node;                    ///< of the left end
+    const char *tag, *end_tag[2]; ///< end_tag: left and right end
+    long node;                    ///< node of the left end
     double mass[2], diametral[2], polar[2];
-    double stiffness[2], damping[2]; ///< of displacements, along x and y
-    double tilt, tilt_damping;       ///< of slopes, in both planes
+    double stiffness[2], damping[2]; ///< for displacements, along x and y
+    double tilt, tilt_damping;       ///< for slopes, in both planes
     field_section section;
 } ross_coupling;
 
@@ -114,12 +114,12 @@ typedef struct ross_station {
     const char *name;                 ///< valid and unique
     const char *first;                ///< tag that it is named after
     const ross_node *place;           ///< NULL: a support
-    double mass[2], diametral, polar; ///< of what it carries, along x and y
+    double mass[2], diametral, polar; ///< supported mass along x and y, and inertias
 } ross_station;
 
 typedef struct ross_rotor {
-    const char *version;       ///< of ROSS, "" where the file does not say it
-    double least, most, rated; ///< rad/s; NAN where the file does not say them
+    const char *version;       ///< version of ROSS, "" if the file has none
+    double least, most, rated; ///< rad/s; NAN if not in the file
     size_t material_count, piece_count, disc_count, point_count, bearing_count, coupling_count;
     ross_material *materials;
     ross_piece *pieces; ///< by their nodes, layers in the order of the file
@@ -128,7 +128,7 @@ typedef struct ross_rotor {
     ross_bearing *bearings;
     ross_coupling *couplings; ///< by their nodes
     size_t shaft_count;
-    long first_node, last_node; ///< of the row of shafts and couplings
+    long first_node, last_node; ///< range of shafts and couplings
     ross_node *nodes;           ///< [last_node - first_node + 1]
     size_t station_count;
     ross_station *stations; ///< by their nodes
@@ -140,21 +140,21 @@ void ross_read(import_reader *reader, value *root, ross_rotor *out);
 /// A bearing, seal, or any class that has coefficients, of a file of this version.
 void ross_read_bearing(field_section *section, const char *tag, const char *version, ross_bearing *out);
 
-/// Whether a section has magnets: from ROSS 2.1 on it is a BearingElement with their keys, and coefficients over the
-/// frequency.
+/// Returns true if a section has magnets: from ROSS 2.1 on it is a BearingElement with keys of magnets, and
+/// coefficients over the frequency.
 bool ross_is_magnet(const field_section *section);
 
-/// A magnetic bearing; false, and nothing read, where the section is none or has another controller than PID, which
-/// ROSS does not save.
+/// Reads a magnetic bearing. Returns false, having read nothing, for other sections and for controllers other than PID,
+/// which ROSS does not save.
 bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *out);
 
 /// A coupling.
 void ross_read_coupling(field_section *section, const char *tag, ross_coupling *out);
 
-/// Notes keys that nobody has asked for.
+/// Notes the keys that were not read.
 void ross_note_rest(field_section *section, const char *tag, bool computed);
 
-/// Puts the shafts together, and checks that what sits on nodes has one.
+/// Joins the shafts, and checks that everything on a node has one.
 void ross_join(import_reader *reader, ross_rotor *rotor);
 
 /// Makes stations of the nodes that carry something.
@@ -163,22 +163,22 @@ void ross_find_stations(import_reader *reader, ross_rotor *rotor);
 /// The station of a node that has one.
 const ross_station *ross_station_at(const ross_rotor *rotor, long node);
 
-/// A word of small letters, digits, '_' and '-' made of a tag, or `fallback` where nothing is left of it.
+/// Makes a word of small letters, digits, '_' and '-' from a tag, or uses `fallback` if nothing remains.
 void ross_name(const char *tag, const char *fallback, char name[WHIRL_NAME_SIZE]);
 
 /// The bearing's coefficients differ from 0 somewhere.
 bool ross_acts(const ross_bearing *bearing, ross_coefficient which);
 
-/// Adds the stations of a bearing: "at: ...", and "from: ..." where it has a housing.
+/// Adds the stations of a bearing: "at: ...", and "from: ..." if it has a housing.
 void ross_put_place(page_line *line, const ross_rotor *rotor, const ross_bearing *bearing);
 
 /// Writes the element of a magnetic bearing.
 void ross_put_magnetic(FILE *out, const ross_rotor *rotor, const ross_bearing *bearing);
 
-/// Writes the elements of a coupling: nothing where it resists no lateral motion.
+/// Writes the elements of a coupling; nothing if it resists no lateral motion.
 void ross_put_coupling(FILE *out, const ross_rotor *rotor, const ross_coupling *coupling);
 
-/// Writes the case into memory of its own.
+/// Writes the case as a new text.
 whirl_status ross_write(import_reader *reader, ross_rotor *rotor, char **text, size_t *length);
 
 #endif

@@ -34,7 +34,7 @@ static void read_axes(field_section *section, const char *version, ross_bearing 
     if (new) out->frequencies = read_axis(section, "frequency", "frequencies", &out->frequency_count);
 }
 
-/// A list of numbers that are all the same says no more than one of them.
+/// Returns true if all numbers are equal: one of them suffices then.
 static bool is_constant(const double *numbers, size_t count) {
     for (size_t i = 1; i < count; i++)
         if (numbers[i] != numbers[0]) return false;
@@ -45,7 +45,7 @@ static size_t at_least_one(size_t count) {
     return count > 0 ? count : 1;
 }
 
-/// Whether a table says a number for every place: one for all, a list along the only axis or the speeds, or rows.
+/// Checks that a table has a number for every place: one for all, a list along the only axis or the speeds, or rows.
 static bool fits(field_section *section, const char *key, size_t rows, size_t columns, const ross_bearing *out) {
     const value *at = value_member(section->table, key);
     const bool whirls = out->speed_count == 0 && out->frequency_count > 0; // a list is along the frequencies
@@ -61,7 +61,7 @@ static bool fits(field_section *section, const char *key, size_t rows, size_t co
     return field_good(section->reader);
 }
 
-/// As a number for every place.
+/// Reads a coefficient as a number for every place.
 static void read_coefficient(field_section *section, ross_coefficient which, ross_bearing *out) {
     const field_kind kind = {ross_coefficient_names[which], ross_coefficient_units[which], WHIRL_ANY};
     const size_t speeds = at_least_one(out->speed_count), frequencies = at_least_one(out->frequency_count);
@@ -78,7 +78,7 @@ static void read_coefficient(field_section *section, ross_coefficient which, ros
     out->varies[which] = !is_constant(all, speeds * frequencies);
 }
 
-/// Where the file leaves out what acts along y, it is as along x.
+/// Copies the coefficient along x if the file has none along y.
 static void as_along_x(field_section *section, ross_coefficient y, ross_coefficient x, ross_bearing *out) {
     if (value_member(section->table, ross_coefficient_names[y])) return;
     out->values[y] = out->values[x];
@@ -89,7 +89,7 @@ bool ross_acts(const ross_bearing *bearing, ross_coefficient which) {
     return bearing->varies[which] || bearing->values[which][0] != 0.0;
 }
 
-/// What is lost: "Seal 1, 0.5 kg".
+/// Notes a lost cross-coupled mass: "Seal 1, 0.5 kg".
 static void note_skew_mass(field_section *section, const char *tag, double lost) {
     const size_t size = strlen(tag) + 32;
     char *const text = field_memory(section->reader, size);
@@ -117,7 +117,7 @@ static void make_symmetric(field_section *section, const char *tag, ross_bearing
     out->varies[MXY] = out->varies[MYX] = !is_constant(mean, count);
 }
 
-/// Every how manieth of `count` places is kept, at most as many as a case may list, the ends among them; 1: the first.
+/// Index of the i-th of `kept` evenly spaced places out of `count`, both ends included; the first for one.
 static size_t kept_place(size_t i, size_t kept, size_t count) {
     return kept == 1 ? 0 : (i * (count - 1) + (kept - 1) / 2) / (kept - 1);
 }
@@ -144,7 +144,7 @@ static void keep(field_section *section, size_t speeds, size_t frequencies, ross
     out->frequency_count = frequencies > 1 ? frequencies : 0;
 }
 
-/// Leaves out an axis along which nothing varies, and places of which a case may list no more.
+/// Removes an axis along which nothing varies, and places beyond the number that a case may list.
 static void thin(field_section *section, const char *tag, ross_bearing *out) {
     const size_t speeds = at_least_one(out->speed_count), frequencies = at_least_one(out->frequency_count);
     const size_t most = WHIRL_MAX_LIST;
@@ -166,7 +166,7 @@ static void thin(field_section *section, const char *tag, ross_bearing *out) {
     keep(section, kept[0], kept[1], out);
 }
 
-/// What acts along the shaft.
+/// Notes axial coefficients, which are not converted.
 static void note_axial(field_section *section, const char *tag) {
     static const char *const keys[] = {"kzz", "czz", "mzz"};
     bool found = false;
@@ -179,7 +179,7 @@ static void note_axial(field_section *section, const char *tag) {
     if (found) note_of(&section->reader->notes, NOTE_AXIAL, tag);
 }
 
-/// Of a CylindricalBearing: an isothermal short film under a load, whose dimensions the file has.
+/// Reads the film of a CylindricalBearing: an isothermal short film under a load, with the dimensions in the file.
 static void read_film(field_section *section, ross_bearing *out) {
     static const char *const keys[] = {"journal_diameter", "bearing_length", "radial_clearance", "oil_viscosity",
                                        "weight"};

@@ -9,7 +9,7 @@
 
 enum { POINTS = 101, COMMENT_SIZE = 160 };
 
-/// Speeds in rad/s that the study goes over, and that the machine stands at.
+/// Speed range of the study, and operating speed, in rad/s.
 typedef struct speed_range {
     double from, to, at;
     const char *why;
@@ -17,7 +17,7 @@ typedef struct speed_range {
 
 // ---------------------------------------------------------------- speeds
 
-/// Where all tables are known.
+/// Finds the range in which all tables are known.
 static void find_known(const ross_rotor *rotor, double *low, double *high) {
     const ross_bearing *lowest = NULL;
     *low = 0.0;
@@ -40,7 +40,7 @@ static void find_known(const ross_rotor *rotor, double *low, double *high) {
         *low, *high);
 }
 
-/// The file's own speeds, within its tables; where it names none, all of its tables or up to 10000 rpm.
+/// Chooses the file's own speeds, within its tables; without any, the range of its tables, or up to 10000 rpm.
 static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     const double usual = 10000.0 * 3.14159265358979323846 / 30.0;
     double low, high;
@@ -69,7 +69,7 @@ static speed_range find_speeds(import_reader *reader, const ross_rotor *rotor) {
     return range;
 }
 
-/// Whole rpm where it is such a speed, to the last bits; rad/s otherwise, and where a table begins or ends there.
+/// Writes a speed in whole rpm if it is such a speed up to last bits; else, and at the ends of a table, in rad/s.
 static void speed_text(double speed, bool in_table, char text[QUANTITY_SIZE]) {
     const double rpm = round(speed * 30.0 / 3.14159265358979323846);
     if (!in_table && fabs(rpm * 3.14159265358979323846 / 30.0 - speed) <= 1e-12 * speed)
@@ -149,7 +149,7 @@ static void put_materials(FILE *out, const ross_rotor *rotor, char (*names)[WHIR
     }
 }
 
-/// How an element is counted: once for the shaft, and for a segment where it differs.
+/// Writes the modelling options of an element: for the shaft, and for a segment that differs.
 static void put_options(page_line *line, const ross_piece *own, const ross_piece *usual) {
     char text[QUANTITY_SIZE];
     if (!usual || own->shear != usual->shear || (own->shear && own->hutchinson != usual->hutchinson))
@@ -165,13 +165,13 @@ static void put_options(page_line *line, const ross_piece *own, const ross_piece
         page_item(line, "stiffness_damping: %s", text);
 }
 
-/// "shaft", or "shaft_2" where there are several.
+/// Writes "shaft", or "shaft_2" if there are several.
 static void shaft_name(const ross_rotor *rotor, size_t shaft, char name[WHIRL_NAME_SIZE]) {
     snprintf(name, WHIRL_NAME_SIZE, "shaft");
     if (rotor->shaft_count > 1) snprintf(name, WHIRL_NAME_SIZE, "shaft_%zu", shaft + 1);
 }
 
-/// The first piece of a shaft, whose options are the shaft's.
+/// Returns the first piece of a shaft, which gives the shaft's options.
 static const ross_piece *first_piece(const ross_rotor *rotor, size_t shaft) {
     const ross_piece *piece = rotor->pieces;
     while (piece->shaft != shaft) piece++;
@@ -247,7 +247,7 @@ static void put_station(FILE *out, const ross_rotor *rotor, const ross_station *
     page_close(&line, "}", comment);
 }
 
-/// What a support weighs along one axis beyond the other.
+/// Writes the mass by which a support is heavier along one axis.
 static void put_heavier_axis(FILE *out, const ross_station *at) {
     char text[QUANTITY_SIZE];
     if (at->mass[0] == at->mass[1]) return;
@@ -262,7 +262,7 @@ static size_t table_size(const ross_bearing *bearing) {
            (bearing->frequency_count > 0 ? bearing->frequency_count : 1);
 }
 
-/// What acts along y is written where it differs from x, and what is 0 is not.
+/// Returns true if a coefficient has to be written: not if it is 0, nor along y if it equals that along x.
 static bool is_said(const ross_bearing *bearing, ross_coefficient which) {
     const ross_coefficient x = which == KYY ? KXX : which == CYY ? CXX : which == MYY ? MXX : which;
     if (which == MYX) return false; // inertia is symmetric
@@ -276,7 +276,7 @@ static bool is_said(const ross_bearing *bearing, ross_coefficient which) {
     return bearing->values[which][0] != bearing->values[x][0];
 }
 
-/// "kxx: [1, 2, 3]", behind `head`: plain numbers are in SI.
+/// Writes "kxx: [1, 2, 3]" after `head`; numbers without unit are in SI.
 static void put_list(FILE *out, const char *head, const double *numbers, size_t count) {
     char text[QUANTITY_SIZE];
     page_line line = page_open(out, (int)strlen(head), head);
@@ -360,8 +360,8 @@ static void put_bearing(FILE *out, const ross_rotor *rotor, const ross_bearing *
 
 // ---------------------------------------------------------------- the whole
 
-/// Returns true where every shaft has two bearings at least with a stiffness along y, none of them a magnet: weight has
-/// a place of rest, and moves nothing that modes or responses depend on.
+/// Returns true if every shaft has at least two bearings with a stiffness along y, none of them magnetic: weight has an
+/// equilibrium, and does not change modes or responses.
 static bool is_carried(const ross_rotor *rotor) {
     for (size_t s = 0; s < rotor->shaft_count; s++) {
         size_t bearings = 0;
@@ -380,7 +380,7 @@ static bool is_carried(const ross_rotor *rotor) {
     return true;
 }
 
-/// Weight as ROSS has it in static analyses: its shafts lie.
+/// Writes weight as in static analyses of ROSS, for horizontal shafts.
 static void put_gravity(FILE *out, const ross_rotor *rotor) {
     if (is_carried(rotor))
         fputs("    - gravity: 9.8065 m/s2    # that of ROSS, for statics: responses do not depend on it\n", out);

@@ -1,4 +1,4 @@
-// Couplings of ROSS: springs and dampers between a node and the next one, and what both ends weigh.
+// Couplings of ROSS: springs and dampers between a node and the next one, and the masses of both ends.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,7 +8,7 @@
 
 enum { LEFT, RIGHT, ENDS };
 
-// ---------------------------------------------------------------- what the file has
+// ---------------------------------------------------------------- reading
 
 /// "Coupling 0" becomes "Coupling 0 left" and "Coupling 0 right".
 static void name_ends(field_section *section, ross_coupling *out) {
@@ -21,7 +21,7 @@ static void name_ends(field_section *section, ross_coupling *out) {
     }
 }
 
-/// A diametral inertia of 0 stands for half the polar one, as where ROSS reads it.
+/// Reads the masses of the ends. A diametral inertia of 0 means half the polar one, as in ROSS.
 static void read_ends(field_section *section, ross_coupling *out) {
     static const char *const masses[ENDS] = {"m_l", "m_r"}, *const polars[ENDS] = {"Ip_l", "Ip_r"},
                              *const diametrals[ENDS] = {"Id_l", "Id_r"};
@@ -36,7 +36,7 @@ static void read_ends(field_section *section, ross_coupling *out) {
     }
 }
 
-/// What resists tilts, which no element here does by planes.
+/// Reads a tilt coefficient, which must be the same in both planes.
 static double read_tilt(field_section *section, const char *const keys[2], const char *unit) {
     double along[2];
     for (int axis = 0; axis < 2; axis++) {
@@ -51,7 +51,7 @@ static double read_tilt(field_section *section, const char *const keys[2], const
     return along[0];
 }
 
-/// Along the shaft and in its twist: true where the file has something there.
+/// Returns true if the file has axial or torsional coefficients.
 static bool has_axial(field_section *section) {
     static const field_kind kinds[] = {{"kt_z", "N/m", WHIRL_ANY},
                                        {"kr_z", "N m/rad", WHIRL_ANY},
@@ -92,9 +92,9 @@ void ross_read_coupling(field_section *section, const char *tag, ross_coupling *
     ross_note_rest(section, tag, false);
 }
 
-// ---------------------------------------------------------------- what the case has
+// ---------------------------------------------------------------- writing
 
-/// What is equal along x and y, and the tilts.
+/// Writes the coefficients that are equal along x and y, and the tilts.
 static void put_round(FILE *out, const ross_coupling *coupling, const char *const ends[2], bool equal) {
     page_line line = page_open(out, 17, "    - coupling: {");
     page_item(&line, "between: [%s, %s]", ends[0], ends[1]);
@@ -105,7 +105,7 @@ static void put_round(FILE *out, const ross_coupling *coupling, const char *cons
     page_close(&line, "}", NULL);
 }
 
-/// What is unequal along x and y.
+/// Writes the coefficients that differ along x and y.
 static void put_unequal(FILE *out, const ross_coupling *coupling, const char *const ends[2]) {
     static const char *const stiffness[] = {"kxx", "kyy"}, *const damping[] = {"cxx", "cyy"};
     page_line line = page_open(out, 16, "    - bearing: {");

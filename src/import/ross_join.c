@@ -1,4 +1,4 @@
-// The shafts of ROSS's elements, the couplings between them, and what sits on their nodes and beyond them.
+// Joining ROSS elements: shafts, couplings between them, and parts on their nodes and beyond them.
 #include <math.h>
 
 #include "ross.h"
@@ -23,7 +23,7 @@ static void sort_couplings(ross_rotor *rotor) {
     }
 }
 
-/// Whether couplings lead from one node to a later one.
+/// Returns true if couplings lead from one node to a later one.
 static bool couplings_lead(const ross_rotor *rotor, long from, long to) {
     for (long node = from; node < to; node++) {
         size_t i = 0;
@@ -92,12 +92,12 @@ static void find_nodes(import_reader *reader, ross_rotor *rotor) {
     }
 }
 
-/// Of shafts and couplings.
+/// Returns true for nodes of shafts and couplings.
 static bool in_row(const ross_rotor *rotor, long node) {
     return node >= rotor->first_node && node <= rotor->last_node;
 }
 
-/// A node beyond them is a support where there is a mass.
+/// Checks a node: beyond the shafts it is a support, and needs a mass.
 static void check_node(ross_rotor *rotor, field_section *section, const char *key, long node) {
     bool held = in_row(rotor, node);
     for (size_t i = 0; i < rotor->point_count; i++) {

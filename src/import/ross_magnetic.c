@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/// What the file has besides: linear coefficients, which follow from the rest.
+/// Linear coefficients in the file, which follow from the other keys.
 static const char *const computed[] = {"kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cxy",       "cyx",  "cyy",
                                        "czz", "mxx", "mxy", "myx", "myy", "mzz", "frequency", "speed"};
 
@@ -23,11 +23,11 @@ static double read_common(field_section *section, const field_kind *kind, double
     return numbers && count > 0 ? numbers[0] : fallback;
 }
 
-/// rad/s: the corner of derivatives from ROSS 2.1 on where nothing is said; before they had none, which no controller
-/// does.
+/// Default corner frequency of derivatives in rad/s, from ROSS 2.1 on. Earlier versions had none, which no real
+/// controller achieves.
 static const double usual = 1e4;
 
-/// A gain times those of amplifier and sensor.
+/// Reads a gain and multiplies it by those of amplifier and sensor.
 static double read_gain(field_section *section, const field_kind *kind, double gain) {
     const double number = gain * read_common(section, kind, 0.0);
     if (!isfinite(number))
@@ -49,7 +49,7 @@ static void read_controller(field_section *section, ross_magnet *out) {
                      "times k_sense is 0, expected gains of a controller that acts");
 }
 
-/// What stands there, of a list its first; NULL where nothing does.
+/// Returns the value of a key, of a list the first; NULL without one.
 static const value *first_of(const field_section *section, const char *key) {
     const value *const at = value_member(section->table, key);
     return at && at->kind == VALUE_LIST ? at->first : at;
@@ -76,8 +76,8 @@ static bool has_gains(const field_section *section) {
     return false;
 }
 
-/// Whether the coefficients are those of the PID, at their first frequency; else ROSS had another controller, which it
-/// prefers and does not save.
+/// Returns true if the coefficients are those of the PID at their first frequency. Otherwise ROSS used another
+/// controller, which it does not save.
 static bool is_controlled_so(const field_section *section, const ross_magnet *magnet) {
     const double w = first_number(section, "frequency", 0.0), lag = w * magnet->filter;
     const double by_current = 4e-7 * 3.14159265358979323846 * magnet->turns * magnet->turns * magnet->area *
@@ -101,7 +101,7 @@ bool ross_read_magnetic(field_section *section, const char *tag, ross_bearing *o
     magnet->turns = read_common(section, &(field_kind){"nw", "1", WHIRL_POSITIVE}, NAN);
     magnet->pole_angle =
         fabs(read_common(section, &(field_kind){"alpha", "rad", WHIRL_FROM_TO(-1.5, 1.5)}, 0.39269908));
-    // Before ROSS 2.1 magnets stood along x and y.
+    // Before ROSS 2.1 magnets were along x and y.
     magnet->angle = read_common(section, &(field_kind){"sensors_axis_rotation", "rad", WHIRL_ANY}, 0.0);
     read_controller(section, magnet);
     if (field_good(section->reader) && !is_controlled_so(section, magnet)) return false;

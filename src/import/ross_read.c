@@ -27,7 +27,7 @@ static double read_shear(field_section *section, double modulus) {
     return found;
 }
 
-/// The index of the material of a piece, among those that are known or as a new one.
+/// Returns the index of a piece's material, known or new.
 static size_t read_material(field_section *piece, ross_rotor *out) {
     static const char expected[] = "a table with name, rho, E and G_s";
     value *const table = value_member(piece->table, "material");
@@ -45,7 +45,7 @@ static size_t read_material(field_section *piece, ross_rotor *out) {
     one->density = field_number(&section, &density, NAN);
     one->modulus = field_number(&section, &modulus, NAN);
     one->shear = read_shear(&section, one->modulus);
-    // What ROSS's bearings ask of their own material, and the colour.
+    // Keys for ROSS's bearings, and the colour.
     static const char *const others[] = {"color", "specific_heat", "thermal_conductivity"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) (void)value_member(table, others[i]);
     ross_note_rest(&section, name, false);
@@ -77,7 +77,7 @@ static bool read_method(field_section *section) {
     return hutchinson;
 }
 
-/// Where ROSS computes another shaft than whirl of the same numbers.
+/// Notes where ROSS computes a different shaft from the same numbers.
 static void note_differences(note_list *notes, const ross_piece *piece) {
     const bool conical = piece->inner[0] != piece->inner[1] || piece->outer[0] != piece->outer[1];
     if (piece->axial_force != 0.0 && piece->stiffness_damping != 0.0) note_of(notes, NOTE_AXIAL_DAMPING, piece->tag);
@@ -111,7 +111,7 @@ static void read_piece(field_section *section, const char *tag, ross_rotor *out)
     ross_note_rest(section, tag, false);
 }
 
-// ---------------------------------------------------------------- what sits on it
+// ---------------------------------------------------------------- parts on the shaft
 
 static void read_disc(field_section *section, const char *tag, ross_rotor *out) {
     const field_kind mass = {"m", "kg", WHIRL_NOT_NEGATIVE}, diametral = {"Id", "kg m2", WHIRL_NOT_NEGATIVE},
@@ -125,7 +125,7 @@ static void read_disc(field_section *section, const char *tag, ross_rotor *out) 
     ross_note_rest(section, tag, false);
 }
 
-/// `m` counts where none of mx, my and mz is there.
+/// Reads a point mass; `m` counts only without mx, my and mz.
 static void read_point(field_section *section, const char *tag, ross_rotor *out) {
     static const char *const along[] = {"mx", "my"};
     ross_point *const point = &out->points[out->point_count++];
@@ -200,7 +200,7 @@ static const ross_class *find_class(const char *name, size_t length) {
     return NULL;
 }
 
-/// A class that nobody has heard of is a bearing where it has coefficients.
+/// Reads a section of an unknown class as a bearing if it has coefficients.
 static void read_unknown(field_section *section, size_t length, const char *tag, ross_rotor *out) {
     const char *names[CLASSES];
     char word[64];

@@ -1,13 +1,13 @@
-// What of a section nobody has asked for.
+// Keys of a section that were not read.
 #include <stdio.h>
 #include <string.h>
 
 #include "ross.h"
 
-/// How things are drawn.
+/// Keys of drawings.
 static const char *const drawing_keys[] = {"color", "scale_factor"};
 
-/// Read where it is wanted, and no key that is not known.
+/// Keys that are read where needed, and never noted.
 static const char *const other_keys[] = {"tag", "material", "n"};
 
 void ross_note_rest(field_section *section, const char *tag, bool computed) {

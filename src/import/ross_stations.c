@@ -44,7 +44,7 @@ static void give_name(import_reader *reader, ross_rotor *rotor, size_t index) {
     if (copy) station->name = strcpy(copy, name);
 }
 
-/// The station of a node, as new where there is none; named after what comes first.
+/// Returns the station of a node, new if necessary; its name comes from the first tag.
 static ross_station *station_of(ross_rotor *rotor, long node, const char *tag) {
     for (size_t i = 0; i < rotor->station_count; i++)
         if (rotor->stations[i].node == node) return &rotor->stations[i];
@@ -90,7 +90,7 @@ static void collect(ross_rotor *rotor) {
     station_of(rotor, rotor->last_node, "right end");
 }
 
-/// An end that no piece of shaft touches has the inertia of what is listed alone.
+/// Checks ends that no piece of shaft touches: their inertia is only that of the listed parts.
 static void check_free_ends(ross_rotor *rotor) {
     static const char *const masses[] = {"m_l", "m_r"}, *const inertias[] = {"Ip_l", "Ip_r"};
     for (size_t i = 0; i < 2 * rotor->coupling_count; i++) {

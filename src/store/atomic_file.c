@@ -10,7 +10,7 @@ static whirl_status cannot_write(const char *path, const char *reason) {
     return whirl_fail(WHIRL_IO_ERROR, "cannot write %s: %s", path, reason);
 }
 
-/// The folder that `path` lies in.
+/// Folder of `path`.
 static void parent_of(const char *path, char *folder) {
     const char *slash = strrchr(path, '/');
     const size_t length = slash ? (size_t)(slash - path) : 0;
@@ -24,7 +24,7 @@ static void parent_of(const char *path, char *folder) {
     }
 }
 
-/// What stands in the way of writing to `path`, before anything is tried.
+/// Checks that `path` can be written to, before anything is tried.
 static whirl_status check_place(const char *path) {
     struct stat found;
     char folder[ATOMIC_PATH_SIZE];
@@ -46,15 +46,15 @@ whirl_status atomic_file_open(atomic_file *out, const char *path) {
     if (place.code != WHIRL_OK) return place;
     strcpy(out->path, path);
     snprintf(out->temporary, sizeof out->temporary, "%s.tmp-%ld", path, (long)getpid());
-    // A leftover of an earlier process of this number is nobody's; O_EXCL keeps from writing through a link.
+    // A leftover of an earlier process with this number is removed; O_EXCL keeps from writing through a link.
     unlink(out->temporary);
-    // What takes the place of a private file is no more public than that.
+    // The new file is no more public than the one it replaces.
     struct stat earlier;
     const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
     const int file = open(out->temporary, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
     if (file < 0) return cannot_write(path, strerror(errno));
     out->stream = fdopen(file, "w+b");
-    // From here on the number tells why writing failed, if it does.
+    // From here on errno is the reason of a failed write.
     errno = out->stream ? 0 : errno;
     if (out->stream) return whirl_ok();
     const int reason = errno;

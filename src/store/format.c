@@ -95,7 +95,7 @@ void column_box(const column *of, size_t points, hsize_t *first, hsize_t *count)
     }
 }
 
-/// Whether an ending is this one, whatever its letters' case.
+/// Compares an ending, ignoring case.
 static bool format_is_ending(const char *ending, const char *lower) {
     while (*lower && tolower((unsigned char)*ending) == *lower) ending++, lower++;
     return !*lower && !*ending;

@@ -1,4 +1,4 @@
-// Reading from HDF5, distrusting what is there: see items.h.
+// Reading from HDF5 without trusting the file: see items.h.
 #include "h5file.h"
 #include "items.h"
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Says what is wrong with `name` of `object` ("": with the object itself).
+/// Fails with what is wrong with `name` of `object` ("": the object itself).
 static void fail_get(whirl_status *status, hid_t object, const char *name, const char *wrong) {
     char folder[160] = "";
     H5Iget_name(object, folder, sizeof folder);
@@ -37,7 +37,7 @@ static hid_t open_attribute(whirl_status *status, hid_t object, const char *name
     return attribute;
 }
 
-/// Number of elements where the attribute is a scalar (rank 0) or a list (rank 1); false for all else.
+/// Finds the number of elements of an attribute that is a scalar (rank 0) or a list (rank 1). Returns false for others.
 static bool attribute_extent(hid_t attribute, int rank, hsize_t *count) {
     const hid_t space = H5Aget_space(attribute);
     bool well = space >= 0 && H5Sget_simple_extent_type(space) == (rank == 0 ? H5S_SCALAR : H5S_SIMPLE) &&
@@ -54,7 +54,7 @@ static bool is_text(hid_t type, size_t size) {
            H5Tget_strpad(type) == H5T_STR_NULLTERM && H5Tget_size(type) > 0 && H5Tget_size(type) <= size;
 }
 
-/// The type of such texts in memory. HDF5 converts no letters, so it is told that they are of the same set.
+/// Memory type of stored texts. HDF5 converts no characters, so both have the same character set.
 static hid_t memory_text(hid_t stored, size_t size) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -92,7 +92,7 @@ int64_t get_whole_attribute(whirl_status *status, hid_t object, const char *name
     return status->code == WHIRL_OK ? value : low;
 }
 
-/// A text that fills its field has no end of its own.
+/// Ends texts that fill their field.
 static void end_texts(char *first, size_t stride, size_t count) {
     for (size_t i = 0; i < count; ++i) first[i * stride + stride - 1] = '\0';
 }
@@ -211,7 +211,7 @@ static bool dataset_extent(hid_t dataset, hsize_t *dimensions, int rank) {
                 H5Sget_simple_extent_dims(space, dimensions, NULL) == rank && stored_plainly(dataset, dimensions, rank);
     const hsize_t stored = well ? H5Dget_storage_size(dataset) : 0;
     hsize_t bytes = well ? H5Tget_size(type) : 0;
-    // Checked as a quotient, for a product may overflow; where one dimension is 0, no other matters.
+    // The check divides, since a product may overflow; with one dimension 0 the others do not matter.
     for (int i = 0; well && i < rank; ++i)
         if (dimensions[i] == 0) bytes = 0;
     for (int i = 0; well && bytes > 0 && i < rank; ++i) {
@@ -307,7 +307,7 @@ static void read_chunk(hid_t dataset, int rank, hsize_t *chunk) {
     if (creation >= 0) H5Pclose(creation);
 }
 
-/// Of a column that is laid, whose dataset is to be of this kind.
+/// Opens the dataset of a column, which must be of this kind.
 static void open_column(whirl_status *status, column *from, hid_t parent, const char *name, hid_t kind, hid_t memory) {
     hsize_t chunk[SHAPE_MAX_RANK] = {1, 1};
     size_t dimensions[SHAPE_MAX_RANK];

@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Texts that lie `stride` bytes apart, each with its end.
+/// Texts `stride` bytes apart, each with its zero byte.
 typedef struct texts {
     const char *first;
     size_t stride, count;
@@ -26,7 +26,7 @@ void put_texts_attribute(whirl_status *status, hid_t object, const char *name, t
 void put_number_attribute(whirl_status *status, hid_t object, const char *name, double value);
 void put_whole_attribute(whirl_status *status, hid_t object, const char *name, int64_t value);
 
-/// A group whose attributes keep their order. Closed by close_group.
+/// put_group: makes a group whose attributes keep their order; close it with close_group.
 hid_t put_group(whirl_status *status, hid_t parent, const char *name);
 void close_group(hid_t group);
 
@@ -52,9 +52,9 @@ typedef struct column {
     unsigned char *buffer;
 } column;
 
-/// Begins a dataset of doubles, whose group ("group/name") is made, of whole numbers (int64_t), one a point, or of
-/// texts of at most `size` bytes, ends included. The first of its dimensions are those of the points. The dataset is
-/// open for its attributes until column_end, which is to be called also after a failure.
+/// Begin a dataset of doubles (whose group, "group/name", is made), of whole numbers (int64_t), one a point, or of
+/// texts of at most `size` bytes with their zero bytes. Its first dimensions are those of the points. It is open for
+/// attributes until column_end, which must be called after a failure, too.
 void column_of_numbers(whirl_status *status, column *out, hid_t parent, const char *name, shape points,
                        const size_t *dimensions, int rank, const char *unit);
 void column_of_wholes(whirl_status *status, column *out, hid_t parent, const char *name, shape points);
@@ -85,7 +85,7 @@ void get_attribute_name(whirl_status *status, hid_t object, size_t index, char *
 hid_t get_group(whirl_status *status, hid_t parent, const char *name);
 hid_t get_dataset(whirl_status *status, hid_t parent, const char *name);
 
-/// Shape of a dataset of at most `most` values; a list of none where that fails.
+/// Shape of a dataset of at most `most` values; an empty list on failure.
 shape get_shape(whirl_status *status, hid_t parent, const char *name, size_t most);
 
 /// Length of a one-dimensional dataset, at most `most`.
@@ -116,11 +116,12 @@ char *get_long_text(whirl_status *status, hid_t parent, const char *name, size_t
 /// Sets the dimensions of a column, and the bytes of a point of `element` bytes a value.
 void column_lay(column *of, shape points, const size_t *dimensions, int rank, size_t element);
 
-/// Takes a buffer for chunks of these dimensions; false without memory. A piece of a row has no other rows with it, and
-/// one of a plane no other planes.
+/// Allocates a buffer for chunks of these dimensions; false without memory. A part of a row is alone in its chunk, and
+/// so is a part of a plane.
 bool column_buffer(column *of, const hsize_t *chunk);
 
-/// Points that go from or to the file at a time, from `done` on: those of a chunk, or what is left of what it divides.
+/// Number of points to transfer at a time from `done` on: those of a chunk, or the rest of the row or plane that it
+/// divides.
 size_t column_room(const column *of);
 
 /// The place of so many points in the dataset, from `done` on.

@@ -16,8 +16,8 @@ static void fail_put(whirl_status *status, const char *name) {
     *status = whirl_fail(WHIRL_IO_ERROR, "cannot store %s: %s", name, reason);
 }
 
-/// A type for texts of up to `length` bytes, ended by 0. Texts are UTF-8 everywhere; datasets do not say so, for
-/// Octave's `load` gives up on files with datasets of UTF-8.
+/// Type of texts of up to `length` bytes, ended by 0. All texts are UTF-8; datasets are not marked as such, since
+/// Octave's `load` cannot read datasets of UTF-8.
 static hid_t text_type(size_t length, H5T_cset_t letters) {
     const hid_t type = H5Tcopy(H5T_C_S1);
     if (type < 0) return type;
@@ -111,7 +111,7 @@ void close_group(hid_t group) {
     if (group >= 0) H5Gclose(group);
 }
 
-/// Halves the longest leading dimension until a chunk is of a good size.
+/// Halves the longest leading dimension until a chunk is small enough.
 static void choose_chunk(hsize_t *chunk, const hsize_t *dimensions, int rank, size_t element) {
     double bytes = (double)element;
     for (int i = 0; i < rank; ++i) {
@@ -182,7 +182,7 @@ void put_numbers(whirl_status *status, hid_t parent, const char *name, const dou
     put_list(status, parent, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, of, values, unit);
 }
 
-/// The group in which `name` ("rub/share") lies. HDF5 could make it on its own, but then with the time of day in it.
+/// Makes the group of `name` ("rub/share"). HDF5 could do so by itself, but would store the time of day.
 static void put_group_above(whirl_status *status, hid_t parent, const char *name) {
     char group[PATH_SIZE];
     const char *slash = strchr(name, '/');

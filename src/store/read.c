@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A file that is being read, and where the numbers of its points go.
+/// A file being read, and the destination of its points.
 typedef struct reading {
     size_t limit; ///< bytes of the file
     whirl_layout known;
@@ -131,7 +131,7 @@ static void get_options(whirl_status *status, hid_t group, const whirl_member *m
     }
 }
 
-/// Analyses of a later version are none of ours; their fields are read all the same.
+/// Reads the analyses. Those of a later version are unknown; their fields are read all the same.
 static void get_analyses(whirl_status *status, hid_t group, whirl_analysis_set *set) {
     char names[FORMAT_MAX_ANALYSES][WHIRL_NAME_SIZE];
     const size_t count = get_texts_attribute(status, group, "analyses", names[0], WHIRL_NAME_SIZE, FORMAT_MAX_ANALYSES);
@@ -158,7 +158,7 @@ static void get_extent(whirl_status *status, hid_t dataset, const whirl_result *
     *status = whirl_fail(WHIRL_BAD_INPUT, "%s: extent is '%s', expected point, station or contact", field->name, word);
 }
 
-/// The rest of the program takes the shape of its own fields for granted: a single number, so many columns.
+/// Checks that a known field has the shape that the program expects: one number, or so many columns.
 static void check_known(whirl_status *status, const whirl_layout *known, const whirl_field *field) {
     const whirl_field *ours = whirl_layout_field(known, field->name);
     if (status->code != WHIRL_OK || !ours) return;
@@ -181,8 +181,8 @@ static void get_field(whirl_status *status, hid_t group, const whirl_result *res
     field->columns = (size_t)get_whole_attribute(status, dataset, "columns", 1, INT_MAX);
     close_dataset(dataset);
     if (status->code != WHIRL_OK) return;
-    // Two factors below 2^31 and one of at most 256: no overflow in double, and none in size_t once it is small. A
-    // table without points has no numbers: then nothing takes room, or time, for the rows of a point.
+    // Two factors below 2^31 and one of at most 256 cannot overflow a double, nor size_t once the product is small. A
+    // table without points has no numbers: then the rows of a point take neither memory nor time.
     const double numbers = (double)field->rows * (double)field->columns * (double)(field->repeat ? field->repeat : 1);
     const double most = count ? (double)(limit / sizeof(double)) / (double)count : 0x1p31;
     if (numbers > most) {
@@ -228,7 +228,7 @@ static column open_wholes(whirl_status *status, hid_t group, const char *name, s
     return from;
 }
 
-/// Values of the parameter, and behind them in the same memory the words of the fields.
+/// Reads the values of the parameter; the words of the fields follow in the same memory.
 static field_words *get_values(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t numbers = table->count * sizeof(double);
     table->values = take_array(status, table, 1, numbers + table->layout.field_count * sizeof(field_words) + 1);
@@ -257,7 +257,7 @@ static void get_branch(whirl_status *status, hid_t group, shape points, whirl_ta
     column_close(&from);
 }
 
-/// Kept where a point has another than the case.
+/// Reads the length scales; keeps them if a point's scale differs from the case's.
 static void get_length_scales(whirl_status *status, hid_t group, const whirl_result *result, shape points,
                               whirl_table *table) {
     double *scales = table->length_scales = take_array(status, table, table->count, sizeof *scales);
@@ -278,7 +278,7 @@ static void get_length_scales(whirl_status *status, hid_t group, const whirl_res
     table->length_scales = NULL;
 }
 
-/// Of a refined map, the points of its grid.
+/// Reads the grid of a refined map.
 static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
     const int64_t most = (int64_t)1 << 28; // all of them are looked at where the map is drawn
     const bool refined = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_WIDTH) &&
@@ -288,7 +288,7 @@ static void get_grid(whirl_status *status, hid_t group, whirl_table *table) {
     table->grid = (size_t)get_whole_attribute(status, group, "grid", 1, most);
 }
 
-/// Which points of the study these are. NULL where they are all.
+/// Reads the indices of these points in the study; NULL if the table has all.
 static void get_slots(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     table->slots = take_array(status, table, table->count, sizeof *table->slots);
     const int64_t most = (int64_t)1 << 48; // tables of all sizes can be summed
@@ -345,7 +345,7 @@ static void get_blocks(whirl_status *status, hid_t group, shape points, whirl_ta
     free(block);
 }
 
-/// How many starts every place has.
+/// Reads the number of starts at every place.
 static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
     const int64_t most = (int64_t)1 << 28;
     if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_STARTS_NUMBER)) return;
@@ -355,7 +355,7 @@ static void get_starts(whirl_status *status, hid_t group, whirl_table *table) {
     table->places = (size_t)get_whole_attribute(status, group, "places", 1, most);
 }
 
-/// Every place has as many starts, and some from neighbours where there may be any.
+/// Checks that every place has the same number of starts, besides those from neighbours.
 static void check_starts(whirl_status *status, const whirl_table *table) {
     const size_t planned = whirl_table_planned(table), own = table->places * table->starts;
     if (status->code != WHIRL_OK || table->starts == 0) return;
@@ -365,7 +365,7 @@ static void check_starts(whirl_status *status, const whirl_table *table) {
                        table->name, planned, table->starts);
 }
 
-/// Whole planes of whole rows, where a map has planes.
+/// Reads the planes of a map, which must be whole, with whole rows.
 static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_table *table) {
     if (status->code != WHIRL_OK || !whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_THIRD) || table->grid > 0)
         return;
@@ -377,7 +377,7 @@ static void get_planes(whirl_status *status, hid_t group, size_t planned, whirl_
                        table->name, planned, table->plane, table->row);
 }
 
-/// Whether the datasets of a map have its rows, and its planes.
+/// Checks that the datasets of a map have its rows and planes.
 static void check_rows(whirl_status *status, shape points, size_t planned, const whirl_table *table) {
     const size_t row = points.sizes[points.rank - 1], plane = points.rank == 3 ? points.sizes[1] * row : 0;
     if (status->code != WHIRL_OK || points.rank == 1) return;
@@ -386,7 +386,7 @@ static void check_rows(whirl_status *status, shape points, size_t planned, const
                              table->name, row, plane, table->row, table->plane);
 }
 
-/// The second parameter of a map, and how long its rows are, which it is made of; they are those of its datasets.
+/// Reads the second parameter of a map and the length of its rows, which must be those of its datasets.
 static void get_plane(whirl_status *status, hid_t group, shape points, whirl_table *table) {
     const size_t planned = whirl_table_places(table);
     const bool is_map = whirl_layout_field(&table->layout, WHIRL_FIELD_MAP_SECOND);
@@ -504,8 +504,8 @@ whirl_status read_result(const byte_source *source, const char *name, const bloc
         h5_loud(errors);
         return status;
     }
-    // HDF5 1.10 loses memory when a checksum is wrong and, where it may print, complains of it at the end of the
-    // program; after a damaged file it stays quiet.
+    // HDF5 1.10 leaks memory after a wrong checksum and would print about it at exit; after a damaged file its messages
+    // stay off.
     whirl_result_free(*result);
     *result = NULL;
     if (bytes.reason) return whirl_fail(WHIRL_IO_ERROR, "cannot read %.250s: %s", name, strerror(bytes.reason));

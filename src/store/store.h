@@ -1,4 +1,4 @@
-/// How results lie in files, byte by byte and item by item.
+/// Files of results: bytes, shapes and items.
 #ifndef STORE_STORE_H
 #define STORE_STORE_H
 
@@ -28,13 +28,13 @@ whirl_status atomic_file_open(atomic_file *out, const char *path);
 /// Gives the file its name when everything was written, removes it when not. Closes it in any case.
 whirl_status atomic_file_commit(atomic_file *out);
 
-/// Removes what was written.
+/// Removes the temporary file.
 void atomic_file_discard(atomic_file *out);
 
-/// Whether anything is there by this name, a link that leads nowhere, too.
+/// Returns true if anything of this name exists, even a dangling link.
 bool atomic_file_there(const char *path);
 
-/// Makes a folder, and those above it that are missing. Well when it is there.
+/// Creates a folder and its missing parents; an existing one is fine.
 whirl_status atomic_folder(const char *path);
 
 // ---------------------------------------------------------------- bytes
@@ -52,19 +52,19 @@ byte_source bytes_of_memory(unsigned char *bytes, size_t size);
 
 enum { BYTE_WINDOW = 1 << 16 };
 
-/// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A stretch of it is kept, for headers are
-/// read in many small pieces.
+/// An ordinary file opened for reading. WHIRL_IO_ERROR with path and reason. A window of it is buffered, since headers
+/// are read in many small pieces.
 typedef struct byte_file {
     int descriptor;
-    byte_source source; ///< its context is this structure, which must stay where it is
-    uint64_t start;     ///< of the stretch
+    byte_source source; ///< its context is this structure, which must not move
+    uint64_t start;     ///< start of the window
     size_t length;
     unsigned char window[BYTE_WINDOW];
 } byte_file;
 whirl_status bytes_open(byte_file *file, const char *path);
 void bytes_close(byte_file *file);
 
-/// All bytes of a stretch of an open file, read or written; what a signal interrupts goes on. 0, or an errno.
+/// Read or write a range of bytes of an open file; interrupted calls are repeated. Return 0 or an errno.
 int bytes_read_at(int descriptor, uint64_t offset, void *to, size_t size);
 int bytes_write_at(int descriptor, uint64_t offset, const void *from, size_t size);
 
@@ -72,11 +72,11 @@ int bytes_write_at(int descriptor, uint64_t offset, const void *from, size_t siz
 // Shapes of datasets.
 
 enum {
-    SHAPE_AXES = 3,                 ///< of points: planes, rows and columns
-    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< of a dataset: those, stations, rows, columns
+    SHAPE_AXES = 3,                 ///< dimensions of points: planes, rows, columns
+    SHAPE_MAX_RANK = SHAPE_AXES + 3 ///< dimensions of a dataset: those, stations, rows, columns
 };
 
-/// How values lie: in a list, or in rows and columns, one row after the other, or in planes of these.
+/// Arrangement of values: a list, a matrix row by row, or planes of these.
 typedef struct shape {
     int rank; ///< 1 to SHAPE_AXES
     size_t sizes[SHAPE_AXES];
@@ -98,23 +98,23 @@ static inline size_t shape_count(shape of) {
 #define FORMAT_NAME "whirl result"
 
 enum {
-    FORMAT_VERSION = 2, ///< version 1 had all points of a study, and a mark for those that were done
+    FORMAT_VERSION = 2, ///< version 1 had all points of a study, and a mark for finished ones
     FORMAT_MAX_TABLES = 64,
     FORMAT_MAX_FACTS = 1024,
     FORMAT_MAX_PARAMETERS = 100000,
     FORMAT_MAX_CASE_BYTES = 1 << 20,
     FORMAT_MAX_MEANING = 512, ///< bytes of a field's meaning with its end
-    FORMAT_MAX_COLUMNS = 32,  ///< that are named
+    FORMAT_MAX_COLUMNS = 32,  ///< largest number of named columns
     FORMAT_MAX_ANALYSES = 32  ///< bits of a whirl_analysis_set
 };
 
-/// What stands in the attribute "extent" of a field.
+/// Values of a field's attribute "extent".
 extern const char *const format_extents[3];
 
 /// Groups of a file that are no tables.
 bool format_reserved(const char *name);
 
-/// A name of letters, digits, '_', '-' and `slashes` times '/' between them: what may name tables (0) and fields (1).
+/// Returns true for a name of letters, digits, '_', '-' and `slashes` slashes between them: 0 for tables, 1 for fields.
 bool format_is_name(const char *name, int slashes);
 
 /// Dimensions of the dataset of a field: [points][station or contact][rows][columns] without rows and columns that are
@@ -124,7 +124,7 @@ int format_dimensions(const whirl_field *field, shape points, size_t dimensions[
 /// Names of these dimensions ("point", "y", "x", "station", "row", ...), as many.
 int format_dimension_names(const whirl_field *field, shape points, char names[SHAPE_MAX_RANK][WHIRL_NAME_SIZE]);
 
-/// Names of the columns of a field with two or more, where its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
+/// Names of a field's columns, two or more, if its meaning lists them: "x, y" or "x, y, vx, vy (remark)".
 bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 // ---------------------------------------------------------------- stored
@@ -138,7 +138,7 @@ typedef struct stored_array {
     void *values;
 } stored_array;
 
-/// Meets what is in a group or on an object; `object` is an open group or dataset.
+/// Callbacks for members and attributes of a group or object; `object` is an open group or dataset.
 typedef struct stored_visitor {
     void (*member)(whirl_status *status, void *context, const char *name, hid_t object);
     void (*attribute)(whirl_status *status, void *context, const char *name, const stored_array *array);
@@ -151,15 +151,15 @@ void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visi
 
 bool stored_is_group(hid_t object);
 
-/// The kind and shape of a dataset, no values. WHIRL_BAD_INPUT where its numbers are not all in the file.
+/// Finds the kind and shape of a dataset, no values. WHIRL_BAD_INPUT if the file lacks some of its numbers.
 void stored_outline(whirl_status *status, hid_t dataset, stored_array *outline);
 
 /// The same with the values, to be freed with stored_free.
 void stored_read(whirl_status *status, hid_t dataset, stored_array *array);
 void stored_free(stored_array *array);
 
-/// Reads all texts and attributes of a result, for what nobody reads (a verdict's name and reason follow from numbers)
-/// may be damaged, too. WHIRL_BAD_INPUT.
+/// Reads all texts and attributes of a result: those that are not needed otherwise (a verdict's name and reason follow
+/// from numbers) may be damaged, too. WHIRL_BAD_INPUT.
 void stored_check_texts(whirl_status *status, hid_t file);
 
 /// Opens a result that has been read through before (see whirl_result_read_outline), calls `write` with its root, and
@@ -176,11 +176,11 @@ whirl_status stored_open(const char *path, stored_writer write, void *context);
 
 typedef struct underway underway;
 
-/// States beside the journal at `path` of the study with that hash. Those of an earlier run are found where it is
-/// resumed, else removed. NULL without memory.
+/// Opens the states next to the journal at `path` for the study with that hash. States of an earlier run are read if
+/// `resume`, else removed. NULL without memory.
 underway *underway_open(const char *path, uint64_t identity, bool resume);
 
-/// Finds the states beside another journal of the same study, too.
+/// Reads the states next to another journal of the same study, too.
 void underway_take(underway *states, const char *path);
 
 /// Closes; the files stay, or are removed.

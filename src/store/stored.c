@@ -128,7 +128,7 @@ void stored_visit(whirl_status *status, hid_t object, const stored_visitor *visi
         *status = damaged("an attribute");
 }
 
-// ---------------------------------------------------------------- texts that nobody reads
+// ---------------------------------------------------------------- texts that are not needed otherwise
 
 /// Rows of texts that are read at a time.
 enum { SOME_ROWS = 1 << 14 };

@@ -1,4 +1,4 @@
-// Comparing results: a file with what it was written from, and the studies of two results.
+// Comparison of results: a file with the result it was written from, and the studies of two results.
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,7 +29,7 @@ static bool same_number(double a, double b) {
     return bits[0] == bits[1];
 }
 
-/// As reading makes them.
+/// Compares two texts as reading changes them.
 static bool same_text(const char *a, const char *b) {
     char one[256], other[256];
     snprintf(one, sizeof one, "%s", a);
@@ -71,7 +71,7 @@ static bool same_parameters(const whirl_result *a, const whirl_result *b) {
     return true;
 }
 
-/// What differs in the parts that belong to no table, or NULL.
+/// Returns the first difference outside of tables, or NULL.
 static const char *head_difference(const whirl_result *a, const whirl_result *b) {
     if (!same_text(a->title, b->title)) return "the title";
     if (!same_text(a->case_name, b->case_name)) return "the name of the case";
@@ -84,10 +84,10 @@ static const char *head_difference(const whirl_result *a, const whirl_result *b)
     return same_facts(a, b) ? NULL : "the provenance";
 }
 
-/// What a file is compared with.
+/// A comparison with a file.
 typedef struct comparison {
-    const whirl_result *result; ///< what was written
-    whirl_result own;           ///< what of it a file holds: the same with the tables below
+    const whirl_result *result; ///< the written result
+    whirl_result own;           ///< the part of it that a file has: the same with the tables below
     whirl_table tables[FORMAT_MAX_TABLES];
     finished parts[FORMAT_MAX_TABLES];
     const char *path;
@@ -121,7 +121,7 @@ static whirl_status compare_slots(const comparison *with, const whirl_result *th
     return whirl_ok();
 }
 
-/// Signs of zeros and the bits of a NaN are part of a result. The file may be another than the one whose outline was
+/// Compares a point's block. Signs of zeros and bits of a NaN count. The file may differ from the one whose outline was
 /// compared.
 static whirl_status compare_block(void *context, const whirl_table *there, size_t table, size_t point,
                                   const double *block) {

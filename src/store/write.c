@@ -135,8 +135,8 @@ static void put_analyses(whirl_status *status, hid_t group, whirl_analysis_set s
     put_texts_attribute(status, group, "analyses", texts_of(names[0], WHIRL_NAME_SIZE, count));
 }
 
-/// How the points of a table lie in its datasets: those of a map that is whole by its axes, planes, rows and columns,
-/// unless it has several starts a place.
+/// Shape of a table's datasets: a complete map without several starts has its axes (planes, rows, columns); other
+/// tables are lists.
 static shape shape_of(const whirl_table *table) {
     const size_t row = table->row, plane = table->plane > 0 ? table->plane : table->count;
     const bool plain = row > 0 && table->refine == 0 && table->starts <= 1 && table->count == table->planned;
@@ -172,7 +172,7 @@ static void begin_field(whirl_status *status, column *out, hid_t group, const wh
     put_whole_attribute(status, out->dataset, "columns", (int64_t)field->columns);
 }
 
-/// What a number of a point is taken from.
+/// Source of the numbers of a point.
 typedef struct point_source {
     const whirl_result *result;
     const finished *own;
@@ -213,7 +213,7 @@ static void put_each_whole(whirl_status *status, hid_t group, const char *name, 
     column_end(status, &out);
 }
 
-/// The numbers of all fields: one pass over the points, for their blocks may lie on disk.
+/// Writes the numbers of all fields in one pass over the points, since their blocks may be on disk.
 static void put_fields(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
                        const finished *own) {
     column columns[WHIRL_MAX_FIELDS];
@@ -237,7 +237,7 @@ typedef struct verdict_words {
 } verdict_words;
 
 static void put_into_words(const whirl_table *table, size_t point, verdict_words *words) {
-    // With zeros behind the texts, which are written too.
+    // The zero bytes after the texts are written, too.
     *words = (verdict_words){.name = ""};
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     whirl_verdict_name(&verdict, words->name, sizeof words->name);
@@ -268,7 +268,7 @@ static void put_verdicts(whirl_status *status, hid_t group, const whirl_table *w
     close_group(verdicts);
 }
 
-/// Reading lays fields out one after the other, so that is how they must lie.
+/// Checks that fields follow one another, as reading assumes.
 static whirl_status check_layout(const whirl_table *table) {
     const whirl_layout *layout = &table->layout;
     size_t offset = 0;
@@ -306,7 +306,7 @@ static int64_t branch_of(const point_source *from, size_t at) {
     return from->own->table.branch[at];
 }
 
-/// Which point of the study it is, from 1.
+/// Place of a point in the study, from 1.
 static int64_t place_of(const point_source *from, size_t at) {
     return (int64_t)whirl_table_slot(&from->own->table, at) + 1;
 }
@@ -323,8 +323,8 @@ static double share_error_of(const point_source *from, size_t at) {
     return from->share_errors[finished_point(from->own, at)];
 }
 
-/// Of every point of a basin, or of a table with several starts a place, the attractor, its share of the starts, and
-/// the standard error of that; for people, as verdicts in words are.
+/// Writes the attractor of every point of a basin, or of a table with several starts a place, its share of the starts,
+/// and the share's standard error; for people, like verdicts in words.
 static void put_attractors(whirl_status *status, hid_t group, const whirl_table *whole, const finished *own) {
     const size_t count = whole->count;
     size_t *attractors = calloc(count + 1, sizeof *attractors);
@@ -339,7 +339,7 @@ static void put_attractors(whirl_status *status, hid_t group, const whirl_table 
     free(shares);
 }
 
-/// The values that the second or third parameter takes at points that many apart.
+/// Writes the values of the second or third parameter at points `step` apart.
 static void put_axis(whirl_status *status, hid_t group, const char *name, const whirl_table *whole, const finished *own,
                      const char *unit, double (*value)(const whirl_table *table, size_t point), size_t count,
                      size_t step) {
@@ -351,8 +351,8 @@ static void put_axis(whirl_status *status, hid_t group, const char *name, const 
     free(values);
 }
 
-/// The values along the axes of a whole map, whose points have a dimension for each: "x" of its columns, "y" of its
-/// rows, "z" of its planes. For people: readers of this library take the values of the points.
+/// Writes the axes of a complete map, whose points have a dimension for each: "x" of its columns, "y" of its rows, "z"
+/// of its planes. For people: this library reads the values of the points.
 static void put_axes(whirl_status *status, hid_t group, const whirl_result *result, const whirl_table *whole,
                      const finished *own) {
     const shape map = shape_of(&own->table);
@@ -458,7 +458,7 @@ static whirl_status make_file(const whirl_result *result, int descriptor) {
     if (status.code != WHIRL_OK) return status;
     put_result(&status, file, result);
     const whirl_status closed = h5_finish(&bytes, file);
-    // Where the disk failed, that is the reason for whatever went wrong afterwards.
+    // A disk error is the cause of later failures.
     return bytes.reason || status.code == WHIRL_OK ? closed : status;
 }
 

@@ -48,19 +48,21 @@ static void end_line(line *row) {
 
 // ---------------------------------------------------------------- headings
 
-/// Where the parameter of a table changes the length scale, its lengths are in the unit of the case.
+/// Returns true if the table has one length scale. If its parameter changes the scale, lengths are written in the unit
+/// of the case.
 static bool has_one_scale(const whirl_table *table) {
     return !table->length_scales;
 }
 
-/// The units that the case asks for (`units`); where it asks for none amplitudes are zero to peak.
+/// Units that the case asks for (`units`); without any, amplitudes are zero to peak.
 static whirl_shown_units units_of(const whirl_result *result) {
     whirl_shown_units units;
     whirl_result_shown_units(result, NULL, &units); // which nothing asked for cannot be wrong
     return units;
 }
 
-/// A length, and how it is counted: "[um p-p]" as the case asks; else "[0.2 mm 0-p]", "[mm]", "[0.2 mm per radian]".
+/// Writes the unit of a length and its counting: "[um p-p]" as the case asks, else "[0.2 mm 0-p]", "[mm]", "[0.2 mm per
+/// radian]".
 static void length_text(const whirl_shown_units *units, const whirl_table *table, const whirl_field *field,
                         const char *behind, char *text, size_t size) {
     const double scale = units->result->length_scale;
@@ -94,7 +96,7 @@ static void unit_text(const whirl_shown_units *units, const whirl_table *table, 
         snprintf(text, size, "[%s]", strcmp(unit, "force") == 0 ? "N" : unit);
 }
 
-/// What the numbers of a field at a point are multiplied by to be in the unit of the heading.
+/// Factor from the numbers of a field at a point to the unit in the heading.
 static double unit_factor(const whirl_shown_units *units, const whirl_table *table, size_t point,
                           const whirl_field *field, size_t column) {
     if (strncmp(whirl_column_unit(field, column), "length", 6) != 0) return 1.0;
@@ -110,7 +112,7 @@ static const char *repetition_name(const whirl_result *result, const whirl_field
     return "";
 }
 
-/// Name of a column of a field; "" where it has but one.
+/// Name of a column of a field; "" for a field with one column.
 static void column_text(const whirl_field *field, size_t column, char *text, size_t size) {
     char names[WHIRL_MAX_COLUMNS][WHIRL_NAME_SIZE];
     if (field->columns == 1)
@@ -148,7 +150,8 @@ static void put_point_headings(line *row, const whirl_result *result, const whir
     put_cell(row, "branch");
 }
 
-/// The value of a parameter in the unit of the case: what conversion rounds is left out, 2000 rpm is 2000.
+/// Writes the value of a parameter in the unit of the case, without rounding errors of the conversion: 2000 rpm is
+/// 2000.
 static void put_value_cell(line *row, const whirl_result *result, const char *parameter, double value) {
     char text[NUMBER_SIZE];
     const double size = whirl_result_unit(result, parameter).size;
@@ -225,7 +228,7 @@ static void put_rows_headings(line *row, const whirl_shown_units *units, const w
     end_line(row);
 }
 
-/// A line for each row of a field; rows without any number are left out.
+/// Writes a line for each row of a field; rows without any number are left out.
 static void write_rows(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field) {
     line row = {stream, false};
     const whirl_shown_units units = units_of(result);
@@ -283,7 +286,7 @@ static void write_options(FILE *stream, const whirl_result *result, const whirl_
     }
 }
 
-/// A line for each attractor of each place; none where there is no memory to tell them apart.
+/// Writes a line for each attractor of each place; none without memory.
 static void write_attractors(FILE *stream, const whirl_result *result, const whirl_table *table,
                              const whirl_field *unused) {
     static const char *const headings[] = {"attractor", "verdict", "starts", "of", "share", "error", "first point"};
@@ -320,7 +323,7 @@ static void write_attractors(FILE *stream, const whirl_result *result, const whi
 
 typedef void (*write_fn)(FILE *stream, const whirl_result *result, const whirl_table *table, const whirl_field *field);
 
-/// What stands in a file of an export, DIR/name.csv.
+/// Content of a file of an export, DIR/name.csv.
 typedef struct csv_file {
     write_fn write;
     const whirl_result *result;
@@ -328,7 +331,7 @@ typedef struct csv_file {
     const whirl_field *field;
 } csv_file;
 
-/// What is done with the files of an export: they are written, or looked for.
+/// Action on the files of an export: write them, or look for existing ones.
 typedef struct csv_visitor {
     const char *folder;
     const whirl_result *result;
@@ -346,7 +349,7 @@ static whirl_status csv_write(void *context, const csv_file *file, const char *p
     return atomic_file_commit(&out);
 }
 
-/// Notes the path, in a text that is empty before, where something is there already.
+/// Stores the path in an empty text if a file exists there.
 static whirl_status csv_look(void *context, const csv_file *file, const char *path) {
     char *const found = context;
     (void)file;

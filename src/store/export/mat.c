@@ -1,5 +1,5 @@
-// Results as MAT files of version 5, compressed ("MAT-File Format", MathWorks 2023): docs/result-file.md says what is
-// in them.
+// Results as MAT files of version 5, compressed ("MAT-File Format", MathWorks 2023); docs/result-file.md describes
+// their content.
 #include "mat.h"
 
 #include "store.h"
@@ -13,9 +13,9 @@
 #include <string.h>
 
 enum {
-    MAT_NAME_SIZE = 64,    ///< of a variable or member with its zero byte, as MATLAB has it
+    MAT_NAME_SIZE = 64,    ///< name of a variable or member with its zero byte, as in MATLAB
     MAT_HEADER = 128,      ///< bytes before the first variable
-    MAT_ELEMENT_BYTES = 96 ///< that a variable or a text of a list takes besides its values
+    MAT_ELEMENT_BYTES = 96 ///< size of a variable or a text of a list besides its values
 };
 
 /// MATLAB and Octave count the bytes of a variable of such a file by 31 bits.
@@ -23,12 +23,12 @@ static const size_t most_bytes = INT32_MAX;
 
 typedef struct mat_writer {
     mat_t *mat;
-    size_t most, bytes; ///< of a variable, and of the one under way so far
+    size_t most, bytes; ///< limit of a variable; bytes of the current one so far
     size_t written;     ///< variables
     const char *variable, *path;
 } mat_writer;
 
-/// A struct that takes what is visited.
+/// A struct that receives what is visited.
 typedef struct mat_target {
     mat_writer *writer;
     matvar_t *group;
@@ -53,7 +53,7 @@ static bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// A name that MATLAB takes: letters, digits and underscores, a letter first, no keyword.
+/// Writes a valid MATLAB name: letters, digits and underscores, a letter first, no keyword.
 static void valid_name(const char *raw, char name[MAT_NAME_SIZE]) {
     snprintf(name, MAT_NAME_SIZE, "%s%.58s", is_letter(raw[0]) ? "" : "x_", raw);
     for (char *c = name; *c; ++c)
@@ -68,7 +68,7 @@ static matvar_t *new_group(void) {
     return Mat_VarCreateStruct(NULL, 2, one, NULL, 0);
 }
 
-/// Puts a variable into a struct, which then owns it; frees it where that fails.
+/// Adds a variable to a struct, which then owns it; frees it on failure.
 static void add(whirl_status *status, matvar_t *group, const char *raw, matvar_t *value) {
     char name[MAT_NAME_SIZE];
     valid_name(raw, name);
@@ -81,8 +81,8 @@ static void add(whirl_status *status, matvar_t *group, const char *raw, matvar_t
         Mat_VarFree(value);
 }
 
-/// A character of `bytes` bytes (0: none that is valid) as the one unit of UTF-16 that all readers take: SciPy loads no
-/// file with pairs of units, so what lies beyond U+FFFF becomes the replacement character U+FFFD.
+/// Converts a character of `bytes` bytes (0: invalid) to one UTF-16 unit. SciPy cannot load files with surrogate pairs,
+/// so characters beyond U+FFFF become U+FFFD.
 static uint16_t utf16_unit(const char *text, size_t bytes) {
     const unsigned character = bytes ? utf8_character(text, bytes) : 0xfffd;
     return character > 0xffff ? 0xfffd : (uint16_t)character;
@@ -104,7 +104,7 @@ static matvar_t *text_variable(const char *text, size_t width) {
     return variable;
 }
 
-/// Where element `at`, counted with the last index fastest, lies when the first one is.
+/// Converts an index with the last dimension fastest to one with the first dimension fastest.
 static size_t by_columns(const stored_array *array, size_t at) {
     size_t place = 0, stride = array->count;
     for (int i = array->rank - 1; i >= 0; --i) {
@@ -141,7 +141,7 @@ static void put_array(whirl_status *status, matvar_t *group, const char *name, c
     add(status, group, name, text ? text_variable(array->values, array->width) : new_variable(array));
 }
 
-/// Counts what a variable will take, before it is read.
+/// Adds the size of a variable before it is read.
 static void count_bytes(whirl_status *status, mat_writer *writer, const stored_array *array) {
     const size_t each = array->kind == STORED_TEXTS ? 2 * array->width + MAT_ELEMENT_BYTES : array->width;
     const size_t left = writer->most - writer->bytes;
@@ -163,7 +163,7 @@ static void meet_attribute(whirl_status *status, void *context, const char *name
     if (status->code == WHIRL_OK) put_array(status, to->group, name, array);
 }
 
-/// The attributes of an object as a struct; NULL where there are none.
+/// Attributes of an object as a struct; NULL if there are none.
 static matvar_t *attributes_of(whirl_status *status, mat_writer *writer, hid_t object) {
     mat_target to = {writer, new_group()};
     if (!to.group) no_memory(status);
@@ -173,7 +173,7 @@ static matvar_t *attributes_of(whirl_status *status, mat_writer *writer, hid_t o
     return NULL;
 }
 
-/// What is said about a dataset stands in the member `about` of its group.
+/// Adds the attributes of a dataset to the member `about` of its group.
 static void put_about(whirl_status *status, const mat_target *to, const char *name, hid_t dataset) {
     matvar_t *said = attributes_of(status, to->writer, dataset);
     if (!said) return;
@@ -239,7 +239,7 @@ static void write_root(whirl_status *status, void *context, hid_t root) {
     if (status->code == WHIRL_OK) write_variable(status, writer, "attributes", attributes_of(status, writer, root));
 }
 
-/// Whether the variables fill the file to its end: matio does not tell of a full disk.
+/// Checks that the variables fill the file to its end: matio does not report a full disk.
 static whirl_status check_written(const mat_writer *writer, const atomic_file *out) {
     byte_file file;
     size_t variables = 0;

@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-/// Writes the result as whirl_result_export_mat does, which gives as `most` what MATLAB and Octave read: no variable
-/// may have more bytes.
+/// Writes the result like whirl_result_export_mat, whose `most` is the limit of MATLAB and Octave: the largest number
+/// of bytes of a variable.
 whirl_status mat_export(const char *result, const char *path, size_t most);
 
 #endif

@@ -10,14 +10,14 @@
 #include <H5FDdevelop.h>
 #endif
 
-/// What HDF5 knows of an open file, which begins with its own part.
+/// HDF5's view of an open file; begins with HDF5's own part.
 typedef struct h5_file {
     H5FD_t base;
     h5_bytes *bytes;
-    haddr_t allocated; ///< end of what HDF5 has given away
+    haddr_t allocated; ///< end of the space allocated by HDF5
 } h5_file;
 
-/// The property list holds the place of the bytes.
+/// Property list: the address of the bytes.
 typedef struct h5_access {
     h5_bytes *bytes;
 } h5_access;
@@ -69,7 +69,7 @@ static int read_some(h5_bytes *bytes, haddr_t address, void *to, size_t size) {
     return bytes_read_at(bytes->descriptor, address, to, size);
 }
 
-/// Behind the end there are zeros.
+/// Reads bytes; zeros beyond the end.
 static herr_t read_bytes(H5FD_t *base, H5FD_mem_t kind, hid_t transfer, haddr_t address, size_t size, void *to) {
     (void)kind, (void)transfer;
     h5_bytes *bytes = ((h5_file *)base)->bytes;
@@ -92,7 +92,7 @@ static herr_t write_bytes(H5FD_t *base, H5FD_mem_t kind, hid_t transfer, haddr_t
     return 0;
 }
 
-/// The file ends where HDF5 says, which may have left its last bytes unwritten.
+/// Sets the file's length to HDF5's end, whose last bytes may be unwritten.
 static herr_t truncate_bytes(H5FD_t *base, hid_t transfer, hbool_t closing) {
     (void)transfer, (void)closing;
     const h5_file *file = (const h5_file *)base;

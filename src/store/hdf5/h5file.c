@@ -13,7 +13,7 @@ enum {
     SUPERBLOCK_SIZE = 48
 };
 
-// A name for messages that nobody sees: the driver knows the file by its bytes.
+// Name in messages that nobody sees: the driver identifies the file by its bytes.
 #define NO_PATH "result"
 
 h5_errors h5_quiet(void) {

@@ -19,9 +19,9 @@
 /// The bytes of one file of HDF5, to be read or to be made.
 typedef struct h5_bytes {
     const byte_source *source; ///< to be read; NULL: to be made
-    int descriptor;            ///< of the empty file to be made, open for reading and writing
-    uint64_t end;              ///< of what is there
-    int reason;                ///< errno of the first call that failed, 0 where none has
+    int descriptor;            ///< empty file to be made, open for reading and writing
+    uint64_t end;              ///< end of the written bytes
+    int reason;                ///< errno of the first call that failed, 0 if none has
     hid_t driver;              ///< registered for this file, 0: none
 } h5_bytes;
 
@@ -32,7 +32,7 @@ herr_t h5_driver_set(hid_t access, h5_bytes *bytes);
 /// more.
 void h5_driver_free(h5_bytes *bytes);
 
-/// Keeps HDF5 from printing its errors, until `h5_loud` with what was returned.
+/// State of HDF5's error printing, which h5_quiet turns off and h5_loud restores.
 typedef struct h5_errors {
     H5E_auto2_t function;
     void *data;
@@ -43,27 +43,27 @@ void h5_loud(h5_errors errors);
 /// The innermost reason of HDF5's last failure in at most `size` bytes. To be called before any other HDF5 call.
 void h5_reason(char *text, size_t size);
 
-/// The most attributes or links that stand in the header of their object itself, and so all of them: the other way to
-/// store them (fractal heaps, B-trees) is larger for files like these, and HDF5 1.10 crashes where such a heap or tree
-/// is damaged and its checksum right.
+/// Largest number of attributes or links in an object header. It is high enough for all, since the other storage
+/// (fractal heaps, B-trees) is larger for files like these, and HDF5 1.10 crashes on a damaged heap or tree with a
+/// valid checksum.
 enum { H5_MAX_COMPACT = 65535 };
 
 /// Settings of all objects (file, group, dataset) in the list by which they are created: attributes in the object's
 /// header, and no times, so that equal results are equal files.
 herr_t h5_keep_plain(hid_t creation);
 
-/// Starts a file in the format of HDF5 1.10, whose metadata all carry checksums, in the empty file that `descriptor` is
-/// open for (reading and writing). Closed by h5_finish; `bytes` must stay where it is until then.
+/// Starts a file in the format of HDF5 1.10, in which all metadata have checksums, in the empty file of `descriptor`
+/// (open for reading and writing). Close it with h5_finish; `bytes` must not move until then.
 whirl_status h5_create(h5_bytes *bytes, int descriptor, hid_t *file);
 
-/// Closes a file that was made. WHIRL_IO_ERROR where a call failed, now or before.
+/// Closes a file that was made. WHIRL_IO_ERROR if a call failed, now or before.
 whirl_status h5_finish(h5_bytes *bytes, hid_t file);
 
 /// Opens bytes as a file for reading; they must live until it is closed by h5_close. WHIRL_BAD_INPUT when they are not
 /// one of h5_create, WHIRL_IO_ERROR when they cannot be read.
 whirl_status h5_open(h5_bytes *bytes, const byte_source *source, hid_t *file);
 
-/// Closes a file that was read; also where it could not be opened.
+/// Closes a file that was read, even if it could not be opened.
 void h5_close(h5_bytes *bytes, hid_t file);
 
 // ---------------------------------------------------------------- plain
@@ -76,7 +76,7 @@ void h5_close(h5_bytes *bytes, hid_t file);
 //
 // Numbers of sections are those of the HDF5 File Format Specification 3.0.
 
-#define PLAIN_NOWHERE UINT64_MAX ///< the address of what is not there
+#define PLAIN_NOWHERE UINT64_MAX ///< address of a missing object
 
 /// A part of a file, read from its beginning on. Reading past the end gives zeros and is noted in `short_of`.
 typedef struct plain_part {
@@ -88,29 +88,29 @@ typedef struct plain_part {
 uint64_t plain_number(plain_part *part, int bytes); ///< little endian, of 1 to 8 bytes
 void plain_skip(plain_part *part, size_t bytes);
 
-/// What the messages of one object say.
+/// Content of the messages of one object.
 typedef struct plain_object {
-    unsigned found;           ///< a bit for each type of message that may stand once
-    size_t type_size, rank;   ///< of a dataset's elements, and its dimensions
+    unsigned found;           ///< bits of the message types found, which may occur once
+    size_t type_size, rank;   ///< size of a dataset's elements; number of its dimensions
     size_t chunk_rank, chunk; ///< dimensions of its chunks, and bytes of an element by these
     int reason;               ///< errno of a read that failed
 } plain_object;
 
-/// What a message leads to.
+/// Object or continuation that a message points to.
 typedef struct plain_lead {
     enum { PLAIN_NONE, PLAIN_CONTINUATION, PLAIN_OBJECT } kind;
     uint64_t address, length;
 } plain_lead;
 
-/// Checks a message (IV.A.2) of `type` and notes what it says. False for one that whirl does not write.
+/// Checks a message (IV.A.2) of `type` and notes its content. Returns false for one that whirl does not write.
 bool plain_message(const byte_source *source, unsigned type, plain_part message, plain_object *object,
                    plain_lead *lead);
 
-/// Do the messages of an object go together, as those of a group or of a dataset?
+/// Returns true if the messages of an object make a complete group or dataset.
 bool plain_object_whole(const plain_object *object);
 
-/// Checks the whole file; its superblock must have been seen to be one of version 3 with addresses of 8 bytes.
-/// WHIRL_IO_ERROR where it cannot be read.
+/// Checks the whole file, whose superblock must be known to be of version 3 with addresses of 8 bytes. WHIRL_IO_ERROR
+/// if it cannot be read.
 whirl_status plain_check(const byte_source *source);
 
 #endif

@@ -21,7 +21,7 @@ enum {
     MESSAGE_FLAGS = 1 << 0 | 1 << 2
 };
 
-/// Addresses that are still to be looked at; with a length for parts of a header, 0 for objects.
+/// Addresses still to be checked; the length is that of a part of a header, 0 for objects.
 typedef struct place {
     uint64_t address, length;
 } place;
@@ -33,11 +33,11 @@ typedef struct places {
 
 typedef struct walk {
     const byte_source *source;
-    uint64_t seen; ///< bytes of headers looked at: more than the file has means that they overlap or form a ring
+    uint64_t seen;         ///< header bytes checked; more than the file has mean overlap or a cycle
     places objects, parts; ///< parts: of the object at hand
-    unsigned char *bytes;  ///< of the header, or its part, at hand
+    unsigned char *bytes;  ///< current header, or part of it
     size_t capacity;
-    uint64_t wrong; ///< where something is that whirl does not write
+    uint64_t wrong; ///< address of something that whirl does not write
     bool memory;    ///< ran out
     int reason;     ///< errno of a read that failed
 } walk;
@@ -57,7 +57,7 @@ static bool push(walk *through, places *list, place one) {
     return true;
 }
 
-/// Counts bytes as looked at. False where they are not in the file or more have been seen than it has.
+/// Counts bytes as checked. Returns false if they are not in the file, or more were checked than it has.
 static bool see(walk *through, uint64_t address, uint64_t length) {
     const uint64_t size = through->source->size;
     if (address > size || length > size - address || length > size - through->seen) return false;
@@ -65,7 +65,7 @@ static bool see(walk *through, uint64_t address, uint64_t length) {
     return true;
 }
 
-/// Reads what lies in the file, over what was read before.
+/// Reads bytes of the file, over those read before.
 static bool load(walk *through, uint64_t address, size_t length) {
     if (length > through->capacity) {
         unsigned char *bytes = realloc(through->bytes, length);
@@ -78,7 +78,7 @@ static bool load(walk *through, uint64_t address, size_t length) {
     return through->reason == 0;
 }
 
-/// The messages of one part of an object's header, which ends at `end` in the file; what is left there is smaller than
+/// Checks the messages of one part of an object's header, which ends at `end` in the file; a remainder is smaller than
 /// a message.
 static bool walk_messages(walk *through, plain_part part, uint64_t end, bool ordered, plain_object *object) {
     const size_t head = ordered ? 6 : 4;
@@ -112,7 +112,7 @@ static bool walk_continuation(walk *through, place one, bool ordered, plain_obje
                          object);
 }
 
-/// The head of an object: how long its messages are, and where they begin.
+/// Reads the head of an object: length and start of its messages.
 static bool read_head(walk *through, uint64_t address, bool *ordered, uint64_t *length, size_t *begin) {
     enum { LONGEST = 4 + 2 + 16 + 4 + 8 };
     const uint64_t size = through->source->size;

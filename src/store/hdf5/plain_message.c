@@ -8,8 +8,8 @@
 enum {
     MAX_RANK = SHAPE_MAX_RANK,
     MIN_CHUNK = 1 << 21, ///< bytes that a chunk may have in any file: a table without points has chunks all the same
-    MAX_PAGE_BITS = 10,  ///< chunks whose places lie in one page: 2^10, as HDF5 has it
-    FLETCHER = 4         ///< bytes of the checksum behind a chunk
+    MAX_PAGE_BITS = 10,  ///< log2 of the chunk addresses in a page, as in HDF5
+    FLETCHER = 4         ///< bytes of the checksum after a chunk
 };
 
 /// Types of messages, IV.A.2.
@@ -53,8 +53,8 @@ static bool is_type(const plain_part *part, const unsigned char *type, size_t le
     return part->left >= length && (part->at[0] & 0x0f) == type[0] && memcmp(part->at + 1, type + 1, length - 1) == 0;
 }
 
-/// IV.A.2.d, versions 1 to 3, which do not differ for these: int64, double or text of fixed length, whatever its
-/// alphabet.
+/// Reads IV.A.2.d, versions 1 to 3, which are the same for these types: int64, double, and text of fixed length in any
+/// character set.
 static bool read_datatype(plain_part *part, size_t *size) {
     static const unsigned char whole[] = {0x00, 0x08, 0, 0, 8, 0, 0, 0, 0, 0, 64, 0};
     static const unsigned char real[] = {0x01, 0x20, 0x3f, 0,    8,    0,    0,    0,    0, 0,
@@ -69,8 +69,8 @@ static bool read_datatype(plain_part *part, size_t *size) {
     return version >= 1 && version <= 3 && (number || text) && !part->short_of;
 }
 
-/// IV.A.2.c and IV.A.2.v: where links and attributes stand outside of the header, which here is nowhere. A number of
-/// `width` bytes may stand before the addresses.
+/// Checks IV.A.2.c and IV.A.2.v: storage of links and attributes outside of the header, which whirl does not use. A
+/// number of `width` bytes may precede the addresses.
 static bool check_info(plain_part part, size_t width) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     bool nowhere = true;
@@ -93,7 +93,7 @@ static bool read_link(plain_part part, plain_lead *lead) {
     return !part.short_of;
 }
 
-/// IV.A.2.m, version 3: name, type, space and values lie one behind the other.
+/// Checks IV.A.2.m, version 3: name, type, space and values follow one another.
 static bool check_attribute(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     const size_t name = (size_t)plain_number(&part, 2), type = (size_t)plain_number(&part, 2),
@@ -132,8 +132,8 @@ static bool read_fixed_array(const byte_source *source, uint64_t address, fixed_
     return array->entries > 0 && array->entries <= source->size / array->entry;
 }
 
-/// The places themselves; all chunks have the same size. More of them than a page has lie in pages, each with a
-/// checksum of its own.
+/// Checks the addresses of chunks, which all have the same size. Too many for one page are in several, each with a
+/// checksum.
 static bool check_places(const byte_source *source, uint64_t address, const fixed_array *array, uint64_t stored,
                          int *reason) {
     enum { BLOCK = 14, FILTERED = 1, MOST = BLOCK + 20 * (1 << MAX_PAGE_BITS) };
@@ -162,7 +162,7 @@ static bool check_fixed_array(const byte_source *source, uint64_t address, uint6
     return array.block == PLAIN_NOWHERE || check_places(source, address, &array, stored, reason);
 }
 
-/// IV.A.2.i, version 4: chunks with checksums, one or those of a fixed array.
+/// Reads IV.A.2.i, version 4: chunks with checksums, a single one or a fixed array.
 static bool read_layout(const byte_source *source, plain_part part, plain_object *object) {
     enum { CHUNKED = 2, ONE_FILTERED = 2, ONE = 1, FIXED_ARRAY = 3 };
     const unsigned version = (unsigned)plain_number(&part, 1), kind = (unsigned)plain_number(&part, 1);
@@ -204,7 +204,7 @@ static bool check_filters(plain_part part) {
     return part.left == sizeof checksums && memcmp(part.at, checksums, sizeof checksums) == 0;
 }
 
-/// IV.A.2.f, version 3, without a value of its own.
+/// Checks IV.A.2.f, version 3, without a fill value.
 static bool check_fill(plain_part part) {
     const unsigned version = (unsigned)plain_number(&part, 1), flags = (unsigned)plain_number(&part, 1);
     return version == 3 && flags < 1 << 4 && !part.short_of;

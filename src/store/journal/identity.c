@@ -39,8 +39,8 @@ static void put_parameters(FILE *out, const whirl_result *outline) {
     }
 }
 
-/// What a run may spend on points in doubt decides which of them are done again; equations of a user's own are told by
-/// facts alone.
+/// Writes facts that change the points: the budget of refinement decides which points are computed again; a user's
+/// equations are known by facts only.
 static void put_facts(FILE *out, const whirl_result *outline) {
     for (size_t i = 0; i < outline->fact_count; ++i) {
         const whirl_fact *fact = &outline->facts[i];
@@ -51,8 +51,9 @@ static void put_facts(FILE *out, const whirl_result *outline) {
     }
 }
 
-/// Which points a refined map has follows from what was found: the corners of its first squares tell what it is of.
-/// So do the starts that are not from neighbours. Of branches, curves and tori no point is known beforehand.
+/// Returns true for points known before the run. A refined map is identified by the corners of its first squares, since
+/// its other points follow from results; starts from neighbours and points of branches, curves and tori follow from
+/// results, too.
 static bool is_planned(const whirl_table *table, size_t point) {
     if (whirl_analysis_kind(table->analyses)->found || whirl_table_from_neighbour(table, point)) return false;
     if (table->refine == 0) return true;
@@ -107,8 +108,7 @@ static void put_fields(FILE *out, const whirl_table *table) {
     }
 }
 
-/// A checksum of what the mathematical functions of this computer's C library give: other versions of it round other
-/// last bits.
+/// Checksum of this C library's mathematical functions; other versions round last bits differently.
 static uint32_t functions_sum(void) {
     uint32_t sum = 0;
     for (int i = 1; i <= 64; ++i) {
@@ -118,9 +118,9 @@ static uint32_t functions_sum(void) {
     return sum;
 }
 
-/// Points are the same on all processors that fuse multiplications and additions, and on all that do not. The revision
-/// says less than the sources: a change of a document is none of the program, and one that is not committed is. Film
-/// tables come last: other sources explain other tables.
+/// Writes the build. Points are the same on all processors with fused multiply-adds, and on all without. The sources
+/// count, not the revision: a changed document does not change the program, an uncommitted change does. Film tables
+/// come last, since different sources explain different tables.
 static whirl_status put_build(FILE *out, const whirl_result *outline) {
     static const char *const wanted[] = {"version", "sources", "compiler", "flags", "libraries"};
     const isa *chosen;
@@ -181,7 +181,7 @@ static bool same_label(entry a, entry b) {
     return a.label_length == b.label_length && memcmp(a.label, b.label, (size_t)a.label_length) == 0;
 }
 
-/// Whether a text has a line of that label.
+/// Returns true if a text has a line with that label.
 static bool has_label(const char *text, entry wanted) {
     while (*text) {
         const entry here = entry_at(text);

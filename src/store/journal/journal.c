@@ -17,10 +17,10 @@ enum { MAX_BATCHES = 128 };
 /// Most seconds that a finished point waits for the disk, but for the time of a revolution.
 static const double sync_interval = 5.0;
 
-/// Where the payloads of the points of a pass over a batch lie in the file; 0: not there.
+/// File offsets of the payloads of a batch's points in one pass; 0: none.
 typedef struct batch_index {
     size_t count;
-    uint64_t *offset; ///< [count], NULL where the pass has none yet; in the journal's room
+    uint64_t *offset; ///< [count], NULL if the pass has no points yet; in the journal's page cache
 } batch_index;
 
 struct whirl_journal {
@@ -29,18 +29,18 @@ struct whirl_journal {
     journal_identity identity;
     whirl_journal_part part;
     uint64_t hash;
-    uint64_t end;           ///< of the last sound frame
+    uint64_t end;           ///< end of the last valid frame
     unsigned char *pending; ///< frames that could not be written yet
     size_t pending_size, pending_points;
     bool dirty; ///< written, not synced
     double synced;
-    size_t batch_count; ///< of the study; passes beyond the first have indices of their own (whirl_keeper)
-    size_t points;      ///< of the first pass
+    size_t batch_count; ///< batches of the study; later passes have further indices (whirl_keeper)
+    size_t points;      ///< points of the first pass
     batch_index batches[MAX_BATCHES];
     whirl_room *room;
     size_t looks; ///< at the index
     whirl_journal_found found;
-    underway *states; ///< of points under way; NULL: none are kept
+    underway *states; ///< states of unfinished points; NULL: none are kept
 };
 
 static uint64_t start_of(const whirl_journal *journal) {
@@ -72,7 +72,7 @@ static whirl_status make_index(whirl_journal *journal, const whirl_result *outli
     return whirl_ok();
 }
 
-/// Where a frame's offset is noted; NULL for a point that the study has not, or where there is no memory.
+/// Finds the index entry for a frame's offset; NULL for a point outside the study, or without memory.
 static uint64_t *place_of(whirl_journal *journal, uint64_t batch, uint64_t slot) {
     if (batch >= MAX_BATCHES || journal->batch_count == 0) return NULL;
     batch_index *index = &journal->batches[batch];
@@ -112,14 +112,14 @@ static whirl_status new_journal(const whirl_result *outline, const whirl_journal
     return status;
 }
 
-/// Whether a point, of whichever pass, is one that the journal is for.
+/// Returns true if the journal covers a point, in any pass.
 static bool is_for(const whirl_journal *journal, size_t batch, size_t slot) {
     const whirl_journal_part *part = &journal->part;
     return !part->has || part->has(part->context, batch, slot);
 }
 
-/// Whether a point is sure to be computed: of a refined map these are the corners of its first squares; starts from
-/// neighbours may be none.
+/// Returns true if a point will certainly be computed: the corners of a refined map's first squares will; starts from
+/// neighbours may not.
 static bool is_sure(const whirl_table *table, size_t slot) {
     const size_t row = table->row, w = table->refine;
     if (whirl_table_from_neighbour(table, slot)) return false;
@@ -270,8 +270,7 @@ static whirl_status tend(void *context) {
     return clock_seconds() - journal->synced < sync_interval ? whirl_ok() : sync_now(journal);
 }
 
-/// Writes what is pending at the end of the file. What part of it a failure leaves there is written over by the next
-/// try.
+/// Writes pending frames at the end of the file. The next try overwrites what a failure leaves there.
 static whirl_status write_pending(whirl_journal *journal) {
     if (journal->pending_size == 0) return whirl_ok();
     const int reason = journal_file_write(&journal->file, journal->end, journal->pending, journal->pending_size);
@@ -286,7 +285,7 @@ static whirl_status write_pending(whirl_journal *journal) {
     return tend(journal);
 }
 
-/// Room for one more frame behind what is pending; NULL without memory.
+/// Makes room for one more frame after the pending ones; NULL without memory.
 static unsigned char *room_for(whirl_journal *journal, size_t frame) {
     unsigned char *grown = realloc(journal->pending, journal->pending_size + frame);
     if (!grown) return NULL;
@@ -349,7 +348,7 @@ const whirl_keeper *whirl_journal_keeper(whirl_journal *journal) {
 typedef struct other_journal {
     whirl_journal *journal;
     const journal_file *file;
-    size_t frames; ///< of the same study
+    size_t frames; ///< frames of the same study
     whirl_status status;
 } other_journal;
 

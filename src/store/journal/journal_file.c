@@ -18,8 +18,8 @@ whirl_status journal_file_failed(const journal_file *file, const char *what, int
     return whirl_fail(WHIRL_IO_ERROR, "cannot %s %.250s: %s", what, file->path, strerror(reason));
 }
 
-/// Whether the open file is still the one of that name: another run may have finished and removed it before the lock
-/// was free.
+/// Returns true if the open file still has its name: another run may have finished and removed it before the lock was
+/// free.
 static bool has_its_name(const journal_file *file) {
     struct stat open_one, named;
     return fstat(file->descriptor, &open_one) == 0 && stat(file->path, &named) == 0 &&

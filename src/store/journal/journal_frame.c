@@ -8,7 +8,7 @@ static const char header_magic[16] = {'w', 'h', 'i', 'r', 'l', ' ', 'j', 'o', 'u
 const unsigned char journal_magic[8] = {0xf7, 'p', 'o', 'i', 'n', 't', '\r', '\n'};
 
 enum {
-    HEADER_SIZE = 16, ///< where the length of the identity stands
+    HEADER_SIZE = 16, ///< offset of the identity's length
     HEADER_CHECK = 24,
     HEAD_IDENTITY = 8,
     HEAD_SLOT = 16,

@@ -42,10 +42,10 @@ uint64_t journal_hash(const char *identity, size_t size);
 size_t header_size(size_t size);
 void header_put(unsigned char *to, const char *identity, size_t size);
 
-/// The length of the identity, from the first JOURNAL_LEAD bytes; false when they are not those of a header.
+/// Reads the length of the identity from the first JOURNAL_LEAD bytes. Returns false if they are no header.
 bool header_lead(const unsigned char *from, uint64_t *size);
 
-/// Whether the checksum of a whole header is right.
+/// Returns true if the checksum of a whole header is right.
 bool header_is_sound(const unsigned char *from, size_t size);
 
 /// Bytes of the frame of a block of `size` doubles and a state of `dimension`, written to `to`.

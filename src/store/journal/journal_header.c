@@ -21,7 +21,7 @@ whirl_status journal_header_write(const journal_file *file, const journal_identi
 /// Reads the header of `size` bytes of identity and compares.
 static whirl_status compare(const journal_file *file, const journal_identity *identity, size_t size,
                             header_state *state) {
-    // With a 0 behind, so that the identity is a text whatever it is.
+    // A zero byte follows, so that the identity is always a text.
     unsigned char *header = calloc(1, header_size(size) + 1);
     if (!header) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a journal");
     const int reason = journal_file_read(file, 0, header, header_size(size));

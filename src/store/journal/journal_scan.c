@@ -9,7 +9,7 @@ typedef struct window {
     const byte_source *bytes;
     uint64_t start;
     size_t length;
-    int error; ///< of a read; there is nothing to see afterwards
+    int error; ///< error of a read; the window is empty afterwards
     unsigned char data[WINDOW];
 } window;
 
@@ -31,7 +31,7 @@ static size_t window_left(const window *w, uint64_t offset) {
     return w->length - (size_t)(offset - w->start);
 }
 
-/// Where the magic next stands, from `offset` on; the size of the bytes where it does not.
+/// Finds the next frame magic from `offset` on; returns the size of the bytes if there is none.
 static uint64_t find_magic(window *w, uint64_t offset) {
     const uint64_t size = w->bytes->size;
     while (offset + sizeof journal_magic <= size) {
@@ -45,7 +45,7 @@ static uint64_t find_magic(window *w, uint64_t offset) {
     return size;
 }
 
-/// Whether the checksum of the frame at `offset` is right. The frame lies within the bytes.
+/// Returns true if the checksum of the frame at `offset` is right. The frame must be within the bytes.
 static bool payload_is_sound(window *w, uint64_t offset, uint64_t size) {
     uint32_t sum = 0;
     uint64_t left = JOURNAL_HEAD + size;
@@ -72,12 +72,12 @@ int journal_search(const byte_source *bytes, uint64_t from, journal_found found,
         frame_head head;
         const unsigned char *here = left >= JOURNAL_HEAD ? window_at(&w, offset, JOURNAL_HEAD) : NULL;
         if (!here || !frame_head_get(here, &head)) {
-            // What is left may be the beginning of a frame; only a good one further on tells that it is not.
+            // The rest may be the beginning of a frame, unless another valid frame follows.
             astray = true;
             offset = find_magic(&w, offset + 1);
             continue;
         }
-        // The head is sound, so its length is what was written.
+        // The head's checksum is right, so its length is valid.
         if (left < JOURNAL_HEAD + JOURNAL_TAIL || head.size > left - JOURNAL_HEAD - JOURNAL_TAIL) break;
         scan->damaged += astray;
         astray = false;

@@ -11,20 +11,20 @@
 
 enum { PATH_SIZE = ATOMIC_PATH_SIZE, REVOLUTIONS = 8 };
 
-/// Where a state lies.
+/// Place of a saved state.
 typedef struct entry {
-    const char *journal;            ///< beside which, by its path
+    const char *journal;            ///< path of its journal
     size_t file, batch, slot, size; ///< bytes of the state
-    uint64_t offset;                ///< of its payload
+    uint64_t offset;                ///< offset of its payload
     double revolutions;
 } entry;
 
 struct underway {
-    char path[PATH_SIZE]; ///< of the journal
+    char path[PATH_SIZE]; ///< path of the journal
     uint64_t identity;
     char **others; ///< [other_count] paths of other journals
     size_t other_count;
-    size_t first; ///< number of the first file of this run: those before are an earlier one's
+    size_t first; ///< number of this run's first file; lower ones belong to an earlier run
     size_t count, capacity;
     entry *entries;
 };
@@ -35,14 +35,14 @@ static bool name_of(const char *journal, size_t file, char name[PATH_SIZE]) {
 
 // ---------------------------------------------------------------- files of an earlier run
 
-/// A file JOURNAL-..., with what stands behind the '-'.
+/// A file JOURNAL-NUMBER of states.
 typedef struct state_file {
     const char *journal, *folder, *name, *number;
 } state_file;
 
 typedef void (*file_fn)(underway *u, const state_file *file);
 
-/// Calls for every file beside a journal.
+/// Calls `visit` for every state file of a journal.
 static void each_file(underway *u, const char *journal, file_fn visit) {
     char folder[PATH_SIZE], pattern[PATH_SIZE + 1];
     const char *slash = strrchr(journal, '/');
@@ -60,7 +60,7 @@ static void each_file(underway *u, const char *journal, file_fn visit) {
 static void remove_file(underway *u, const state_file *file) {
     char path[2 * PATH_SIZE];
     (void)u;
-    // "3", or what a kill left of writing it: "3.tmp-1234".
+    // "3", or a leftover of a killed write: "3.tmp-1234".
     if (strspn(file->number, "0123456789.tmp-") != strlen(file->number)) return;
     snprintf(path, sizeof path, "%s%s", file->folder, file->name);
     unlink(path);
@@ -95,7 +95,7 @@ static void note_state(void *context, const frame_head *head, uint64_t offset) {
     add_entry(s->states, &one);
 }
 
-/// The number of a file, false where that is none.
+/// Reads the number of a file. Returns false if it has none.
 static bool number_of(const state_file *file, size_t *number) {
     char *end;
     *number = strtoul(file->number, &end, 10);
@@ -180,7 +180,7 @@ static void write_state(FILE *stream, uint64_t identity, const whirl_kept_state 
 void underway_save(underway *u, size_t worker, const whirl_kept_state *kept, size_t count) {
     char name[PATH_SIZE];
     atomic_file out;
-    // What fails leaves the states that were saved before.
+    // After a failure the states saved before remain.
     if (!u || !name_of(u->path, u->first + worker, name) || atomic_file_open(&out, name).code != WHIRL_OK) return;
     for (size_t i = 0; i < count; ++i) write_state(out.stream, u->identity, &kept[i]);
     (void)atomic_file_commit(&out);
