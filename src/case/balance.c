@@ -1,4 +1,4 @@
-// Reading what is known of a rotor that is to be balanced: the same tree, tables and problems as for cases.
+// Reading a balancing job, with the same tree, tables and problems as cases.
 #include "whirl/engine/balance.h"
 
 #include <math.h>
@@ -140,7 +140,7 @@ const whirl_group *const *whirl_balance_groups(void) {
     return groups;
 }
 
-/// A number of an item, which has no expressions; what is absent has its default, 0 without one.
+/// Returns a number of an item without expressions; the default, or else 0, if it is absent.
 static double number_of(case_reader *reader, const setting_list *item, const char *name) {
     const setting *given = settings_find(item, name);
     const whirl_key *key = whirl_group_key(item->group, name);
@@ -170,7 +170,7 @@ static void *room_for(case_reader *reader, const setting_list *file, const char 
     return room;
 }
 
-/// Which way angles on the rotor are told: 1, or -1 against the rotation.
+/// Sense of angles on the rotor: 1, or -1 against the rotation.
 static double way_of(const whirl_balance *of) {
     return of->against ? -1.0 : 1.0;
 }
@@ -334,7 +334,8 @@ static void read_trials(case_reader *reader, const setting_list *file, whirl_bal
                        out->planes[p].name);
 }
 
-/// Reads an amplitude with its phase, which leads or lags as the file says, or both parts, into x and y of a vector.
+/// Reads an amplitude with its phase (lead or lag as in the file), or real and imaginary part, into x and y of a
+/// vector.
 static void read_phasor(case_reader *reader, const file_node *at, const setting_list *item, const whirl_balance *out,
                         double vector[2]) {
     const double way = out->leads ? 1.0 : -1.0;
@@ -359,7 +360,7 @@ static void read_phasor(case_reader *reader, const file_node *at, const setting_
     }
 }
 
-/// Reads one reading, behind those in out->vibrations.
+/// Reads one reading; it follows those in out->vibrations.
 static void read_reading(case_reader *reader, const file_node *at, const whirl_balance *out,
                          whirl_balance_vibration *seen) {
     setting_list item;
@@ -387,7 +388,7 @@ static void read_readings(case_reader *reader, const file_node *list, whirl_bala
         read_reading(reader, at, out, &out->vibrations[out->vibration_count++]);
 }
 
-/// Reads readings that stand in a table beside the file; false where not all of them were read.
+/// Reads readings from a table file. Returns false unless all of them were read.
 static bool read_table(case_reader *reader, const file_node *where, whirl_balance *out) {
     whirl_problems problems = {0};
     case_reader own = {.arena = reader->arena, .problems = &problems, .parameters = reader->parameters};
@@ -410,7 +411,7 @@ static bool read_table(case_reader *reader, const file_node *where, whirl_balanc
     return good;
 }
 
-/// False where readings of a table were not read: what follows from that is not said.
+/// Reads all readings. Returns false if those of a table could not be read: consequences are not reported then.
 static bool read_vibration(case_reader *reader, const setting_list *file, whirl_balance *out) {
     const setting *given = settings_find(file, "vibration");
     if (given && given->place->kind == NODE_TEXT && !node_is_null(given->place))
@@ -419,7 +420,7 @@ static bool read_vibration(case_reader *reader, const setting_list *file, whirl_
     return true;
 }
 
-/// Takes what probes see of the shaft itself off all readings.
+/// Subtracts slow roll from all readings.
 static void read_slow_roll(case_reader *reader, const setting_list *file, whirl_balance *out) {
     out->slow_rolls = room_for(reader, file, "slow_roll", sizeof *out->slow_rolls);
     const file_node *first = out->slow_rolls ? items_of(reader, file, "slow_roll", MAX_ROWS) : NULL;
@@ -464,7 +465,7 @@ static void read_coefficients(case_reader *reader, const setting_list *file, whi
                    "stands beside %s, expected one of them", out->by_model ? "influence: model" : "modes");
 }
 
-/// A weight of a run that nothing was read in tells nothing.
+/// Reports weights of runs without readings.
 static void check_runs(case_reader *reader, const setting_list *file, const whirl_balance *of) {
     const setting *trials = settings_find(file, "trials");
     const file_node *at = trials && trials->place->kind == NODE_LIST ? trials->place->first : NULL;

@@ -1,4 +1,4 @@
-// What a case says of the rotor that is to be balanced: influence coefficients, modes, loads on bearings.
+// Influence coefficients, modes and bearing loads of a rotor to be balanced, from its case.
 #include "whirl/engine/balance.h"
 
 #include <complex.h>
@@ -53,7 +53,7 @@ static whirl_status machine_with(const consulting *c, double speed, whirl_varian
     return status;
 }
 
-/// As the machine of a plane answers.
+/// Computes the response to an unbalance in a plane.
 static whirl_status respond_to(const consulting *c, double speed, size_t plane, responses *out) {
     const whirl_placed placed = {.station = c->station[plane], .moment = moment};
     release(&out->machine);
@@ -83,7 +83,7 @@ static whirl_status respond(const consulting *c, double speed, responses *out) {
 
 // ---------------------------------------------------------------- stations
 
-/// The index of a station of the model. `what` and `name` have it.
+/// Finds the index of a station of the model; `what` and `name` are for the message.
 static whirl_status find_station(const whirl_system *system, const char *station, const char *what, const char *name,
                                  size_t *index) {
     const char *names[WHIRL_MAX_PROBES];
@@ -96,7 +96,7 @@ static whirl_status find_station(const whirl_system *system, const char *station
                       station, advice);
 }
 
-/// What is said of a probe, by its name; what is not: along x, at the station of that name.
+/// Returns the probe of that name; by default along x, at the station of that name.
 static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
     whirl_balance_probe own = {.limit = INFINITY};
     for (size_t i = 0; i < of->probe_count; i++)
@@ -108,7 +108,7 @@ static whirl_balance_probe probe_of(const whirl_balance *of, const char *name) {
 
 // ---------------------------------------------------------------- rows
 
-/// What a probe sees of the responses, in the file's amplitudes and behind its mark.
+/// Computes the vibration at a probe, as an amplitude of the file and relative to its mark.
 static whirl_status see(const consulting *c, const responses *at, const char *name, double (*out)[2]) {
     const whirl_balance_probe own = probe_of(c->balance, name);
     const whirl_system *system = at->machine.system;
@@ -134,7 +134,7 @@ static whirl_status see(const consulting *c, const responses *at, const char *na
 static whirl_status see_at_speed(const consulting *c, double speed) {
     whirl_status status = whirl_ok();
     for (int shift = -1; shift <= 1 && status.code == WHIRL_OK; shift++) {
-        // A machine whose critical speeds are higher by a share is at this speed what the model is at a lower one.
+        // A machine whose critical speeds are higher by a fraction behaves at this speed like the model at a lower one.
         responses at = {.rest = NULL};
         status = respond(c, speed * (1.0 - shift * c->balance->model_error), &at);
         for (size_t r = 0; r < c->model->row_count && status.code == WHIRL_OK; r++) {
@@ -188,7 +188,7 @@ static bool decompose(const double *jacobian, both_sides *of) {
     return well;
 }
 
-/// The left vector [n][2] of an eigenvalue.
+/// Returns the left vector [n][2] of an eigenvalue.
 static const double *left_of(const both_sides *of, size_t value) {
     size_t best = 0;
     double least = INFINITY;
@@ -206,8 +206,8 @@ static double complex product(size_t n, const double *a, const double *b) {
     return sum;
 }
 
-/// The mode that has the largest part in the responses: with z and q its left and right vectors that part of a response
-/// r is q (z r)/(z q), and |q| = 1. Then z r is how each plane excites it.
+/// Extracts the mode with the largest part in the responses. With z and q its left and right vectors, |q| = 1, that
+/// part of a response r is q (z r)/(z q), and z r is how each plane excites it.
 static void take_mode(const consulting *c, const both_sides *of, const responses *at, size_t mode) {
     const size_t planes = c->balance->plane_count;
     double largest = 0.0;
@@ -251,7 +251,7 @@ static whirl_status find_mode(const consulting *c, size_t mode) {
 
 // ---------------------------------------------------------------- loads
 
-/// The load on the bearing that is nearest to each plane, where the machine has weight.
+/// Finds the load on the bearing nearest to each plane, if the machine has weight.
 static whirl_status find_loads(const consulting *c) {
     whirl_machine machine = {.system = NULL};
     whirl_status status = machine_with(c, 0.0, WHIRL_WITH_STATICS, NULL, &machine);

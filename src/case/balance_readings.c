@@ -13,7 +13,7 @@ enum { MAX_COLUMNS = 16 };
 
 /// A table under way.
 typedef struct readings_table {
-    case_reader *reader; ///< whose problems are of the table's file
+    case_reader *reader; ///< its problems are those of the table's file
     const whirl_group *group;
     char separator;
     int line;
@@ -24,8 +24,8 @@ typedef struct readings_table {
     file_node *list;
 } readings_table;
 
-/// What stands in a line up to the next separator, without blanks around it and quotes: in `text` [size], and where it
-/// begins. Moves *at behind it; false where the line is over.
+/// Reads a cell up to the next separator, without surrounding blanks and quotes, into `text` [size], and its beginning.
+/// Moves *at past it; returns false at the end of the line.
 static bool take_cell(const readings_table *table, const char **at, const char *end, char *text, size_t size,
                       const char **first) {
     const char *from = *at, *to;
@@ -106,7 +106,7 @@ static void read_headings(readings_table *table, const char *from, const char *e
     }
 }
 
-/// A number with the unit of its column, unless it has one; a text as it stands.
+/// Adds the unit of the column to a number without unit; returns other texts unchanged.
 static const char *with_unit(const readings_table *table, const char *text, size_t column) {
     const char *unit = table->columns[column].unit;
     const bool plain = text[strspn(text, "+-.0123456789eE")] == '\0';
@@ -140,7 +140,7 @@ static void read_row(const readings_table *table, const char *from, const char *
         append(table->list, row);
 }
 
-/// Reads the lines of a table: headings first. Empty ones and those that begin with # are left out.
+/// Reads the lines of a table, headings first. Skips empty lines and those that begin with #.
 static void read_lines(readings_table *table, const char *text, size_t length) {
     const char *end = text + length;
     for (const char *from = text; from < end && !table->reader->no_memory;) {

@@ -1,4 +1,4 @@
-// Reading what a journal bearing is, and the loads and speeds that it is to be computed for.
+// Reading a single journal bearing, and its loads and speeds.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -110,7 +110,7 @@ static const whirl_group speeds_group = {"speeds", "speeds in equal steps", "", 
                                          NULL};
 static const whirl_group loads_group = {"loads", "loads in equal steps", "", loads_keys, COUNT(loads_keys), NULL, NULL};
 
-/// The same by a name of its own beside the element `bearing`.
+/// The same group under another name, to distinguish it from the element `bearing`.
 static const whirl_group described_group = {
     "bearing_file", "a file on a journal bearing by itself", "Reynolds 1886", file_keys, COUNT(file_keys), NULL, NULL};
 
@@ -209,7 +209,7 @@ static void read_turbulence(const setting_list *file, whirl_bearing *out) {
                                                                 : WHIRL_LAMINAR;
 }
 
-/// Keys that say nothing unless another one is given.
+/// Reports a key that has no effect without another one.
 static void check_belongs(case_reader *reader, const setting_list *file, const char *key, const char *to) {
     const setting *given = settings_find(file, key);
     if (given && !settings_find(file, to) && !settings_misspelt(file, to))
@@ -274,7 +274,7 @@ static void read_size(case_reader *reader, const setting_list *file, whirl_beari
 
 // ---------------------------------------------------------------- loads and speeds
 
-/// The numbers that stand for a key: one, a list, or a range; NULL with *count 0 after a problem.
+/// Reads the numbers of a key: one, a list, or a range; NULL with *count 0 after a problem.
 static double *numbers_of(case_reader *reader, const setting_list *file, const char *name, const whirl_group *range,
                           size_t *count) {
     const setting *given = settings_find(file, name);

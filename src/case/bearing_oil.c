@@ -14,7 +14,7 @@ static const file_node *place_of(const setting_list *file, const char *key) {
     return given ? given->place : file->place;
 }
 
-/// Which way tells the viscosity; WAYS where none or several do, which are problems.
+/// Returns the way in which the viscosity is given; WAYS if there is none or there are several, which are problems.
 static int way_of(case_reader *reader, const setting_list *file) {
     int given = 0, last = WAYS;
     for (int i = 0; i < WAYS; i++)
@@ -28,11 +28,11 @@ static int way_of(case_reader *reader, const setting_list *file) {
     return given == 1 ? last : WAYS;
 }
 
-/// Keys of one way that stand beside another.
+/// Reports keys of one way next to another way.
 static void check_strays(case_reader *reader, const setting_list *file, int way) {
     static const struct {
         const char *key, *of;
-        int way, other; ///< that it belongs to
+        int way, other; ///< way of the key, and another one it may go with
     } strays[] = {{"kinematic_100", "grade", GRADE, GRADE},
                   {"viscosities", "temperatures", TABLE, TABLE},
                   {"temperature", "grade", GRADE, TABLE},
@@ -84,7 +84,7 @@ static void read_table(case_reader *reader, const setting_list *file, whirl_bear
     out->oil_count = rows;
 }
 
-/// Of the film, or of the oil that comes in.
+/// Reads the temperature of the film, or that of the oil supply.
 static void read_temperature(case_reader *reader, const setting_list *file, whirl_bearing *out) {
     const setting *own = settings_find(file, warm_keys[0]), *inlet = settings_find(file, warm_keys[1]);
     if (own && inlet)

@@ -17,11 +17,12 @@
 
 // ---------------------------------------------------------------- checks with values
 
-/// What checking the values of a detail before the run may cost, in characters of expressions that are evaluated; an
-/// element or a station counts as much as ELEMENT_COST of them.
+/// Limit of the effort to check a detail's values before the run, in characters of evaluated expressions; an element or
+/// station counts as ELEMENT_COST characters.
 enum { CHECK_BUDGET = 1 << 18, ELEMENT_COST = 64 };
 
-/// Points between the ends of a sweep, or the corners of a map, whose machines are built before the run.
+/// Number of points between the ends of a sweep, or between the corners of a map, whose machines are built before the
+/// run.
 enum { INNER_POINTS = 7 };
 
 /// Checks of machines at points of the study.
@@ -29,10 +30,10 @@ typedef struct point_check {
     case_reader *reader;
     case_content *content;
     const plan_parts *parts;
-    whirl_rotor *first; ///< the first machine that moves, whose states all that move must have; or NULL
+    whirl_rotor *first; ///< the first moving machine, whose states all moving machines must have; or NULL
 } point_check;
 
-/// Builds the machine of a point as a run does, and asks of it what a run asks.
+/// Builds the machine of a point as a run does, and makes the same requests.
 static whirl_status check_machine(point_check *check, size_t index, valuation *v) {
     case_content *content = check->content;
     const whirl_batch *batch = &content->plan.batches[index];
@@ -67,8 +68,8 @@ static void check_machine_at(point_check *check, size_t index, const file_node *
     problem_at(reader->problems, where, "gives no machine at %s: %s", at, status.message);
 }
 
-/// Whether an earlier batch at rest has the machine of this one's point at an end of its own: studies of one machine at
-/// rest, at the same conditions over the same parameter. Where nothing is wrong so far it was good.
+/// Returns true if an earlier batch at rest has checked the same machine at one of its ends: same conditions, same
+/// parameter. Without problems so far it was valid.
 static bool is_checked(const case_reader *reader, const study_plan *plan, size_t index, size_t point) {
     const whirl_batch *own = &plan->batches[index];
     const whirl_kind *kind = whirl_analysis_kind(own->analyses);
@@ -99,8 +100,8 @@ static void check_corners(point_check *check, size_t b) {
     check_machine_at(check, b, origin->planes, batch->count - 1);
 }
 
-/// The ends of a sweep, or the corners of a map, and some points between them stand for all of it; what fails at others
-/// fails while running.
+/// Checks the ends of a sweep, or the corners of a map, and some points between them; failures at other points appear
+/// during the run.
 static void check_points(case_reader *reader, case_content *content, const plan_parts *parts) {
     const size_t members = content->machine.stations.count + content->machine.element_count;
     const size_t affordable = CHECK_BUDGET / (reader->expression_bytes + ELEMENT_COST * members + 1) + 2;
@@ -123,7 +124,7 @@ static void check_points(case_reader *reader, case_content *content, const plan_
     whirl_rotor_free(check.first);
 }
 
-/// The machines of a basin differ in where they start, and in nothing else.
+/// Checks that the machines of a basin differ only in their initial state.
 static void check_basin(case_reader *reader, const case_content *content, const plan_parts *parts) {
     const axis_parts *const axes[] = {&parts->sweep, &parts->across, &parts->planes};
     if (parts->map.group != &schema_basin) return;
@@ -138,7 +139,7 @@ static void check_basin(case_reader *reader, const case_content *content, const 
     }
 }
 
-/// What keeps the weight from being told.
+/// Reports why a static analysis is impossible.
 static void check_statics(case_reader *reader, case_content *content, size_t index, valuation *v) {
     const size_t stations = content->machine.stations.count;
     const whirl_batch *batch = &content->plan.batches[index];
@@ -155,20 +156,19 @@ static void check_statics(case_reader *reader, case_content *content, size_t ind
     free(statics);
 }
 
-/// Whether a batch needs what the weight does.
+/// Returns true if a batch needs the static analysis.
 static bool tells_weight(const whirl_batch *batch) {
     return whirl_analysis_has(batch->analyses, "statics") || batch->record.antinodes_of > 0 || *batch->record.placed_at;
 }
 
-/// Whether an earlier part of the same study, at another condition, has asked for it as this one does.
+/// Returns true if an earlier batch of the same study, under another condition, has asked for the same static analysis.
 static bool is_weighed(const study_plan *plan, size_t index) {
     for (size_t b = 0; b < index; b++)
         if (tells_weight(&plan->batches[b]) && plan->origins[b].place == plan->origins[index].place) return true;
     return false;
 }
 
-/// What the analyses refuse (too many fields, a record that lacks what they need), and what the machine does that is to
-/// move.
+/// Checks layouts of the analyses (too many fields, missing records), and the behaviour of moving machines.
 static void check_layouts(case_reader *reader, case_content *content, const plan_parts *parts, valuation *v) {
     whirl_rotor *rotor = NULL;
     bool built_to_move = false;
@@ -222,7 +222,7 @@ static void check_with_values(case_reader *reader, case_content *content, const 
 
 // ---------------------------------------------------------------- reading
 
-/// A file of another version is not read on: what it means is not known.
+/// Rejects a file of another version, whose meaning is unknown.
 static bool is_known_version(case_reader *reader, const setting_list *file) {
     const setting *version = settings_find(file, "whirl");
     if (!version || !version->good) return true;
@@ -233,7 +233,7 @@ static bool is_known_version(case_reader *reader, const setting_list *file) {
     return false;
 }
 
-/// Whether the study is of a shaft that stands still, too: motions are counted in revolutions.
+/// Returns true if the study allows a shaft at speed 0: motions are counted in revolutions.
 static bool may_stand_still(const setting *study) {
     if (!study || study->place->kind != NODE_MAPPING) return false;
     for (const whirl_analysis *one = whirl_analyses(); one->name; one++)
@@ -342,7 +342,7 @@ void whirl_case_free(whirl_case *object) {
 /// Bytes of a name, and of a value: an expression, at most.
 enum { SHOWN_NAME = 128, LONGEST_VALUE = 8192 };
 
-/// The overrides so far with one more, where there is a name, in the arena of the new content.
+/// Copies the overrides into the arena of the new content, with one more if `name` is given.
 static bool copy_overrides(const case_content *old, case_content *content, const char *name, const char *text) {
     parameter_override *all = arena_take(&content->arena, (old->override_count + 1) * sizeof *all);
     if (!all) return false;
@@ -361,7 +361,7 @@ static bool copy_overrides(const case_content *old, case_content *content, const
     return true;
 }
 
-/// The length of the name before '=', blanks left out.
+/// Finds the length of the name before '=', without blanks.
 static whirl_status split_assignment(const char *assignment, size_t *length) {
     const char *equals = strchr(assignment, '=');
     if (!equals || equals == assignment)
@@ -371,21 +371,21 @@ static whirl_status split_assignment(const char *assignment, size_t *length) {
     return whirl_ok();
 }
 
-/// What is wrong with the value itself stands in no file.
+/// Returns the problem of a value given outside of the file without file and line.
 static whirl_status without_file(const whirl_problems *problems, const whirl_status *status) {
     if (!problems->items || problems->count == 0 || problems->items[0].line > 0 || !problems->items[0].key[0])
         return *status;
     return whirl_fail(status->code, "%s: %s", problems->items[0].key, problems->items[0].message);
 }
 
-/// The values that a batch gives to a parameter; NULL where it does not vary it.
+/// Returns the values that a batch gives to a parameter; NULL if it does not vary it.
 static const double *values_of(const whirl_batch *batch, const char *name) {
     if (strcmp(batch->parameter, name) == 0) return batch->values;
     if (strcmp(batch->second, name) == 0) return batch->second_values;
     return strcmp(batch->third, name) == 0 ? batch->third_values : NULL;
 }
 
-/// A parameter that is swept takes its values from the study alone, unless these depend on it.
+/// Refuses to set a swept parameter, unless the study's values depend on it.
 static whirl_status refuse_swept(const study_plan *old, const study_plan *new, const char *name) {
     const double *values = NULL;
     for (size_t b = old->batch_count; b-- > 0;) {
@@ -416,7 +416,7 @@ static void take_content(whirl_case *object, const case_content *content) {
     object->content = *content;
 }
 
-/// Overrides a parameter; one that the study sweeps where `swept_too`.
+/// Overrides a parameter; a swept one only if `swept_too`.
 static whirl_status set_parameter(whirl_case *object, const char *name, const char *value, bool swept_too) {
     case_content content = {0};
     whirl_problems problems = {0};
@@ -432,7 +432,7 @@ static whirl_status set_parameter(whirl_case *object, const char *name, const ch
     return status;
 }
 
-/// A key of the case is set in its text, which goes into the result: what was computed can be read there.
+/// Sets a key in the text of the case, which is stored in the result.
 static whirl_status set_key(whirl_case *object, const char *name, const char *value) {
     char path[PATH_SIZE];
     whirl_case changed = *object;

@@ -73,7 +73,7 @@ static void read_regime(case_reader *reader, const setting_list *item, whirl_cla
     problem_at(reader->problems, given->place, "is %s, %s", node_shown(given->place, shown), advice);
 }
 
-/// 0 where it is absent.
+/// Reads a whole number; 0 if it is absent.
 static int read_whole(case_reader *reader, const setting_list *item, const char *name) {
     const setting *given = settings_find(item, name);
     if (!given || !given->good) return 0;

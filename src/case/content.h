@@ -1,4 +1,4 @@
-/// What a case is made of.
+/// Content of a case.
 #ifndef CASE_CONTENT_H
 #define CASE_CONTENT_H
 
@@ -14,8 +14,8 @@ typedef struct case_content {
     memory_arena arena;
     const file_node *root; ///< the file as it was read
     char title[256];
-    setting_list document; ///< schema_document's keys; without items where the case has none
-    char units[64];        ///< of figures (base/words/words.h), "" where the case chooses none
+    setting_list document; ///< keys of schema_document; empty if the case has none
+    char units[64];        ///< units of figures (base/words/words.h), "" if the case chooses none
     parameter_table parameters;
     machine_parts machine;
     study_plan plan;
@@ -31,13 +31,13 @@ struct whirl_case {
     whirl_budget refine; ///< no part of the file
 };
 
-/// Whether an expression depends on a parameter, itself or by others that it names (uses.c).
+/// Returns true if an expression depends on a parameter, directly or through other parameters (uses.c).
 bool case_depends(const case_content *content, const char *expression, const char *name);
 
-/// The first number of some settings that depends on a parameter, those in lists included; NULL where none does.
+/// Returns the first number of some settings (including lists) that depends on a parameter; NULL if none does.
 const setting *case_list_depends(const case_content *content, const setting_list *list, const char *name);
 
-/// The first setting of the machine, its initial state left out, that depends on a parameter; NULL where none does.
+/// Returns the first setting of the machine, except its initial state, that depends on a parameter; NULL if none does.
 const setting *case_machine_use(const case_content *content, const char *name);
 
 /// A machine of the family that a case is: the rotor with one parameter at a value, and its initial state.
@@ -47,19 +47,18 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
 // What stands in time for tables over the frequency of whirl: rational functions, said with their errors, and whether
 // they leave the machine as stable as its tables do.
 
-/// Adds a fact to the result, "fit 1", ..., for every such function of the machine with these parameters [count], where
-/// it is not there yet. `doubt` is what to warn of: modes that functions and tables take for stable and for unstable,
-/// "" where there are none. Machines without such tables, and what cannot be built, are left out: WHIRL_NO_MEMORY
-/// alone.
+/// Adds a fact to the result, "fit 1", ..., for every such function of the machine with these parameters [count],
+/// unless it has it already. `doubt` is a warning about modes that are stable with the functions but unstable with the
+/// tables or vice versa; "" if there are none. Machines without such tables, and those that cannot be built, are
+/// skipped: only WHIRL_NO_MEMORY is returned.
 whirl_status case_tell_fits(const case_content *content, const whirl_given *given, size_t count, whirl_result *result,
                             char doubt[WHIRL_MESSAGE_SIZE]);
 
 // ---------------------------------------------------------------- warn
 // What a case may say and likely does not mean.
 
-/// Adds a fact to the result for every warning (whirl_result_warning): keys without what they are
-/// of, values that the law of an element is not for, at the ends of what the study varies, ranges without extent, and
-/// what stands in time for tables (content.h).
+/// Adds a fact to the result for every warning (whirl_result_warning): keys without the key they belong to, values
+/// outside an element's validity at the ends of the study's ranges, empty ranges, and functions that replace tables.
 whirl_status case_warn(const case_content *content, whirl_result *result);
 
 #endif

@@ -1,4 +1,4 @@
-// What a result says of the case it came from, and the whole way from a case to a result.
+// Descriptions of a case in its result, and the way from a case to a result.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static whirl_status describe_ranges(const whirl_system *system, whirl_result *re
     return status;
 }
 
-/// "weight" is "9.80665 m/s2 across the shafts", or what there is in its place.
+/// Adds "weight": "9.80665 m/s2 across the shafts", or the reason why there is none.
 static whirl_status describe_weight(const case_content *content, whirl_result *result) {
     char text[4 * WHIRL_NAME_SIZE];
     whirl_weight weight;
@@ -100,7 +100,8 @@ static whirl_status describe_rotor(const whirl_case *object, whirl_result *resul
     return known;
 }
 
-/// "unit of gap" is "mm = 0.001 m": how the study writes a parameter's values, where the parameter has another unit.
+/// Adds "unit of gap": "mm = 0.001 m", the unit in which the study writes a parameter's values if the parameter has
+/// another one.
 static whirl_status describe_unit(const char *of, whirl_unit written, const char *unit, whirl_result *result) {
     char name[2 * WHIRL_NAME_SIZE], text[4 * WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "unit of %s", of);
@@ -115,8 +116,7 @@ static const char *known_unit(const case_content *content, size_t index) {
     return strcmp(known, "1") == 0 ? "" : known;
 }
 
-/// What the result cannot know of a batch from its values: units, and that its "sweep ends at" "0.0018 m, short of
-/// 0.002 m".
+/// Adds what values do not show: their units, and "sweep ends at": "0.0018 m, short of 0.002 m".
 static whirl_status describe_axes(const case_content *content, const whirl_batch *batch, const plan_origin *origin,
                                   whirl_result *result) {
     const char *const names[] = {batch->parameter, batch->second, batch->third};
@@ -151,7 +151,7 @@ static whirl_status describe_given(const case_content *content, const whirl_batc
     return whirl_result_add_fact(result, name, text);
 }
 
-/// The length scale at a point of a table of a batch; that of the case as it stands where the point is not there yet.
+/// Finds the length scale at a point of a batch's table; that of the unchanged case if the point is not done.
 static whirl_status scale_at(const case_content *content, const whirl_batch *batch, const whirl_table *table,
                              size_t point, double *scale) {
     const number_formula *formula = &settings_find(&content->machine.rotor, "length_scale")->value;
@@ -166,7 +166,7 @@ static whirl_status scale_at(const case_content *content, const whirl_batch *bat
     return status;
 }
 
-/// Whether an expression depends on what a batch varies, or gives.
+/// Returns true if an expression depends on a parameter that a batch varies or sets.
 static bool depends_on_batch(const case_content *content, const char *expression, const whirl_batch *batch) {
     const char *const names[] = {batch->parameter, batch->second, batch->third};
     for (size_t i = 0; i < 3; i++)
@@ -176,7 +176,7 @@ static bool depends_on_batch(const case_content *content, const char *expression
     return false;
 }
 
-/// The length scale of every point of a table, where a parameter changes it.
+/// Finds the length scale of every point of a table, if a parameter changes it.
 static whirl_status describe_scales(const case_content *content, const whirl_result *result, whirl_table *table) {
     const setting *given = settings_find(&content->machine.rotor, "length_scale");
     const char *expression = given ? given->value.expression : NULL;
@@ -200,14 +200,14 @@ static whirl_status describe_scales(const case_content *content, const whirl_res
     return status;
 }
 
-/// The values that an axis of a table takes; of branches the ends of its range.
+/// Values along an axis of a table; for branches the ends of the range.
 typedef struct axis_values {
     const char *name;
     const double *values;
     size_t count;
 } axis_values;
 
-/// Whether the speed of the shaft is the value of the axis times one factor, whatever that value is.
+/// Finds out whether the speed of the shaft is proportional to the value of the axis, and the factor.
 static whirl_status find_factor(const case_content *content, const whirl_batch *batch, const axis_values *axis,
                                 double *factor, bool *found) {
     const number_formula *formula = &settings_find(&content->machine.rotor, "speed")->value;
@@ -229,7 +229,7 @@ static whirl_status find_factor(const case_content *content, const whirl_batch *
     return status;
 }
 
-/// Whether the axis changes the rate of an element that is the keyphasor: it is asked at both ends and between.
+/// Finds out whether the axis changes the rate of an element that is the keyphasor: compares both ends and the middle.
 static whirl_status find_change(const whirl_case *object, const axis_values *axis, bool *found) {
     double first = 0.0;
     whirl_status status = whirl_ok();
@@ -246,7 +246,7 @@ static whirl_status find_change(const whirl_case *object, const axis_values *axi
     return status;
 }
 
-/// How the clock of every point of a table follows from its parameters.
+/// Describes how the clock of every point of a table depends on its parameters.
 static whirl_status describe_clock(const whirl_case *object, const whirl_result *result, whirl_table *table) {
     const case_content *content = &object->content;
     const setting *given = settings_find(&content->machine.rotor, "speed");
@@ -350,7 +350,7 @@ whirl_status whirl_case_describe_result(const whirl_case *object, whirl_result *
     return status;
 }
 
-/// What the case and the build know of a result of the study; a result that cannot be described is freed.
+/// Adds to a result what the case and the build know. Frees a result that cannot be described.
 static whirl_status describe_whole(const whirl_case *object, whirl_result **result) {
     whirl_status status = whirl_case_describe_result(object, *result);
     if (status.code == WHIRL_OK) status = whirl_result_add_provenance(*result);

@@ -8,7 +8,7 @@
 typedef struct member {
     whirl_rotor *rotor;
     double *start;                  ///< [dimension]
-    whirl_station_statics *statics; ///< [stations] where they are asked for
+    whirl_station_statics *statics; ///< [stations] if requested
     double *influence;              ///< [stations][stations]
 } member;
 
@@ -30,7 +30,7 @@ static whirl_status make_start(const case_content *content, const whirl_batch *b
                             m->start);
 }
 
-/// What the variant that is asked for has in the place of its own.
+/// Returns the changes to the machine that a batch's variant asks for.
 static machine_choice choose(const whirl_batch *batch) {
     machine_choice choice = {.placed_count = batch->placed_count,
                              .placed = batch->placed,
@@ -44,7 +44,7 @@ static machine_choice choose(const whirl_batch *batch) {
     return choice;
 }
 
-/// The variant that is asked for.
+/// Builds the variant of a batch.
 static whirl_status build(const machine_parts *machine, const whirl_batch *batch, double value, valuation *v,
                           whirl_rotor **rotor) {
     const machine_choice choice = choose(batch);
@@ -59,7 +59,7 @@ static whirl_status build(const machine_parts *machine, const whirl_batch *batch
     return machine_build_on_springs(machine, v, batch->speed, WHIRL_BEARINGS_SPRINGS, value, rotor);
 }
 
-/// What the weight does, where that is asked for.
+/// Runs the static analysis, if requested.
 static whirl_status make_statics(const case_content *content, const whirl_batch *batch, valuation *v, member *m) {
     const size_t stations = content->machine.stations.count;
     if (batch->variant != WHIRL_WITH_STATICS) return whirl_ok();

@@ -22,7 +22,7 @@ whirl_status file_read(case_reader *reader, const char *text, size_t length, con
     return reader_outcome(reader, name);
 }
 
-/// What is made, and of what kind.
+/// An object being made, and its kind.
 typedef struct making {
     const file_kind *kind;
     void *made;

@@ -13,7 +13,7 @@ typedef struct eigenvalue {
     double real, imaginary;
 } eigenvalue;
 
-/// The modes of a rotor; NULL where it does not rest, or its coefficients turn.
+/// Returns the modes of a rotor; NULL without an equilibrium, or with rotating coefficients.
 static whirl_modes *modes_of(const whirl_rotor *rotor) {
     const whirl_system *system = whirl_rotor_system(rotor);
     double *start = calloc(system->dimension, sizeof *start);
@@ -28,13 +28,14 @@ static whirl_modes *modes_of(const whirl_rotor *rotor) {
     return NULL;
 }
 
-/// Eigenvalue number `index` of modes and, after these, of what has no frequency.
+/// Eigenvalue number `index`: first those of modes, then real ones.
 static eigenvalue value_of(const whirl_modes *modes, size_t index, double clock) {
     if (index >= modes->count) return (eigenvalue){clock * modes->reals[index - modes->count], 0.0};
     return (eigenvalue){clock * modes->modes[index].real, clock * modes->modes[index].imaginary};
 }
 
-/// That of the machine by its tables at a frequency of whirl which is nearest to one; false where there is none.
+/// Finds the eigenvalue of the machine with tables at a whirl frequency that is nearest to `near`. Returns false if
+/// there is none.
 static bool by_tables(const case_content *content, valuation *v, eigenvalue near, eigenvalue *out) {
     const machine_choice choice = {.stages = 1.0, .asynchronous = true, .frequency = near.imaginary};
     whirl_rotor *rotor;
@@ -51,7 +52,7 @@ static bool by_tables(const case_content *content, valuation *v, eigenvalue near
     return isfinite(least);
 }
 
-/// What rounding leaves of no damping at all counts as stable.
+/// Returns true for a growing mode; growth within rounding counts as stable.
 static bool grows(eigenvalue own, double clock) {
     return own.real > 1e-9 * (fabs(own.imaginary) + clock);
 }
@@ -66,7 +67,7 @@ static size_t next_stable(const whirl_modes *modes, double clock, double last) {
     return best;
 }
 
-/// The least stable of the functions' eigenvalues beside those of the tables, until a doubt is found.
+/// Compares the least stable eigenvalues of the functions with those of the tables, until a doubt is found.
 static void compare(const case_content *content, valuation *v, const whirl_rotor *moving, const whirl_system *tables,
                     char doubt[WHIRL_MESSAGE_SIZE]) {
     enum { LOOKS = 4 };
@@ -95,7 +96,7 @@ static void compare(const case_content *content, valuation *v, const whirl_rotor
     whirl_modes_free(modes);
 }
 
-/// Adds a note unless it is there; its last clause is left out where there is no room for it.
+/// Adds a note unless it exists; drops its last clause if there is no space.
 static whirl_status add_fit(whirl_result *result, const char *at, char *note) {
     char name[WHIRL_NAME_SIZE], text[2 * WHIRL_MESSAGE_SIZE];
     size_t index = 0;

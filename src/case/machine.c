@@ -29,7 +29,7 @@ static bool is_name(const char *name) {
     return name[0] && strlen(name) < WHIRL_NAME_SIZE;
 }
 
-/// As a name of a part, not "ground", which some places take beside stations.
+/// Returns true for a valid name of a part; "ground" is reserved, since it may appear instead of a station.
 static bool is_usable(const char *name) {
     return is_name(name) && strcmp(name, "ground") != 0;
 }
@@ -123,7 +123,7 @@ static bool check_station(case_reader *reader, const machine_parts *machine, con
     return false;
 }
 
-/// The names of a list are reported where each of them stands.
+/// Checks both stations of a list, and reports each at its place.
 static bool check_pair(case_reader *reader, const machine_parts *machine, const setting *pair) {
     const file_node *place = pair->place;
     if (place->kind == NODE_LIST) {
@@ -241,13 +241,13 @@ void machine_settle(valuation *v, machine_parts *machine) {
     for (size_t i = 0; i < machine->element_count; i++) settle_list(v, &machine->elements[i]);
 }
 
-/// What the rotor layer takes: numbers in SI, and words.
+/// Input of the rotor layer: numbers in SI, and words.
 typedef struct evaluated {
     whirl_setting values[SETTINGS_MAX];
-    char *texts; ///< of lists in which expressions stand, one after the other; or NULL
+    char *texts; ///< texts of lists with expressions, one after the other; or NULL
 } evaluated;
 
-/// Makes room for the texts of lists in which expressions stand; false without memory.
+/// Allocates the texts of lists with expressions. Returns false without memory.
 static bool make_texts(const setting_list *settings, evaluated *out) {
     size_t size = 0;
     for (size_t i = 0; i < settings->count; i++)
@@ -409,7 +409,7 @@ whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_de
     return status;
 }
 
-/// Index of an element by its kind and its number among these, "film[2]"; the count of elements where there is none.
+/// Index of an element by kind and number, "film[2]"; the number of elements if there is none.
 static size_t find_element(const machine_parts *machine, const char *element) {
     const size_t length = strcspn(element, "[");
     size_t wanted = 1;
@@ -481,7 +481,7 @@ static bool check_values(case_reader *reader, valuation *v, const machine_parts 
     return good;
 }
 
-/// Whom problems of a design are told to.
+/// Receiver of a design's problems.
 typedef struct teller {
     case_reader *reader;
     const machine_parts *machine;
@@ -493,7 +493,7 @@ static void tell_of_element(void *context, size_t element, const whirl_status *s
     tell(to->reader, known ? to->machine->elements[element].place : to->machine->rotor.place, status);
 }
 
-/// What is left are settings that contradict each other: each problem has its line.
+/// Reports settings that contradict each other, each problem at its line.
 static void check_together(case_reader *reader, valuation *v, const machine_parts *machine) {
     whirl_design *design;
     whirl_rotor *rotor = NULL;
@@ -512,8 +512,8 @@ static void check_together(case_reader *reader, valuation *v, const machine_part
     whirl_design_free(design);
 }
 
-/// A rotor with the element alone, its stations of 1 kg and 1 kg m2. Expressions, whose values may not be known, count
-/// as 1: what contradicts each other are keys that are there and keys that are not.
+/// Builds a rotor of the element alone, with stations of 1 kg and 1 kg m2. Expressions count as 1, since their values
+/// may be unknown: contradictions concern the presence of keys.
 static whirl_status build_alone(const machine_parts *machine, const setting_list *element) {
     const whirl_setting unit[] = {{.key = "mass", .number = 1.0}, {.key = "diametral", .number = 1.0}};
     whirl_setting values[SETTINGS_MAX];

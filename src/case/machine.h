@@ -25,25 +25,25 @@ typedef struct machine_parts {
 /// Reads `rotor:`.
 void machine_read(case_reader *reader, const file_node *where, bool may_stand_still, machine_parts *result);
 
-/// Reports everything that keeps the values of the case from being a machine. Call it when nothing is wrong so far.
+/// Reports everything that prevents building a machine from the case's values. Call it only without problems so far.
 void machine_check(case_reader *reader, valuation *v, const machine_parts *machine);
 
 /// formula_settle of all its settings.
 void machine_settle(valuation *v, machine_parts *machine);
 
-/// Builds a rotor with the values of `valuation`, which turns at the speed of the case; in_time: as
-/// whirl_design_in_time does. It is an outline (whirl_rotor_outline), as are those of the functions below.
+/// Builds a rotor with the values of `valuation` at the speed of the case; in_time: as whirl_design_in_time does. It is
+/// an outline (whirl_rotor_outline), as with the functions below.
 whirl_status machine_build(const machine_parts *machine, valuation *v, bool in_time, whirl_rotor **rotor);
 
-/// What a machine has in the place of its own.
+/// Changes to a machine for a variant.
 typedef struct machine_choice {
     size_t placed_count;
     const whirl_placed *placed; ///< [placed_count] unbalances; none: its own
-    whirl_drag drag;            ///< which seals and impellers, ...
-    size_t drag_at;             ///< ... of those at one station: where
+    whirl_drag drag;            ///< seals and impellers to include, ...
+    size_t drag_at;             ///< ... for those of one station: its index
     double stages;              ///< times which stages count
     bool in_time;               ///< it is to move: coefficients over the frequency of whirl have states
-    bool asynchronous;          ///< coefficients over the frequency of whirl are those at
+    bool asynchronous;          ///< frequency-dependent coefficients are those at
     double frequency;           ///< rad/s, in place of that of the shaft
 } machine_choice;
 
@@ -57,7 +57,7 @@ whirl_status machine_build_on_springs(const machine_parts *machine, valuation *v
                                       double stiffness, whirl_rotor **rotor);
 whirl_status machine_build_bearings(const machine_parts *machine, valuation *v, double speed, whirl_rotor **rotor);
 
-/// What its weight does, as whirl_design_statics tells it; out and influence are for all its stations.
+/// Runs the static analysis, as whirl_design_statics does; out and influence are for all stations.
 whirl_status machine_statics(const machine_parts *machine, valuation *v, const char *couplings,
                              whirl_station_statics *out, double *influence);
 
@@ -65,26 +65,26 @@ whirl_status machine_statics(const machine_parts *machine, valuation *v, const c
 whirl_status machine_line(const machine_parts *machine, valuation *v, double speed, const machine_choice *choice,
                           const char *couplings, whirl_shaft_line *out);
 
-/// How weight acts on it, as whirl_design_weight tells it.
+/// Finds how weight acts, as whirl_design_weight does.
 whirl_status machine_weight(const machine_parts *machine, valuation *v, whirl_weight *out);
 
-/// Tells of its doubts, as whirl_design_doubts does.
+/// Reports doubts, as whirl_design_doubts does.
 whirl_status machine_doubts(const machine_parts *machine, valuation *v, whirl_design_tell *tell, void *context);
 
-/// Builds what whirl_case_element gives.
+/// Builds the machine of whirl_case_element.
 whirl_status machine_build_element(const machine_parts *machine, valuation *v, const char *element,
                                    whirl_rotor **rotor);
 
-/// What it is made of, as whirl_design_model tells it.
+/// Finds the model, as whirl_design_model does.
 whirl_status machine_model(const machine_parts *machine, valuation *v, whirl_model *out);
 
-/// Tells of its shafts, as whirl_design_shafts does.
+/// Summarizes shafts, as whirl_design_shafts does.
 whirl_status machine_shafts(const machine_parts *machine, valuation *v, whirl_shaft_summary *out, size_t *count);
 
-/// Reports the settings of single elements that contradict each other, whatever else is wrong with the case.
+/// Reports settings of single elements that contradict each other, independently of other problems.
 void machine_check_alone(case_reader *reader, const machine_parts *machine);
 
-/// What to say of a word that is no station: the nearest one or all of them, and ground where that is allowed.
+/// Writes advice for a word that is no station: the nearest station or all of them, and ground if that is allowed.
 void machine_advise(const machine_parts *machine, const char *word, bool ground, char advice[WHY_SIZE]);
 
 /// Index of the part of that name, or their count.

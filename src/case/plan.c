@@ -166,7 +166,7 @@ static void scale_values(double from, double to, size_t count, double *values) {
     values[count - 1] = count > 1 ? to : from;
 }
 
-/// Values so far apart, from the first on; the last is `to` itself where it is met.
+/// Fills in values `step` apart, from the first on; the last is `to` itself if it is reached.
 static void step_values(double from, double to, double step, size_t count, double *values) {
     for (size_t i = 0; i < count; i++) {
         values[i] = from + (double)i * copysign(step, to - from);
@@ -189,7 +189,7 @@ bool plan_formula_value(case_reader *reader, valuation *v, const file_node *wher
     return status.code == WHIRL_OK;
 }
 
-/// Steps from one end to the other, with what rounding may have taken off the last.
+/// Counts the steps from one end to the other, with tolerance for rounding.
 static bool count_steps(case_reader *reader, const setting *given, double from, double to, double step, size_t *count) {
     char shown[SHOWN_SIZE];
     const double steps = floor(fabs(to - from) / fabs(step) + 1e-6);
@@ -266,13 +266,13 @@ static double *axis_values(case_reader *reader, valuation *v, const axis_parts *
     return values && check_order(reader, &axis->values, values) ? values : NULL;
 }
 
-/// Where the first or last of an axis' values stands.
+/// Place of the first or last value of an axis in the file.
 static const file_node *end_place(const axis_parts *axis, bool last) {
     if (axis->values.count == 0) return place_of(&axis->keys, last ? "to" : "from");
     return axis->values.places[last ? axis->values.count - 1 : 0];
 }
 
-/// The end of a sweep by steps that they do not meet, NaN where they do.
+/// End of a sweep by steps that the steps do not reach; NaN if they do.
 static double missed_end(valuation *v, const axis_parts *axis, double last) {
     double to;
     if (!settings_find(&axis->keys, "step") || valuation_number(v, &axis->to, &to).code != WHIRL_OK || last == to)
@@ -280,7 +280,7 @@ static double missed_end(valuation *v, const axis_parts *axis, double last) {
     return to;
 }
 
-/// The origin of the next batch, whose points lie along an axis.
+/// Adds the origin of the next batch, whose points are along an axis.
 static void note_axis(valuation *v, const axis_parts *axis, double last, study_plan *result) {
     plan_origin *origin = plan_next_origin(result);
     origin->first = end_place(axis, false);
@@ -316,7 +316,7 @@ typedef struct map_side {
     size_t count;
 } map_side;
 
-/// The values of all axes, and how many points there are in all; 0 where a value or the number is wrong.
+/// Evaluates all axes. Returns the number of points; 0 if a value or the number is wrong.
 static size_t map_sides(case_reader *reader, valuation *v, const plan_parts *parts, map_side sides[3]) {
     const axis_parts *const axes[] = {&parts->sweep, &parts->across, &parts->planes};
     char text[80] = "";
@@ -403,7 +403,7 @@ static void make_detail(case_reader *reader, valuation *v, const plan_parts *par
 
 // ---------------------------------------------------------------- branches
 
-/// Where a bound stands, and its value: the sweep's where the branch has none of its own.
+/// Finds a bound of branches and its place in the file; the sweep's if the branch has none.
 static bool branch_bound(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *result,
                          size_t which, double *value, const file_node **place) {
     const char *key = which == 0 ? "from" : "to";
@@ -418,7 +418,7 @@ static bool branch_bound(case_reader *reader, valuation *v, const plan_parts *pa
     return true;
 }
 
-/// The values at which branches begin, within the bounds; where none are said, the first bound. NULL after a problem.
+/// Returns the values at which branches begin, within the bounds; by default the first bound. NULL after a problem.
 static double *begin_values(case_reader *reader, valuation *v, const plan_parts *parts, const double bounds[2],
                             size_t *count) {
     char shown[SHOWN_SIZE];
@@ -442,7 +442,7 @@ static double *begin_values(case_reader *reader, valuation *v, const plan_parts 
     return values;
 }
 
-/// Where the values stand at which branches begin.
+/// Places in the file of the values at which branches begin.
 static const file_node *const *begin_places(case_reader *reader, const plan_parts *parts, const file_node *first) {
     if (parts->begins.count > 0) return parts->begins.places;
     const file_node **place = arena_take(reader->arena, sizeof(const file_node *));
@@ -451,7 +451,7 @@ static const file_node *const *begin_places(case_reader *reader, const plan_part
     return place;
 }
 
-/// Takes one that begins where it stands, for the second parameter.
+/// Makes curves, which begin at the case's own value of the second parameter.
 static void make_curves(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result) {
     const setting_list *curves = &parts->curves;
     double low, high;
@@ -472,7 +472,7 @@ static void make_curves(case_reader *reader, valuation *v, const plan_parts *par
     batch->second_bounds[1] = high;
 }
 
-/// Tori of the branches, which stand at `branch`.
+/// Adds tori of the branches at index `branch`.
 static void make_tori(const plan_parts *parts, size_t branch, study_plan *result) {
     whirl_batch *batch = plan_add_like(result, branch, WHIRL_ROLE_TORI, "tori", parts->branch.place);
     batch->analyses = 0;
@@ -553,8 +553,8 @@ static void finish_found(valuation *v, const plan_parts *parts, whirl_batch *bat
     plan_choose_analyses(batch, batch->analyses, false);
 }
 
-/// The initial state, and all combinations of the values of a grid; more than WHIRL_MAX_STARTS where there are too
-/// many.
+/// Number of starts: the initial state, and all combinations of a grid's values; more than WHIRL_MAX_STARTS if there
+/// are too many.
 static size_t count_grid(const study_plan *plan) {
     size_t count = 1;
     for (size_t i = 0; i < plan->range_count; i++)

@@ -15,7 +15,7 @@
 
 enum { SCHEMA_VERSION = 1, SCHEMA_MAX_POINTS = 10000000, SCHEMA_MAX_DETAIL = 1000 };
 
-/// That of a rotor which may stand still is not listed: it is the other one but for the range of its speed.
+/// Group `rotor` for studies that allow speed 0. It is not listed, since only the range of its speed differs.
 extern const whirl_group schema_still_rotor;
 extern const whirl_group schema_case, schema_document, schema_rotor, schema_study, schema_response, schema_sweep,
     schema_map, schema_basin, schema_axis, schema_motions, schema_branch, schema_curves, schema_initial, schema_starts,
@@ -23,10 +23,10 @@ extern const whirl_group schema_case, schema_document, schema_rotor, schema_stud
 
 #define SCHEMA_INDEX_AT_REST(name, ...) SCHEMA_AT_REST_##name,
 
-/// How many studies of machines at rest there are.
+/// Number of studies at rest.
 enum { WHIRL_STUDIES_AT_REST(SCHEMA_INDEX_AT_REST) SCHEMA_AT_REST };
 
-/// Of studies of machines at rest (WHIRL_STUDIES_AT_REST), ended by one without a name.
+/// Groups of the studies at rest (WHIRL_STUDIES_AT_REST), ended by one without a name.
 extern const whirl_group schema_at_rest[];
 
 /// The unit that a plain number of the initial state may have instead, "m" or "m/s"; "" for all other keys.
@@ -40,23 +40,23 @@ typedef struct plan_start {
     setting_list state;
 } plan_start;
 
-/// The ranges in which starts of one station lie: both ends have the same keys.
+/// Ranges of starts at one station; both ends have the same keys.
 typedef struct plan_range {
     size_t station;
     setting_list low, high;
-    size_t *points; ///< [low.count] values of a grid in each, 0 where none was read; NULL: starts fill them evenly
+    size_t *points; ///< [low.count] grid values in each, 0 if none was read; NULL: starts fill the ranges evenly
 } plan_range;
 
-/// How a batch stands in the case.
+/// Places of a batch in the case.
 typedef struct plan_origin {
-    const file_node *place;        ///< of the whole
-    const file_node *const *each;  ///< [count] of every value, where each has one; NULL: the ends have
-    const file_node *first, *last; ///< of the ends of the sweep
-    const file_node *across;       ///< of the last value from row to row of a map
+    const file_node *place;        ///< place of the whole batch
+    const file_node *const *each;  ///< [count] places of the values, if each has one; NULL: only the ends have
+    const file_node *first, *last; ///< places of the ends of the sweep
+    const file_node *across;       ///< place of the last value from row to row of a map
     const file_node *planes;       ///< ... from plane to plane
-    whirl_unit units[3]; ///< in which values are written, where their parameter has another unit, size 0: none
-    double end;          ///< that the steps of the sweep do not meet, NaN where they do
-    bool rest;           ///< it starts from zero instead of the initial state
+    whirl_unit units[3];           ///< units of the values where their parameter has another unit, size 0: none
+    double end;                    ///< end that the steps of the sweep do not reach, NaN if they do
+    bool rest;                     ///< it starts from zero instead of the initial state
 } plan_origin;
 
 typedef struct study_plan {
@@ -66,7 +66,7 @@ typedef struct study_plan {
     size_t start_count;
     plan_start *starts;
     size_t range_count;
-    plan_range *ranges; ///< of further starts, in the order of the file
+    plan_range *ranges; ///< ranges of further starts, in the order of the file
 } study_plan;
 
 /// A list of numbers, each with its place.
@@ -76,22 +76,22 @@ typedef struct formula_list {
     const file_node **places;
 } formula_list;
 
-/// A parameter, and the values that it takes.
+/// A parameter and its values.
 typedef struct axis_parts {
-    setting_list keys;          ///< that say of it: parameter, from, to, ...
+    setting_list keys;          ///< keys of the axis: parameter, from, to, ...
     const parameter *parameter; ///< NULL: none was found
-    const char *unit;           ///< of its values, "" where neither the case nor a value read so far tells
-    whirl_unit written;         ///< in which its values are written, size 0 where they are plain
+    const char *unit;           ///< unit of its values, "" if neither the case nor a value so far has one
+    whirl_unit written;         ///< unit in which its values are written, size 0 for plain ones
     number_formula from, to, step;
-    formula_list values; ///< in their place, empty where there is none
+    formula_list values; ///< list of values instead, or empty
 } axis_parts;
 
-/// A study of machines at rest, or of motions beside these.
+/// A study at rest, or motions next to such studies.
 typedef struct resting_parts resting_parts;
 struct resting_parts {
-    char name[WHIRL_NAME_SIZE];      ///< of its table
-    axis_parts axis;                 ///< with the group that it is of; without a parameter: there is one point
-    const resting_parts *unbalances; ///< of motions: the study whose unbalances by rule they have, or NULL
+    char name[WHIRL_NAME_SIZE];      ///< name of its table
+    axis_parts axis;                 ///< axis with its group; without a parameter there is one point
+    const resting_parts *unbalances; ///< for motions: the study that places their unbalances, or NULL
 };
 
 /// A condition of the machine, such as its least clearance, at which studies at rest are done: parameters at values.
@@ -105,25 +105,25 @@ typedef struct condition_parts {
 
 enum { PLAN_MAX_RESTING = 16, PLAN_MAX_CONDITIONS = 8 };
 
-/// Reads `study:` in two steps. First what can be read without values, and everything that is wrong with it ...
+/// Reads `study:` in two steps. First everything that needs no values, with all its problems ...
 typedef struct plan_parts {
     setting_list study, integrate, keep, detail, branch, curves, map, starts;
     size_t resting_count, condition_count;
-    /// Of machines at rest, in the order of the registry and of the file, then of motions beside them.
+    /// Studies at rest, in the order of the registry and of the file, then motions next to them.
     resting_parts resting[PLAN_MAX_RESTING];
     condition_parts conditions[PLAN_MAX_CONDITIONS];
     bool moves;               ///< motions are followed: a response, a sweep or a map
-    bool beside;              ///< motions are followed beside studies of machines at rest (motions)
+    bool beside;              ///< motions are followed next to studies at rest (motions)
     bool branches, swept_too; ///< branches are traced; and there is a sweep
-    axis_parts sweep;         ///< what is swept, along which branches go, or what varies along the rows of a map
-    axis_parts across;        ///< what varies from row to row of a map, else without a parameter
-    axis_parts planes;        ///< what varies from plane to plane of a map, else without a parameter
-    formula_list at;          ///< of the detail
-    number_formula low, high; ///< bounds of branches, where they are given
+    axis_parts sweep;         ///< parameter of a sweep, of branches, or along the rows of a map
+    axis_parts across;        ///< parameter from row to row of a map, else empty
+    axis_parts planes;        ///< parameter from plane to plane of a map, else empty
+    formula_list at;          ///< values of the detail
+    number_formula low, high; ///< bounds of branches, if given
     formula_list begins;      ///< values at which branches begin, empty: at the first bound
-    const parameter *second;  ///< of curves
+    const parameter *second;  ///< parameter of curves
     number_formula second_low, second_high;
-    whirl_analysis_set analyses; ///< of motions
+    whirl_analysis_set analyses; ///< analyses of motions
 } plan_parts;
 
 void plan_read_parts(case_reader *reader, const file_node *where, const machine_parts *machine, plan_parts *parts,
@@ -132,13 +132,12 @@ void plan_read_parts(case_reader *reader, const file_node *where, const machine_
 /// ... then the batches, with the parameters' values. Call it when nothing is wrong so far.
 void plan_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
-/// The state [dimension] that the points of a batch start from, in the scales of the machine: the first of their starts
-/// is the initial state, the others lie in the ranges.
+/// Fills in the initial state [dimension] of a batch's points, in the scales of the machine. Start 0 is the case's
+/// initial state; others are in the ranges.
 whirl_status plan_start_state(const study_plan *plan, size_t batch, size_t start, valuation *v,
                               const whirl_rotor *rotor, double *state);
 
-/// The values of parameters at which a batch has its machines: of those that vary (NaN: none) and of those that it is
-/// given; how many.
+/// Returns the number of parameter values at which a batch has its machines: varied ones (NaN: none) and fixed ones.
 enum { PLAN_MAX_GIVEN = 3 + WHIRL_MAX_GIVEN, PLAN_GIVEN_TEXT = PLAN_MAX_GIVEN * (2 * WHIRL_NAME_SIZE + 32) };
 size_t plan_given(const whirl_batch *batch, double value, double second, double third,
                   whirl_given given[PLAN_MAX_GIVEN]);
@@ -146,29 +145,29 @@ size_t plan_given(const whirl_batch *batch, double value, double second, double 
 /// The same of one of its points, by its index among the values of its axes.
 size_t plan_given_at(const whirl_batch *batch, size_t point, whirl_given given[PLAN_MAX_GIVEN]);
 
-/// The index of the batch of that name, `batch_count` where there is none.
+/// Index of the batch of that name; `batch_count` if there is none.
 size_t plan_batch(const study_plan *plan, const char *name);
 
-/// Whether its machines move, or are found where they do: not those of studies at rest.
+/// Returns true if a batch has motions, or finds them; false for studies at rest.
 bool plan_moves(const whirl_batch *batch);
 
-/// Refuses a speed of 0 where motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
+/// Refuses speed 0 if motions are counted in revolutions. WHIRL_BAD_INPUT with a sentence.
 whirl_status plan_check_speed(const whirl_batch *batch, double speed);
 
-/// Refuses an initial state that lies outside a bearing of the machine `rotor`: there is no oil film.
+/// Refuses an initial state outside a bearing of the machine `rotor`, where there is no oil film.
 void plan_check_start(case_reader *reader, const study_plan *plan, size_t batch, valuation *v,
                       const machine_parts *machine, const whirl_rotor *rotor);
 
-// ---------------------------------------------------------------- for those who read and make parts of a study
+// ---------------------------------------------------------------- parts of a study, for the files plan*.c
 
-/// A part of the study; an empty one where it is absent.
+/// Reads a part of the study; an absent one is empty.
 void plan_read_part(case_reader *reader, const setting_list *study, const char *key, const whirl_group *group,
                     setting_list *part);
 
 /// The parameter that a key names, NULL after a problem.
 const parameter *plan_find_parameter(case_reader *reader, const setting *given);
 
-/// The parameter and the values that it takes, from the keys of an axis.
+/// Reads the parameter and its values from the keys of an axis.
 void plan_read_axis(case_reader *reader, axis_parts *axis);
 
 /// The value of a formula; false after a problem.
@@ -185,25 +184,25 @@ whirl_batch *plan_add_batch(study_plan *result, whirl_role role, const char *nam
 whirl_batch *plan_make_axis(case_reader *reader, valuation *v, const axis_parts *axis, whirl_role role,
                             study_plan *result);
 
-/// What a study says of all its motions.
+/// Options of all motions of a study.
 void plan_options(valuation *v, const plan_parts *parts, whirl_integrate_options *integrate,
                   whirl_record_options *record);
 
-/// Lets spectra of a batch reach the orders at which parts of a machine of its act, with a line beside them, unless
-/// `keep` says how far; and takes as many samples as that needs, unless it says how many.
+/// Extends the spectra of a batch to the orders at which parts of a machine act (plus one sideband), unless `keep` has
+/// a limit, and increases the samples to match, unless `keep` has their number.
 void plan_raise_order(const plan_parts *parts, const whirl_system *system, whirl_batch *batch);
 
-/// The starts of a batch of motions, and what is said of them.
+/// Sets the starts of a batch of motions, and their options.
 void plan_finish_points(case_reader *reader, valuation *v, const plan_parts *parts, const study_plan *plan,
                         whirl_batch *batch);
 
-/// What the chosen analyses need recorded; of machines at rest and of branches that is nothing.
+/// Records what the chosen analyses need; nothing for studies at rest and branches.
 void plan_choose_analyses(whirl_batch *batch, whirl_analysis_set chosen, bool spectra);
 
 // ---------------------------------------------------------------- claims_read
 // Claims from memory.
 
-/// As whirl_claims_load, from memory; `name` stands for the file in messages.
+/// Like whirl_claims_load, from memory; `name` is used in messages.
 whirl_status claims_parse(const char *text, size_t length, const char *name, whirl_problems *problems,
                           whirl_claims **claims);
 
@@ -213,7 +212,7 @@ whirl_status claims_parse(const char *text, size_t length, const char *name, whi
 /// Reads the studies of machines at rest, and the conditions that they are done at.
 void resting_read(case_reader *reader, const machine_parts *machine, plan_parts *parts);
 
-/// Makes their batches, behind those that are there, as plan_make does.
+/// Makes the batches of studies at rest after the existing ones, as plan_make does.
 void resting_make(case_reader *reader, valuation *v, const plan_parts *parts, study_plan *result);
 
 #endif

@@ -33,8 +33,8 @@ const parameter *plan_find_parameter(case_reader *reader, const setting *given) 
     return NULL;
 }
 
-/// A value of the swept parameter has the unit of what the case says of the parameter, or is used for; where neither is
-/// known, the first value with a unit binds the others.
+/// Reads a value of the swept parameter. Its unit is the parameter's own, or that of the keys using it; if both are
+/// unknown, the first value with a unit determines that of the others.
 static void read_swept_value(case_reader *reader, const file_node *where, axis_parts *axis, number_formula *result) {
     char why[WHY_SIZE];
     quantity read;
@@ -71,7 +71,7 @@ static void read_values(case_reader *reader, const file_node *where, size_t most
     }
 }
 
-/// What a sweep without a list of values lacks.
+/// Reports missing keys of a sweep without a list of values.
 static void check_range_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const ends[] = {"from", "to"};
     const setting *points = settings_find(sweep, "points"), *step = settings_find(sweep, "step");
@@ -91,7 +91,7 @@ static void check_range_keys(case_reader *reader, const setting_list *sweep) {
         problem_at_key(reader->problems, step->place, "has no meaning with scale: log, expected points");
 }
 
-/// What a list of values leaves no room for.
+/// Reports keys that exclude a list of values.
 static void check_list_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const others[] = {"from", "to", "points", "step", "scale"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
@@ -154,7 +154,7 @@ static void read_map_axis(case_reader *reader, const setting_list *map, const ch
     }
 }
 
-/// Every axis of a map has a parameter of its own.
+/// Checks that the axes of a map have different parameters.
 static void check_other_axis(case_reader *reader, const axis_parts *axis, const axis_parts *other, const char *key) {
     if (axis->parameter && axis->parameter == other->parameter)
         problem_at(reader->problems, settings_find(&axis->keys, "parameter")->place,
@@ -172,7 +172,7 @@ static void read_map(case_reader *reader, const setting *given, const whirl_grou
     check_other_axis(reader, &parts->planes, &parts->across, "y");
 }
 
-/// What has no meaning where no motion is told of: of machines at rest, and of branches alone, whose motions settle.
+/// Reports keys without effect in studies without motions: those at rest, and branches alone, whose motions settle.
 static void check_lone_keys(case_reader *reader, const plan_parts *parts, const char *kind, bool settles) {
     static const char *const others[] = {"keep", "analyze", "detail", "confirm", "starts", "integrate"};
     for (size_t i = 0; i < sizeof others / sizeof *others - settles; i++) {
@@ -184,7 +184,7 @@ static void check_lone_keys(case_reader *reader, const plan_parts *parts, const 
 
 // ---------------------------------------------------------------- branches
 
-/// The parameter along which branches go: that of the sweep, where there is one.
+/// Reads the parameter of branches; next to a sweep it is the sweep's.
 static void read_branch_parameter(case_reader *reader, plan_parts *parts) {
     char shown[SHOWN_SIZE];
     const setting *name = settings_find(&parts->branch, "parameter");
@@ -260,9 +260,9 @@ static void read_branch(case_reader *reader, plan_parts *parts) {
 
 // ---------------------------------------------------------------- kinds of study
 
-/// How a study that asks for it by a key of its own is read.
+/// A kind of study with its own key, and its reading function.
 typedef struct kind_of_study {
-    const whirl_group *group; ///< of what stands there, by the name of the key
+    const whirl_group *group; ///< group of the key's value, with the key's name
     void (*read)(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts);
 } kind_of_study;
 
@@ -282,13 +282,13 @@ static void read_sweep_alone(case_reader *reader, const setting *given, const wh
                    node_shown(given->place, shown));
 }
 
-/// Branches alone; read_branch reads what they are.
+/// Reads branches without a sweep; read_branch reads the rest.
 static void read_no_sweep(case_reader *reader, const setting *given, const whirl_group *group, plan_parts *parts) {
     (void)given, (void)group;
     plan_read_part(reader, &parts->study, schema_sweep.name, &schema_sweep, &parts->sweep.keys);
 }
 
-/// In the order in which they are named; those of machines at rest follow.
+/// Kinds of studies in the order of messages; those at rest follow.
 static const kind_of_study kinds[] = {{&schema_response, read_response},
                                       {&schema_sweep, read_sweep_alone},
                                       {&schema_map, read_map},
@@ -308,14 +308,14 @@ static void tell_kinds(case_reader *reader, const file_node *study) {
     problem_at(reader->problems, study, "has none of %s, expected one of them", names);
 }
 
-/// What is said of motions: the first kind that is given counts; only branches stand beside a sweep.
+/// Reads the kind of motions: the first one that is given; only branches may be combined with a sweep.
 static void read_kind_of_motions(case_reader *reader, plan_parts *parts) {
     const setting *found = NULL;
     size_t chosen = 0;
     for (size_t i = 0; i < KINDS; i++) {
         const setting *given = settings_find(&parts->study, kinds[i].group->name);
         if (!given || (found && kinds[chosen].group == &schema_sweep && kinds[i].group == &schema_branch)) continue;
-        // A response is what a study has that is not said otherwise: that is what is too much.
+        // A response is the default, so the other key is reported as superfluous.
         const bool first = found && kinds[i].group == &schema_sweep;
         if (found)
             problem_at_key(reader->problems, (first ? found : given)->place,
@@ -328,14 +328,14 @@ static void read_kind_of_motions(case_reader *reader, plan_parts *parts) {
     kinds[chosen].read(reader, found, kinds[chosen].group, parts);
 }
 
-/// The first study of machines at rest that is there; NULL where none is.
+/// Returns the first study at rest in the file; NULL if there is none.
 static const whirl_group *find_resting(const plan_parts *parts) {
     for (const whirl_group *group = schema_at_rest; group->name; group++)
         if (settings_find(&parts->study, group->name)) return group;
     return NULL;
 }
 
-/// What a study is of: motions, or machines at rest, which plan_resting.c reads, or both.
+/// Reads the kinds of a study: motions, studies at rest (plan_resting.c), or both.
 static void read_kinds(case_reader *reader, plan_parts *parts) {
     const whirl_group *resting = find_resting(parts);
     read_kind_of_motions(reader, parts);
@@ -361,7 +361,7 @@ static void read_detail(case_reader *reader, plan_parts *parts) {
 
 // ---------------------------------------------------------------- initial state
 
-/// The station that a member of a mapping names; the count of all, after a problem, where it names none.
+/// Returns the station that a member of a mapping names; the number of stations, after a problem, if there is none.
 static size_t find_station(case_reader *reader, const file_node *member, const machine_parts *machine) {
     char advice[WHY_SIZE];
     const size_t station = named_find(&machine->stations, member->key);
@@ -395,7 +395,7 @@ static void read_initial(case_reader *reader, const file_node *where, const mach
 
 // ---------------------------------------------------------------- several starts
 
-/// Studies whose points have one start each.
+/// Refuses several starts in studies with one start a point.
 static void check_starts(case_reader *reader, const plan_parts *parts, const setting *given) {
     if (parts->map.group == &schema_basin)
         problem_at_key(reader->problems, given->place, "has no meaning with basin, whose points are starts");
@@ -427,7 +427,7 @@ static void read_ranges(case_reader *reader, const file_node *where, const machi
         problem_at(reader->problems, where, "has %zu ranges, expected at most %d", count, WHIRL_MAX_RANGES);
 }
 
-/// How many values of a range a grid has; 0 after a problem.
+/// Reads the number of a grid's values in a range; 0 after a problem.
 static size_t read_points(case_reader *reader, const file_node *where, const plan_range *range, const char *name) {
     const whirl_key key = {
         .name = name, .unit = "1", .kind = WHIRL_KEY_WHOLE, .range = WHIRL_FROM_TO(1, WHIRL_MAX_STARTS - 1)};
@@ -447,7 +447,7 @@ static size_t read_points(case_reader *reader, const file_node *where, const pla
     return 0;
 }
 
-/// What a grid names must have a range.
+/// Checks that everything a grid names has a range.
 static void check_grid(case_reader *reader, const file_node *where, const file_node *within) {
     char shown[SHOWN_SIZE];
     for (const file_node *station = where->first; station; station = station->next) {
@@ -480,7 +480,7 @@ static void read_grid(case_reader *reader, const file_node *where, const file_no
     }
 }
 
-/// Either says how many starts there are.
+/// Checks that exactly one of the two gives the number of starts.
 static void check_number_of_starts(case_reader *reader, const plan_parts *parts) {
     const setting *count = settings_find(&parts->starts, "count"), *grid = settings_find(&parts->starts, "grid");
     if (count && grid) problem_at_key(reader->problems, grid->place, "stands beside count, expected one of the two");

@@ -13,7 +13,7 @@
 
 // ---------------------------------------------------------------- reading
 
-/// Where bearings are springs the parameter is their stiffness, in N/m.
+/// Checks that the parameter is the stiffness, in N/m, if bearings are springs.
 static void check_bearings(case_reader *reader, const axis_parts *axis) {
     char shown[SHOWN_SIZE];
     const setting *bearings = settings_find(&axis->keys, "bearings"), *name = settings_find(&axis->keys, "parameter");
@@ -102,7 +102,7 @@ static void read_stations(case_reader *reader, const machine_parts *machine, con
     }
 }
 
-/// The study of unbalances whose own motions have.
+/// Reads the study at rest whose unbalances by rule these motions have.
 static void read_unbalances(case_reader *reader, const plan_parts *parts, resting_parts *resting) {
     char shown[SHOWN_SIZE], advice[WHY_SIZE];
     const char *names[PLAN_MAX_RESTING];
@@ -227,7 +227,7 @@ void resting_read(case_reader *reader, const machine_parts *machine, plan_parts 
 
 // ---------------------------------------------------------------- batches
 
-/// Of machines at rest, which do not move.
+/// Recording options of studies at rest, which have no motions.
 static whirl_record_options resting_options(valuation *v, const resting_parts *resting,
                                             const whirl_integrate_options *integrate) {
     whirl_record_options options = whirl_record_default();
@@ -251,7 +251,7 @@ static void check_running(case_reader *reader, const resting_parts *resting, con
                    options->trip, highest);
 }
 
-/// Unbalances by rule go by the running speed, and one rule counts.
+/// Checks unbalances by rule, which need the running speed, and exclude each other.
 static void check_placed(case_reader *reader, const resting_parts *resting, const whirl_record_options *options) {
     const setting *antinodes = settings_find(&resting->axis.keys, "antinodes_of");
     const setting *at = settings_find(&resting->axis.keys, "at");
@@ -275,7 +275,7 @@ static const whirl_given *condition_values(case_reader *reader, valuation *v, co
     return given;
 }
 
-/// What varies has no value of a condition.
+/// Refuses conditions that set the varied parameter.
 static void check_varied(case_reader *reader, const condition_parts *condition, const resting_parts *resting) {
     for (size_t i = 0; i < condition->count; i++)
         if (condition->parameters[i] == resting->axis.parameter &&
@@ -284,7 +284,7 @@ static void check_varied(case_reader *reader, const condition_parts *condition, 
                            resting->name);
 }
 
-/// At rest: what the study itself says.
+/// Completes a batch at rest with the study's own options.
 static void finish_resting(case_reader *reader, valuation *v, const resting_parts *resting, whirl_batch *batch) {
     whirl_analysis_set own = 0;
     whirl_analysis_add(&own, resting->axis.keys.group->name);
@@ -295,7 +295,7 @@ static void finish_resting(case_reader *reader, valuation *v, const resting_part
     plan_choose_analyses(batch, own, false);
 }
 
-/// Of not too many motions the last revolutions are kept, for their orbits.
+/// Keeps the last revolutions of motions for their orbits, unless there are too many motions.
 static void keep_orbits(const plan_parts *parts, whirl_batch *batch) {
     enum { MOST = 64, REVOLUTIONS = 2 };
     const size_t starts = batch->starts > 1 ? batch->starts : 1;
@@ -306,7 +306,7 @@ static void keep_orbits(const plan_parts *parts, whirl_batch *batch) {
     whirl_analysis_needs(batch->analyses, record);
 }
 
-/// In motion: what is said of all motions, with unbalances as the study at rest finds them.
+/// Completes a batch of motions with the options of all motions, and the unbalances of its study at rest.
 static void finish_moving(case_reader *reader, valuation *v, const plan_parts *parts, const resting_parts *resting,
                           const study_plan *plan, whirl_batch *batch) {
     plan_options(v, parts, &batch->integrate, &batch->record);

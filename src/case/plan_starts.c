@@ -7,7 +7,7 @@
 
 #include "tree.h"
 
-/// What a number with a unit is divided by: the length scale, or a length scale per radian.
+/// Scale of a coordinate: the length scale, or a length scale per radian.
 static double state_scale(const whirl_rotor *rotor, const char *key) {
     const double length = whirl_rotor_length_scale(rotor);
     return key[0] == 'v' ? length * whirl_rotor_clock(rotor) : length;
@@ -25,7 +25,7 @@ static double state_number(const whirl_rotor *rotor, valuation *v, const setting
     return given ? scaled_setting(rotor, v, given) : settings_number(v, state, key);
 }
 
-/// The coordinates of a station that a state may be said of, by index from 0; NULL past the last.
+/// Coordinate of a station that an initial state may give, by index from 0; NULL past the last.
 static const whirl_member *coordinate_at(size_t index) {
     for (const whirl_member *member = whirl_probe_members(); member->part; member++)
         if (strcmp(member->part, schema_initial.name) == 0 && index-- == 0) return member;
@@ -49,8 +49,8 @@ static whirl_status initial_state(const study_plan *plan, valuation *v, const wh
     return whirl_ok();
 }
 
-/// Where in a range, from 0 to 1, a further start lies, from 1: number `which` of all ranges. *rest counts the starts
-/// of a grid in those that follow, whose first range changes from start to start.
+/// Position in a range, from 0 to 1, of a further start (from 1); `which` numbers all ranges. *rest is the grid index
+/// in this and the following ranges; the first range varies fastest.
 static double place_in_range(const plan_range *range, size_t k, size_t start, size_t which, size_t *rest) {
     if (!range->points) return whirl_halton(start, which);
     const size_t count = range->points[k], at = *rest % count;
@@ -58,7 +58,7 @@ static double place_in_range(const plan_range *range, size_t k, size_t start, si
     return count > 1 ? (double)at / (double)(count - 1) : 0.5;
 }
 
-/// Puts a further start, from 1, in the place of what the ranges name.
+/// Sets the coordinates that the ranges name to those of a further start, from 1.
 static whirl_status start_in_ranges(const study_plan *plan, size_t start, valuation *v, const whirl_rotor *rotor,
                                     double *state) {
     const whirl_system *system = whirl_rotor_system(rotor);
@@ -101,7 +101,7 @@ static void check_axes(case_reader *reader, const machine_parts *machine, size_t
     }
 }
 
-/// Refuses ends of ranges that are not in order, and starts that would lie outside of a bearing.
+/// Refuses ends of ranges in wrong order, and starts outside of a bearing.
 static void check_range(case_reader *reader, valuation *v, const machine_parts *machine, const whirl_rotor *rotor,
                         const plan_range *range, const setting_list *initial) {
     const double clearance = whirl_rotor_system(rotor)->probes[range->station].clearance;

@@ -96,7 +96,7 @@ static const whirl_key study_keys[] = {
                "lbf/in, psi, ...), or all of a system (US, SI); absent: as the case writes them"),
 };
 
-// Of points along a parameter.
+// Keys of points along a parameter.
 // clang-format off
 #define AXIS_KEYS(needed)                                                                                              \
     {"parameter", "", "", WHIRL_KEY_CHOICE, needed, "", WHIRL_ANY, "", "name of the parameter that varies", "", NULL}, \
@@ -132,7 +132,7 @@ static const whirl_key map_keys[] = {
               "halved where verdicts differ; absent: all points are computed"),
 };
 
-// Without a parameter there is one point, of the machine as it stands.
+// Without a parameter there is one point, the machine as given.
 static const whirl_key resting_keys[] = {
     AXIS_KEYS(false),
     CHOICE_KEY("name", OPTIONAL, "", "what it is called beside others of its kind, behind the kind and '_'"),
@@ -179,7 +179,7 @@ static const whirl_key starts_keys[] = {
               "on attractors that they lack; such starts count in no share"),
 };
 
-// Parts whose keys are members of the structs that they fill.
+// Tables of structs whose members are keys of a part.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
 static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members, NULL};

@@ -51,7 +51,7 @@ static void report_unknown(case_reader *reader, const file_node *member, const w
                    advice);
 }
 
-/// A required key that stands there misspelt is reported as unknown, not a second time as missing.
+/// Returns true if a required key was misspelt: it is reported as unknown, not also as missing.
 static bool is_misspelt(const file_node *mapping, const whirl_group *group, const whirl_key *key) {
     const char *names[SETTINGS_MAX];
     const size_t count = key_names(group, names);
@@ -101,7 +101,7 @@ static bool read_choice(case_reader *reader, const file_node *where, const whirl
     return false;
 }
 
-/// Of a station, or of `kind`.
+/// Reads the name of a station, or of a `kind`.
 static bool read_name(case_reader *reader, const file_node *where, const char *kind, setting *result) {
     char shown[SHOWN_SIZE];
     result->word = where->kind == NODE_TEXT ? where->text : NULL;
@@ -195,8 +195,8 @@ static bool check_rows(case_reader *reader, const file_node *where) {
     return true;
 }
 
-/// [12 MN/m, 14 MN/m] becomes "12000000, 14000000", and [[1, 2], [3, 4]] "1, 2; 3, 4"; where expressions are among
-/// them, the entries stay.
+/// Reads a list: [12 MN/m, 14 MN/m] becomes "12000000, 14000000", and [[1, 2], [3, 4]] "1, 2; 3, 4". Lists with
+/// expressions keep their entries.
 static bool read_list(case_reader *reader, const file_node *where, const whirl_key *key, setting *result) {
     const bool nested = where->count > 0 && where->first->kind == NODE_LIST;
     bool varies = false;

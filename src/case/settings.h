@@ -8,47 +8,47 @@
 
 enum { SETTINGS_MAX = 64 };
 
-/// One key with what stands there.
+/// A key and its value in the file.
 typedef struct setting {
     const whirl_key *key;
     const file_node *place;
-    bool good;               ///< no problem was found; what follows counts only then
-    number_formula value;    ///< of numbers
+    bool good;               ///< no problem was found; the following members are valid only then
+    number_formula value;    ///< value of numbers
     bool scaled;             ///< the value has the unit that schema_scaled_unit names: it is to be divided by its scale
-    const char *word;        ///< of choices, texts, stations and lists ("a, b"); NULL for numbers and parts of the file
-    struct setting *entries; ///< [entry_count] of a list in which expressions stand, in place of `word`; or NULL
-    size_t entry_count, row_length; ///< of these, row after row
+    const char *word;        ///< value of choices, texts, stations, lists ("a, b"); else NULL
+    struct setting *entries; ///< [entry_count] entries of a list with expressions, instead of `word`; or NULL
+    size_t entry_count, row_length; ///< number of entries, row by row
 } setting;
 
 typedef struct setting_list {
-    const char *name; ///< of a station, or the kind of an element
+    const char *name; ///< name of a station, or kind of an element
     const whirl_group *group;
     const file_node *place;
-    bool sound; ///< of an element: no problem was found while it was read
+    bool sound; ///< for an element: no problem was found
     size_t count;
     setting *items;
 } setting_list;
 
-/// Reads a mapping (or, for groups with a shorthand, a scalar; nothing counts as an empty mapping) and reports unknown,
-/// missing and wrong keys. Numbers whose unit is "" and parts of the file are left to the caller: only `place` is set.
+/// Reads a mapping (or, for groups with a shorthand, a scalar; an empty value is an empty mapping) and reports unknown,
+/// missing and wrong keys. Numbers with unit "" and parts of the file are left to the caller: only `place` is set.
 void settings_read(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *result);
 
-/// Reads a mapping whose every value is a list of two numbers: the lower ends and the upper ends, in lists with the
-/// same keys.
+/// Reads a mapping in which every value is a list of two numbers, into lists of lower ends and upper ends with the same
+/// keys.
 void settings_read_ranges(case_reader *reader, const file_node *where, const whirl_group *group, setting_list *low,
                           setting_list *high);
 
-/// Whether a key that is absent stands there misspelt, which has been said.
+/// Returns true if an absent key was misspelt, which has been reported.
 bool settings_misspelt(const setting_list *settings, const char *key);
 
 /// The setting of a key if it was given, else NULL.
 const setting *settings_find(const setting_list *settings, const char *key);
 
-/// The numbers of a setting, each as a setting: the entries of a list in which expressions stand, else the setting
-/// alone. Returns how many there are.
+/// Returns the numbers of a setting as settings: the entries of a list with expressions, else the setting itself; and
+/// their number.
 size_t setting_numbers(const setting *item, const setting **first);
 
-/// Room for the text of a list in which expressions stand; 1 of others.
+/// Size of the text of a list with expressions; 1 for others.
 size_t setting_list_size(const setting *item);
 
 /// Writes the numbers of such a list as rotors read them: "1, 2; 3, 4". Errors as valuation_number.
@@ -60,22 +60,23 @@ bool settings_check(case_reader *reader, valuation *v, const setting_list *setti
 /// The value of a number, not yet divided by its scale, or the key's default. Only after settings_check.
 double settings_number(valuation *v, const setting_list *settings, const char *key);
 
-/// The value of a number in a file without parameters: an expression is a problem. What is absent has its default, NaN
-/// without one.
+/// Value of a number in a file without parameters, where expressions are problems. An absent key has its default, or
+/// NaN.
 double settings_plain(case_reader *reader, const setting_list *settings, const char *key);
 
-/// The numbers of a list, or the one that stands for it or is its default, in a file without parameters: how many of at
-/// most `most`; more are a problem. 0 where it is absent without a default, or wrong.
+/// Reads the numbers of a list, or a single number, or the default, in a file without parameters. Returns their number,
+/// at most `most`; more are a problem. 0 if there is none, or one is wrong.
 size_t settings_list_plain(case_reader *reader, const setting_list *settings, const char *key, double *out,
                            size_t most);
 
 /// The word of a choice, or the key's default.
 const char *settings_word(const setting_list *settings, const char *key);
 
-/// Whether the word of a choice (or its default) is yes or true.
+/// Returns true if the word of a choice (or its default) is yes or true.
 bool settings_yes(const setting_list *settings, const char *key);
 
-/// Sets the members of a struct whose part this is to what was given, or their defaults. Only after settings_check.
+/// Sets the members of a struct that this part describes to the given values, or their defaults. Only after
+/// settings_check.
 void settings_take(valuation *v, const setting_list *settings, const whirl_member *table, void *object);
 
 /// A text of at most `size` - 1 bytes without line breaks; a problem and "" otherwise.
@@ -96,15 +97,15 @@ void describe_names(const char *word, const char *const *names, size_t count, ch
 // ---------------------------------------------------------------- bearing_oil
 // The oil of a bearing by itself: its viscosity, and what makes it warm.
 
-/// Reads what a file says of it; problems where that is not complete, or said twice.
+/// Reads the oil; reports incomplete and contradictory keys.
 void bearing_oil_read(case_reader *reader, const setting_list *file, whirl_bearing *out);
 
 // ---------------------------------------------------------------- balance_readings
 // Readings of a file on balancing in a table of its own.
 
-/// Reads comma-separated values (or values between semicolons or tabs) under headings that are keys of the group, with
-/// units behind them ("amplitude [um]"): the list of mappings that would stand in their place. NULL after a problem;
-/// problems, of which the reader has none before, are of the table.
+/// Reads comma-separated values (or values separated by semicolons or tabs) under headings that are keys of the group,
+/// with units after them ("amplitude [um]"). Returns the equivalent list of mappings; NULL after a problem. Problems,
+/// of which the reader has none before, are those of the table.
 const file_node *balance_readings(case_reader *reader, const char *path, const whirl_group *group);
 
 /// Reports problems of a table where the file names it, each with its line and column in the table.
@@ -113,25 +114,25 @@ void balance_take_problems(case_reader *reader, const file_node *where, const wh
 // ---------------------------------------------------------------- file
 // Files that are read by tables of keys: the steps that all of them go through.
 
-/// What makes something of the root of a file.
+/// Makes an object from the root of a file.
 typedef void file_read_fn(case_reader *reader, const file_node *root, void *into);
 
-/// Reads a text with a reader whose arena and problems are set; problems come in the order of the file, with what
-/// stands there. `name` stands for the file in messages.
+/// Reads a text with a reader whose arena and problems are set; problems are in the order of the file, with excerpts.
+/// `name` is used in messages.
 whirl_status file_read(case_reader *reader, const char *text, size_t length, const char *name, file_read_fn *read,
                        void *into);
 
 /// Files other than cases: they have no parameters.
 typedef struct file_kind {
-    const whirl_group *group; ///< of their keys, by the name of the first, which holds the version
-    int version;              ///< that is read
-    size_t size;              ///< of what is made of one
+    const whirl_group *group; ///< group of the file's keys, named after the first key, which holds the version
+    int version;              ///< version that is read
+    size_t size;              ///< size of the object
     /// Fills it, all zero before, from the settings of the file.
     void (*fill)(case_reader *reader, const setting_list *file, void *into);
     void (*release)(void *made);
 } file_kind;
 
-/// Makes what a file says, in memory or at a path: *made, NULL after a failure. problems: NULL, or takes what is wrong.
+/// Make the object of a file, from memory or a path: *made, NULL after a failure. `problems` may be NULL.
 whirl_status file_parse(const file_kind *kind, const char *text, size_t length, const char *name,
                         whirl_problems *problems, void **made);
 whirl_status file_load(const file_kind *kind, const char *path, whirl_problems *problems, void **made);

@@ -1,4 +1,5 @@
-// What a case may say and likely does not mean: values beyond a law, ranges without extent.
+// Warnings about a case: valid input that is probably not meant, such as values outside an element's validity, and
+// empty ranges.
 #include "content.h"
 
 #include <math.h>
@@ -7,17 +8,17 @@
 
 #include "whirl/engine/result.h"
 
-/// A place of a study that stands for others, and whom its warnings are told to.
+/// A place of a study that represents others, and the result that receives its warnings.
 typedef struct warner {
     const case_content *content;
     whirl_result *result;
-    size_t count; ///< of warnings so far
+    size_t count; ///< number of warnings so far
     const whirl_given *given;
     size_t given_count;
     whirl_status status;
 } warner;
 
-/// Each place of the file is warned of once: of what `path` begins with no second time.
+/// Returns true if a place was warned of already: one warning for each `path`.
 static bool is_warned_of(const warner *w, const char *path) {
     for (size_t i = 0; i < w->count; i++)
         if (strncmp(whirl_result_warning(w->result, i), path, strlen(path)) == 0) return true;
@@ -35,7 +36,7 @@ static void warn(warner *w, const char *path, const char *sentence) {
 
 // ---------------------------------------------------------------- machines
 
-/// Whether an element depends on what the study varies.
+/// Returns true if an element depends on a varied parameter.
 static bool varies(const warner *w, const setting_list *element) {
     for (size_t k = 0; k < w->given_count; k++)
         if (case_list_depends(w->content, element, w->given[k].name)) return true;
@@ -53,8 +54,8 @@ static void take_doubt(void *context, size_t index, const char *key, const char 
     warn(w, path, text);
 }
 
-/// Warns of stations nearly without mass. Slow modes are what is left where films and springs balance: beside
-/// accelerations of such a station they are lost in rounding.
+/// Warns of stations nearly without mass. Slow modes come from small differences between forces of films and springs:
+/// they are lost in rounding next to the accelerations of such a station.
 static void warn_of_masses(warner *w, valuation *v) {
     static const double least = 5e-9; // of the largest mass; measured on a ring in its films
     const named_list *stations = &w->content->machine.stations;
@@ -86,7 +87,7 @@ static void warn_of_machine(warner *w, const whirl_given *given, size_t count) {
     valuation_close(&v);
     w->given = NULL;
     w->given_count = 0;
-    // What cannot be built at these values is told by whoever builds it.
+    // A machine that cannot be built at these values is reported elsewhere.
     if (status.code == WHIRL_NO_MEMORY) w->status = status;
 }
 
@@ -122,7 +123,7 @@ static void warn_of_point(warner *w, const whirl_batch *batch, size_t point) {
 
 // ---------------------------------------------------------------- keys
 
-/// Of keys that have no effect, for what they are of is not given.
+/// Warns of keys without effect, because the key they belong to is missing.
 static void warn_of_keys(warner *w, const setting_list *list) {
     for (size_t i = 0; i < list->count; i++) {
         const whirl_key *key = list->items[i].key;
@@ -144,7 +145,7 @@ static void warn_of_parts(warner *w) {
 
 // ---------------------------------------------------------------- ranges
 
-/// Of `count` values, one every `stride`, that are one and the same.
+/// Warns of `count` equal values, one every `stride`.
 static void warn_of_range(warner *w, const char *batch, const char *name, const double *values, size_t stride,
                           size_t count) {
     char path[2 * WHIRL_NAME_SIZE], all[3 * WHIRL_NAME_SIZE], text[WHIRL_MESSAGE_SIZE];
@@ -157,7 +158,8 @@ static void warn_of_range(warner *w, const char *batch, const char *name, const 
     warn(w, path, text);
 }
 
-/// The values of an axis are those of every `strides[axis]`-th point, up to the first of the next axis.
+/// Warns of empty ranges. The values of an axis are those of every `strides[axis]`-th point, up to the first of the
+/// next axis.
 static void warn_of_ranges(warner *w, const whirl_batch *batch) {
     const char *name;
     const double *values;

@@ -1,15 +1,15 @@
-// The dimension of an expression's value. It is measured, not derived: where every parameter is told in units of which
-// one is half as large, lengths become twice the number and areas four times. What is told neither as a product of
-// units nor as a plain number ("1 + c" with a length c) changes by another factor.
+// Dimension of an expression's value. It is measured: with every parameter in units half as large, lengths double and
+// areas quadruple. A value that is neither a product of units nor a plain number ("1 + c" with a length c) changes by
+// another factor.
 #include "parameters.h"
 
 #include <math.h>
 #include <string.h>
 
-/// Expressions are evaluated in double precision; a power that is off by more is none.
+/// Tolerance for powers: expressions are evaluated in double precision.
 static const double TOLERANCE = 1e-6;
 
-/// The value with one base unit half as large; false where it has none.
+/// Evaluates the expression with one base unit half as large. Returns false if it has no value.
 static bool value_in(const parameter_table *parameters, const char *expression, size_t base, double *value) {
     valuation v;
     bool done = valuation_open(&v, parameters, NULL, 0).code == WHIRL_OK;

@@ -29,7 +29,7 @@ bool expression_has_word(const char *name) {
     return has_word(name, strlen(name));
 }
 
-/// What is open at a place of the text: a comma may stand only inside the parentheses of a function.
+/// State of the scanner at a place of the text: a comma may occur only inside the parentheses of a function.
 typedef struct scanner {
     const char *text;
     size_t at, depth;
@@ -159,7 +159,7 @@ void evaluator_free(expression_evaluator *evaluator) {
     free(evaluator);
 }
 
-/// muParser's own message lies in a buffer that all threads share; its position does not.
+/// Describes an error by its position: muParser's own message is in a buffer shared by all threads.
 static void describe_error(muParserHandle_t parser, const char *text, char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE];
     enum { TOO_MANY_ARGUMENTS = 14, TOO_FEW_ARGUMENTS = 15 }; // EErrorCodes of muParserDef.h, which is C++

@@ -56,8 +56,8 @@ static bool share(const parameter_set *a, const parameter_set *b) {
 typedef struct lookup {
     const parameter_table *parameters;
     parameter_set uses;
-    char name[WHIRL_NAME_SIZE]; ///< the last one that was asked for
-    const char *at;             ///< where it stands
+    char name[WHIRL_NAME_SIZE]; ///< last name that was requested
+    const char *at;             ///< its beginning
 } lookup;
 
 static bool parameter_is_known(void *context, const char *name, size_t length) {
@@ -72,7 +72,7 @@ static bool parameter_is_known(void *context, const char *name, size_t length) {
     return true;
 }
 
-/// The text after "=", or NULL where there is no expression.
+/// Returns the text after "=", or NULL if there is no expression.
 static const char *expression_of(const char *text) {
     return text[0] == '=' ? text + 1 + strspn(text + 1, " ") : NULL;
 }
@@ -86,7 +86,7 @@ static const char *one_line(case_reader *reader, const char *text) {
     return copy;
 }
 
-/// false once there is too much to evaluate; said once.
+/// Returns false once there are too many expressions; reports it once.
 static bool can_afford(case_reader *reader, const file_node *where, const char *expression) {
     const size_t before = reader->expression_bytes;
     reader->expression_bytes += strlen(expression);
@@ -139,7 +139,7 @@ static parameter *sole_name(const parameter_table *parameters, const char *expre
     return index < parameters->count ? &parameters->items[index] : NULL;
 }
 
-/// "= omega" has the unit of omega. An expression that is more than a name has a unit that nobody knows.
+/// Returns the unit of omega for "= omega", and "" (unknown) for longer expressions.
 const char *expression_unit(const parameter_table *parameters, const char *expression) {
     const parameter *item = sole_name(parameters, expression);
     return item ? item->unit : "";
@@ -149,7 +149,7 @@ const char *parameter_expected_unit(const parameter *item) {
     return item->unit[0] ? item->unit : item->taken_as;
 }
 
-/// A key takes a parameter for its value; where that is another one, the key takes that one, too.
+/// Notes that a key has a parameter as its value, and so have the parameters that it equals.
 static void note_use(const parameter_table *parameters, const char *expression, const char *unit) {
     parameter *item = sole_name(parameters, expression);
     for (size_t depth = 0; item && depth < parameters->count && !item->taken_as[0]; depth++) {
@@ -158,7 +158,7 @@ static void note_use(const parameter_table *parameters, const char *expression, 
     }
 }
 
-/// How many SI units the unit of "12 mm" is, 0 where it has none or counts from elsewhere, as degrees Celsius do.
+/// Size in SI of the unit of "12 mm"; 0 if there is none, or it has an offset, like degrees Celsius.
 static double size_of_unit(const char *text, const char *expected, char unit[WHIRL_NAME_SIZE]) {
     char quantities[2][WHIRL_NAME_SIZE + 2], why[WHY_SIZE];
     quantity one, none;
@@ -185,7 +185,7 @@ whirl_unit formula_unit(const parameter_table *parameters, const char *text, con
     return unit;
 }
 
-/// Which way a rotor turns is said by a key of its own.
+/// Adds a hint to the error for a negative speed: the sense of rotation has its own key.
 static whirl_status with_direction(const whirl_key *key, double value, whirl_status status) {
     if (status.code == WHIRL_OK || !(value < 0.0) || strcmp(key->name, "speed") != 0) return status;
     return whirl_fail(status.code, "%s, and rotation: clockwise for what turns from y to x", status.message);
@@ -220,7 +220,7 @@ bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]) {
     return false;
 }
 
-/// A number that stands there without a unit.
+/// Returns true for a number without a unit.
 static bool is_plain(const char *text) {
     const char *end;
     double value;
@@ -285,7 +285,7 @@ static void check_name(case_reader *reader, const file_node *where) {
                        text_shown(where->key, shown));
 }
 
-/// A value from outside stands nowhere in the file.
+/// Makes a node for a value from outside of the file.
 static const file_node *outside(case_reader *reader, const parameter_override *override) {
     file_node *made = arena_take(reader->arena, sizeof *made);
     if (made) *made = (file_node){.kind = NODE_TEXT, .text = override->text, .key = override->name};
@@ -293,7 +293,7 @@ static const file_node *outside(case_reader *reader, const parameter_override *o
     return made;
 }
 
-/// The unit of what the file says binds what is set from outside: a length stays a length.
+/// Reads a value set from outside: it must have the dimension of the file's value.
 static bool read_quantity(case_reader *reader, const file_node *where, const char *expected, parameter *result) {
     char why[WHY_SIZE];
     quantity read;
@@ -301,7 +301,7 @@ static bool read_quantity(case_reader *reader, const file_node *where, const cha
         problem_at(reader->problems, where, "%s", why);
         return false;
     }
-    // A plain number is in the SI unit of what it replaces.
+    // A plain number has the SI unit of the value it replaces.
     const bool plain = strcmp(read.unit, "1") == 0 && expected[0];
     const char *given = plain ? expected : read.unit;
     char *unit = arena_text(reader->arena, given, strlen(given));
@@ -351,7 +351,7 @@ typedef struct dependence_walk {
     case_reader *reader;
     parameter_table *result;
     size_t done;                         ///< indices in result->order
-    unsigned char state[PARAMETERS_MAX]; ///< 0 not seen, 1 on the path, 2 done
+    unsigned char state[PARAMETERS_MAX]; ///< 0 not visited, 1 on the path, 2 done
     size_t path[PARAMETERS_MAX], depth;
     bool cyclic;
 } dependence_walk;
@@ -418,7 +418,7 @@ void parameters_read(case_reader *reader, const file_node *where, const paramete
         problem_at(reader->problems, where, "has %zu parameters, expected at most %d", where->count, PARAMETERS_MAX);
     }
     if (!allocate(reader, PARAMETERS_MAX, result)) return;
-    // All names first: an expression may use what stands below it. A name that stands twice counts once.
+    // Names come first, since an expression may use later ones. A duplicate name counts once.
     for (const file_node *member = where->first; member && result->count < PARAMETERS_MAX; member = member->next) {
         check_name(reader, member);
         if (parameters_find(result, member->key) < result->count) continue;
@@ -493,8 +493,8 @@ void valuation_close(valuation *v) {
     v->evaluator = NULL;
 }
 
-/// The value of a product or quotient of parameters, for which no parser is needed: what of a machine depends on the
-/// parameter of a family is most often told so. False where the expression is more, or its value not finite.
+/// Evaluates a product or quotient of parameters without the parser; most expressions that depend on a family's
+/// parameter are of this kind. Returns false for other expressions, and if the value is not finite.
 static bool multiply_parameters(const valuation *v, const char *expression, double *number) {
     char sign = '\0';
     for (const char *c = expression; *c; c += strspn(c, " ")) {

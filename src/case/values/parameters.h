@@ -20,22 +20,24 @@ enum { WHY_SIZE = 240 };
 
 typedef struct quantity {
     double value;               ///< in SI
-    char unit[WHIRL_NAME_SIZE]; ///< the SI unit, "1" where there was none
+    char unit[WHIRL_NAME_SIZE]; ///< the SI unit, "1" without one
 } quantity;
 
-/// Reads a number, or a number, a space and a unit. `expected` is the unit it must convert to ("1": a plain number),
-/// or "" for any. Plain numbers are in SI. On false `why` says what is wrong: "is 3 kg, expected a number in N s/m".
+/// Reads a number, or a number, a space and a unit. `expected` is the unit it must convert to ("1": a plain number), or
+/// "" for any. Plain numbers are in SI. On failure `why` is the reason: "is 3 kg, expected a number in N s/m".
 bool quantity_read(const char *text, const char *expected, quantity *result, char why[WHY_SIZE]);
 
-/// Whether a value in SI unit `unit` can stand where `expected` is; if not, `why` says so, after "is in s-1, ".
+/// Returns true if a value in SI unit `unit` is allowed where `expected` is required; if not, `why` continues "is in
+/// s-1, ".
 bool quantity_fits(const char *unit, const char *expected, char why[WHY_SIZE]);
 
-/// The powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). false where it is no unit; all 0 for "1" and "".
+/// Powers of m, kg and s in an SI unit ("N/m": 0, 1, -2). Returns false if it is no unit; all powers are 0 for "1" and
+/// "".
 enum { UNIT_BASES = 3 };
 bool quantity_unit_powers(const char *unit, double powers[UNIT_BASES]);
 
-/// Reads a plain number that ends at *end. No hexadecimal, no nan, no inf, no locale.
-/// false where there is none; overflow gives an infinite value.
+/// Reads a plain number that ends at *end. No hexadecimal, no nan, no inf, no locale. Returns false if there is none;
+/// overflow gives an infinite value.
 bool quantity_number(const char *text, double *value, const char **end);
 
 // ---------------------------------------------------------------- expression
@@ -46,8 +48,8 @@ enum { EXPRESSION_MAX_LENGTH = 500, EXPRESSION_MAX_DEPTH = 50 };
 /// Called with every name in an expression that is neither a function nor a constant; false for an unknown one.
 typedef bool (*expression_name_fn)(void *context, const char *name, size_t length);
 
-/// Checks all that can be checked without values: length, depth, characters, names. On false `why` says what is wrong;
-/// after an unknown name `why` is left empty for the caller to fill.
+/// Checks all that needs no values: length, depth, characters, names. On failure `why` is the reason; after an unknown
+/// name it is empty, for the caller to fill.
 bool expression_check(const char *text, expression_name_fn known, void *context, char why[WHY_SIZE]);
 
 /// The functions and constants that expressions know; ended by NULL.
@@ -60,8 +62,8 @@ typedef struct expression_evaluator expression_evaluator;
 /// `values` [count] are read when an expression is evaluated. NULL when memory ran out.
 expression_evaluator *evaluator_new(const char *const *names, double *values, size_t count);
 
-/// Value of an expression that expression_check has passed. false when it is no expression or not finite: `why` says
-/// it.
+/// Evaluates an expression that expression_check has passed. Returns false if it is invalid or not finite; `why` is the
+/// reason.
 bool evaluator_value(expression_evaluator *evaluator, const char *text, double *value, char why[WHY_SIZE]);
 void evaluator_free(expression_evaluator *evaluator);
 
@@ -76,7 +78,7 @@ typedef struct parameter_set {
 /// A number in SI, or an expression that gives one.
 typedef struct number_formula {
     double number;
-    const char *expression; ///< where not NULL it counts
+    const char *expression; ///< used if not NULL
     parameter_set uses;     ///< by the expression
     bool settled;           ///< its value with all parameters as the case has them is `number`
 } number_formula;
@@ -86,15 +88,15 @@ typedef struct parameter {
     const char *text; ///< as written
     const file_node *place;
     number_formula value;
-    const char *unit;     ///< SI unit, "1" for a plain number, "" for an expression, whose unit is not known
-    const char *taken_as; ///< unit of the first key whose value is this parameter alone, "" where there is none
+    const char *unit;     ///< SI unit, "1" for a plain number, "" for an expression (unknown)
+    const char *taken_as; ///< unit of the first key whose value is this parameter alone, "" if there is none
 } parameter;
 
 typedef struct parameter_table {
     size_t count;
     parameter *items;
     const char **names; ///< [count]
-    size_t *order;      ///< [count] indices so that everything stands after what it depends on
+    size_t *order;      ///< [count] indices in order of dependence
 } parameter_table;
 
 /// A parameter set from outside ("--set").
@@ -102,30 +104,30 @@ typedef struct parameter_override {
     const char *name, *text;
 } parameter_override;
 
-/// A name that was found wrong: what follows from it at other places is not said again.
+/// A wrong name that was reported, so that it is not reported again elsewhere.
 typedef struct reported_name {
     const char *name, *what;
     struct reported_name *next;
 } reported_name;
 
-/// What reading a part of a case needs.
+/// State of reading a part of a case.
 typedef struct case_reader {
     memory_arena *arena;
     whirl_problems *problems;
-    const parameter_table *parameters; ///< those that expressions may use
-    size_t expression_bytes;           ///< read so far
+    const parameter_table *parameters; ///< parameters that expressions may use
+    size_t expression_bytes;           ///< characters of expressions so far
     bool no_memory;
     reported_name *reported;
 } case_reader;
 
-/// True when nothing was said yet of a wrong name: `what` it should be ("parameter", "station", or a unit). Compilers
-/// do the same with what is not declared.
+/// Returns true the first time a wrong name is found: `what` it should be ("parameter", "station", or a unit).
+/// Compilers do the same with undeclared names.
 bool reader_reports(case_reader *reader, const char *what, const char *name);
 
 /// The status of a reading that is over: the first problem, or that memory ran out. `name` is the file's.
 whirl_status reader_outcome(const case_reader *reader, const char *name);
 
-/// Reads `parameters:`; `where` may be NULL. Overrides come with names that the case has.
+/// Reads `parameters:`; `where` may be NULL. Names of overrides must exist in the case.
 void parameters_read(case_reader *reader, const file_node *where, const parameter_override *overrides,
                      size_t override_count, parameter_table *result);
 
@@ -140,23 +142,22 @@ bool formula_read(case_reader *reader, const file_node *where, const whirl_key *
 whirl_status formula_check(const parameter_table *parameters, const whirl_key *key, const number_formula *formula,
                            double value);
 
-/// Whether a number has a unit: one beside it, or that of the parameter that is all of its expression.
+/// Returns true if a number has a unit: its own, or that of the parameter that is its whole expression.
 bool formula_has_unit(const case_reader *reader, const char *text);
 
-/// The unit that values of a parameter must have: its own or, of an expression, that of the key that takes it. "" where
-/// neither is known.
+/// Unit that values of a parameter must have: its own or, for an expression, that of the key that uses it. "" if both
+/// are unknown.
 const char *parameter_expected_unit(const parameter *item);
 
 /// The unit of an expression that is no more than the name of a parameter, else "" (and "1" for a plain parameter).
 const char *expression_unit(const parameter_table *parameters, const char *expression);
 
-/// The unit in which a number is written, beside it or beside the parameter that is all of its expression, and its size
-/// in SI; `expected` as in quantity_read. Size 0 where there is none, or where it counts from elsewhere, as degrees
-/// Celsius do.
+/// Unit in which a number is written (its own, or that of the parameter that is its whole expression), and its size in
+/// SI; `expected` as in quantity_read. Size 0 if there is none, or it has an offset, like degrees Celsius.
 whirl_unit formula_unit(const parameter_table *parameters, const char *text, const char *expected);
 
-/// Refuses plain numbers for angles beyond a full turn either way: they are radians, and degrees were meant.
-/// On false `why` says so: "is 270 rad without a unit, ...".
+/// Refuses plain numbers for angles beyond a full turn either way: they are radians, but degrees were meant. Then `why`
+/// is "is 270 rad without a unit, ...".
 bool angle_is_likely(const whirl_key *key, double number, char why[WHY_SIZE]);
 
 /// Values of all parameters for one machine. Cheap; one for every thread.
@@ -164,7 +165,7 @@ typedef struct valuation {
     const parameter_table *parameters;
     expression_evaluator *evaluator; ///< made when it is first needed
     double values[PARAMETERS_MAX];
-    parameter_set changed; ///< that may not be as the case has them
+    parameter_set changed; ///< parameters that may differ from the case
     size_t culprit;        ///< the parameter that valuation_open failed at, or PARAMETERS_MAX
 } valuation;
 
@@ -174,9 +175,8 @@ void value_text(const parameter_table *parameters, const char *name, double valu
 /// "a = 1 mm, b = 2 and c = 3", of any that are given.
 void given_text(const parameter_table *parameters, const whirl_given *given, size_t count, char *text, size_t size);
 
-/// Evaluates all parameters with those `given` [count] at their values, the others as the case has them.
-/// WHIRL_BAD_INPUT when there is none of such a name, or one has no finite value. Closed by valuation_close, after a
-/// failure too.
+/// Evaluates all parameters, with those `given` [count] at their values, the others as in the case. WHIRL_BAD_INPUT for
+/// an unknown name or a value that is not finite. Close it with valuation_close, after a failure too.
 whirl_status valuation_open(valuation *v, const parameter_table *parameters, const whirl_given *given, size_t count);
 void valuation_close(valuation *v);
 
@@ -192,12 +192,12 @@ void parameters_settle(valuation *v, parameter_table *parameters);
 // What kind of number an expression gives.
 
 typedef enum value_dimension {
-    DIMENSION_PLAIN,   ///< the same in all units; 0, and what has no value, count as such
-    DIMENSION_OF_UNIT, ///< as the unit asked about
+    DIMENSION_PLAIN,   ///< the same in all units; also 0, and expressions without a value
+    DIMENSION_OF_UNIT, ///< like the unit in question
     DIMENSION_OTHER
 } value_dimension;
 
-/// The dimension of an expression over parameters that have been read without a problem, beside that of an SI unit.
+/// Dimension of an expression over parameters that were read without a problem, compared with an SI unit.
 value_dimension expression_dimension(const parameter_table *parameters, const char *expression, const char *unit);
 
 #endif

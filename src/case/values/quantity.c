@@ -22,7 +22,7 @@ enum { LONGEST_NUMBER = 60, LONGEST_UNIT = 60 };
 static lock units_lock = LOCK_OPEN;
 static ut_system *units; // guarded by units_lock
 
-/// UDUNITS-2 tells a lack of memory by errno alone, and its lexer sets errno back: what failed for it is noted at once.
+/// UDUNITS-2 reports missing memory by errno alone, and its lexer resets errno: failures are noted at once.
 static bool no_memory; // guarded by units_lock
 
 static bool made(bool well) {
@@ -37,7 +37,7 @@ typedef struct trade_unit {
     const char *of;
 } trade_unit;
 
-/// UDUNITS takes "oz" for a fluid ounce, and knows 6 or 7 digits of ounces, slugs, horsepowers, poundals and gallons.
+/// UDUNITS reads "oz" as a fluid ounce, and has only 6 or 7 digits of ounces, slugs, horsepowers, poundals and gallons.
 static const trade_unit trade_units[] = {
     {"deg", 1.0, "degree"},          {"cP", 1.0, "mPa.s"},
     {"lbm", 1.0, "pound"},           {"oz", 0.0625, "pound"},
@@ -77,7 +77,7 @@ static bool looks_like_unit(const char *text) {
     for (size_t i = 0; i < length; i++) {
         const unsigned char c = (unsigned char)text[i], before = i > 0 ? (unsigned char)text[i - 1] : ' ';
         const unsigned char after = (unsigned char)text[i + 1];
-        // Behind a superscript or a raised dot UDUNITS takes digits for a factor.
+        // After a superscript or a raised dot UDUNITS reads digits as a factor.
         const bool raised = i > 1 && (unsigned char)text[i - 2] == 0xC2 && before && strchr("\xB2\xB3\xB7\xB9", before);
         const bool after_name = isalnum(before) || (before >= 0x80 && !raised) || before == '^' || before == '-';
         const bool whole = text[0] == '1' && text[1] == '/'; // "1/s"
@@ -98,7 +98,7 @@ static ut_unit *parse_unit(const char *text) {
     return unit;
 }
 
-/// "m2.kg.s-3"; other bases stand beside these.
+/// Reads the powers in "m2.kg.s-3"; other bases are ignored.
 static void powers_of(const char *product, double powers[UNIT_BASES]) {
     static const char *const bases[UNIT_BASES] = {"m", "kg", "s"};
     for (const char *at = product; *at; at += strcspn(at, "."), at += *at == '.') {
@@ -190,7 +190,7 @@ static void describe_expected(const char *expected, char text[WHY_SIZE / 2]) {
         snprintf(text, WHY_SIZE / 2, "a number in %.60s", expected);
 }
 
-/// What to say of a unit that does not fit. A frequency is no angular speed, and nobody should have to guess 2 pi.
+/// Writes advice for a unit that does not fit. A frequency is no angular speed: the message gives the factor 2 pi.
 static void describe_misfit(const ut_unit *unit, const char *expected, char text[WHY_SIZE / 2]) {
     ut_unit *hertz = ut_parse(units, "1/s", UT_ASCII), *kinematic = ut_parse(units, "m2/s", UT_ASCII);
     if (hertz && strcmp(expected, "rad/s") == 0 && same_dimension(unit, hertz))
@@ -231,7 +231,7 @@ bool quantity_number(const char *text, double *value, const char **end) {
     return true;
 }
 
-/// What engineers write for units that have another spelling here, or "".
+/// Returns whirl's spelling of a common form of a unit, or "".
 static const char *usual_spelling(const char *unit) {
     static const char *const spellings[][2] = {
         {"RPM", "rpm"},    {"Rpm", "rpm"},   {"rev/min", "rpm"},   {"r/min", "rpm"},   {"U/min", "rpm"},
@@ -247,7 +247,7 @@ static const char *usual_spelling(const char *unit) {
     return "";
 }
 
-/// The unit's text follows the number; both are checked against what is expected.
+/// Reads the unit after a number, and checks both against the expected unit.
 static bool read_unit(const char *text, const char *unit_text, const char *expected, quantity *result,
                       char why[WHY_SIZE]) {
     char shown[SHOWN_SIZE], expectation[WHY_SIZE / 2];

@@ -1,4 +1,4 @@
-// Where a case uses its parameters, and what it says of them: for programs that let a person change them.
+// Uses of a case's parameters, and their descriptions in the case: for programs with which a person changes them.
 #include <stdio.h>
 #include <string.h>
 
@@ -11,7 +11,7 @@ typedef struct walk {
     const setting *at;
 } walk;
 
-/// Takes every name of an expression for a known one and tells of those that are parameters.
+/// Accepts every name in an expression, and reports those that are parameters.
 static bool see_name(void *context, const char *name, size_t length) {
     const walk *w = context;
     const char *expression = w->at->value.expression;
@@ -53,7 +53,7 @@ void whirl_case_uses(const whirl_case *object, whirl_case_use_fn see, void *cont
     for (size_t i = 0; i < plan->range_count; i++) see_list(&w, &plan->ranges[i].high);
 }
 
-/// Whether an expression depends on a parameter, itself or by others that it names.
+/// Search for a parameter in an expression, directly or through other parameters.
 typedef struct dependence {
     const parameter_table *parameters;
     const char *on;
@@ -121,7 +121,7 @@ void whirl_case_comment(const whirl_case *object, const char *name, char *commen
     const file_node *root = object->content.root, *all = root ? node_member(root, "parameters") : NULL;
     const file_node *node = index < parameters->count && all ? node_member(all, name) : NULL;
     comment[0] = '\0';
-    // The line belongs to the parameter where no other one stands on it.
+    // A comment belongs to the parameter if no other one is on its line.
     for (const file_node *other = all ? all->first : NULL; other && node; other = other->next)
         if (other != node && other->line == node->line) node = NULL;
     const char *line = node ? line_at(object->text, node->line) : NULL;

@@ -1,4 +1,4 @@
-// Changing values in the text of a case: all else, comments included, stays byte for byte.
+// Changing values in the text of a case: everything else, comments included, stays byte for byte.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,8 +31,8 @@ static const file_node *find_node(const file_node *at, const char *path) {
 
 // ---------------------------------------------------------------- one change
 
-/// `text` with `count` bytes from `at` on replaced by before + value + after. Freed by the caller; NULL without memory
-/// or where the text ends before.
+/// Returns `text` with `count` bytes from `at` on replaced by before + value + after. Freed by the caller; NULL without
+/// memory, or beyond the end of the text.
 static char *splice(const char *text, size_t length, size_t at, size_t count, const char *before, const char *value,
                     const char *after) {
     if (at > length || count > length - at) return NULL;
@@ -44,15 +44,15 @@ static char *splice(const char *text, size_t length, size_t at, size_t count, co
     return result;
 }
 
-/// Behind the bracket that ends a list whose last item ends at `at`.
+/// Offset after the bracket of a list whose last item ends at `at`.
 static size_t behind_bracket(const char *text, size_t length, size_t at) {
     for (; at < length && text[at] != ']'; at++)
         if (text[at] == '#') at += strcspn(text + at, "\n");
     return at < length ? at + 1 : length;
 }
 
-/// The bytes of a list: of one in dashes all that follows its key, for a list in brackets may have to stand further
-/// right.
+/// Finds the bytes of a list. For one with dashes, these are all bytes after its key, since a bracketed list may need
+/// another indent.
 static void list_extent(const char *text, size_t length, const file_node *list, size_t *from, size_t *to) {
     const file_node *end = list->last ? list->last : list;
     *to = byte_offset(text, length, end->to);
@@ -81,7 +81,7 @@ static char *insert(const char *text, size_t length, const file_node *mapping, c
     return splice(text, length, byte_offset(text, length, mapping->first->key_from), 0, "", member, indent);
 }
 
-/// What a path lacks is written as mappings within each other: "integrate: {transient: 100}".
+/// Adds a missing path as nested mappings: "integrate: {transient: 100}".
 static char *add(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
     char parent[PATH_SIZE], member[PATH_SIZE + 64];
     const char *dot = strrchr(path, '.');
@@ -99,8 +99,8 @@ static char *add(const char *text, size_t length, const file_node *root, const c
     return found || !dot ? NULL : add(text, length, root, parent, member);
 }
 
-/// The text without a member of a mapping. In braces its comma goes too; elsewhere its lines do, unless a dash stands
-/// before it in the first of them. NULL without memory.
+/// Returns the text without a member of a mapping. In braces its comma goes too; elsewhere its lines do, unless a dash
+/// precedes it in the first line. NULL without memory.
 static char *take_away(const char *text, size_t length, const file_node *node) {
     size_t from = byte_offset(text, length, node->key_from), to = byte_offset(text, length, node->to), unused;
     if (node->kind == NODE_LIST) list_extent(text, length, node, &unused, &to);
@@ -155,7 +155,7 @@ static void list_text(const file_node *list, char text[PATH_SIZE]) {
     if (used < PATH_SIZE) snprintf(text + used, PATH_SIZE - used, "]");
 }
 
-/// Whether the value is read back as it was meant.
+/// Returns true if the edited text reads back as the value.
 static bool says(const char *text, const char *path, const char *value) {
     edit_tree tree;
     char list[PATH_SIZE] = "";
@@ -181,7 +181,7 @@ static char *quoted(const char *value) {
     return result;
 }
 
-/// The edited text if it says what it should, or NULL.
+/// Returns the edited text if it reads back as intended, or NULL.
 static char *try_edit(const char *text, size_t length, const file_node *root, const char *path, const char *value,
                       const char *written) {
     const file_node *node = find_node(root, path);
@@ -191,7 +191,7 @@ static char *try_edit(const char *text, size_t length, const file_node *root, co
     return NULL;
 }
 
-/// The text that says `value` at the path, in quotes where it must be, or NULL.
+/// Returns the text with `value` at the path, quoted if necessary, or NULL.
 static char *write_value(const char *text, size_t length, const file_node *root, const char *path, const char *value) {
     char *edited = try_edit(text, length, root, path, value, value);
     char *quotes = edited ? NULL : quoted(value);
@@ -200,7 +200,8 @@ static char *write_value(const char *text, size_t length, const file_node *root,
     return edited;
 }
 
-/// The text without that node (NULL: as it is), or NULL where it would be there still, or what is left is not YAML.
+/// Returns the text without that node (NULL: unchanged), or NULL if the node would remain, or the rest would be
+/// invalid.
 static char *without(const char *text, size_t length, const file_node *node, const char *path) {
     if (!node) return splice(text, length, 0, 0, "", "", "");
     char *edited = node->key ? take_away(text, length, node) : NULL;

@@ -9,13 +9,14 @@
 /// Characters of a long line that are shown before a place.
 enum { LEAD = 60, LONGEST_MARK = 1000 };
 
-/// Bytes of the character at `at`; one where there is no valid one.
+/// Bytes of the character at `at`; one if it is invalid.
 static size_t step(const char *at, const char *end) {
     const size_t bytes = utf8_length(at, (size_t)(end - at));
     return bytes ? bytes : 1;
 }
 
-/// Appends a character, or ' ' for a tab and '?' for what must not reach a terminal. False when it does not fit.
+/// Appends a character, ' ' for a tab, '?' for characters that must not reach a terminal. Returns false if it does not
+/// fit.
 static bool append(char *to, size_t size, const char *from, size_t bytes) {
     const size_t used = strlen(to);
     const bool plain = utf8_length(from, bytes) == bytes && utf8_is_plain(from, bytes);
@@ -24,7 +25,7 @@ static bool append(char *to, size_t size, const char *from, size_t bytes) {
     return true;
 }
 
-/// Bytes of what begins at `text`: a key, a value, a text in quotes; at least one.
+/// Length of the token at `text`: a key, a value, a quoted text; at least one.
 static size_t word_length(const char *text) {
     size_t i = 0;
     int open = 0;
@@ -49,7 +50,7 @@ static int count_characters(const char *text, size_t length) {
     return count;
 }
 
-/// The line from `line` to `end`, or what of it stands around the place.
+/// Copies the line from `line` to `end`, or its part around the problem.
 static void quote(whirl_problem *problem, const char *line, const char *end) {
     const int skipped = problem->column > LEAD ? problem->column - LEAD : 0;
     const char *place = NULL, *from = line;

@@ -10,7 +10,7 @@ enum { MAX_NAMES = WHIRL_MAX_STATIONS + WHIRL_MAX_SHAFTS + WHIRL_MAX_MATERIALS +
 
 // ---------------------------------------------------------------- elements
 
-/// "film" or "film[2]": the kind, and which of its elements (0 where none is said).
+/// "film" or "film[2]": kind and number of an element (0 without one).
 typedef struct element_name {
     char kind[WHIRL_NAME_SIZE];
     size_t which;
@@ -30,7 +30,7 @@ static size_t count_kind(const machine_parts *machine, const char *kind) {
     return count;
 }
 
-/// An element by its number among those of its kind, from 1.
+/// Finds an element by kind and number, from 1.
 static const setting_list *find_element(const machine_parts *machine, const element_name *name) {
     size_t which = name->which > 0 ? name->which : 1;
     for (size_t i = 0; i < machine->element_count; i++)
@@ -49,7 +49,7 @@ static whirl_status element_path(const machine_parts *machine, const char *head,
     if (!element || (strchr(head, '[') && name.which == 0))
         return whirl_fail(WHIRL_BAD_INPUT, "%.60s is no element, the case has %zu of that kind", head, count);
     node_path(element->place, place, sizeof place);
-    // `gravity: 9.81 m/s2`: the value stands where the mapping would.
+    // `gravity: 9.81 m/s2`: a shorthand value in place of the mapping.
     const bool alone = element->place->kind == NODE_TEXT && element->group->shorthand &&
                        strcmp(element->group->shorthand, key) == 0 && element->place->key;
     snprintf(path, PATH_SIZE, alone ? "%.200s" : "%.200s.%s", place, key);
@@ -58,7 +58,7 @@ static whirl_status element_path(const machine_parts *machine, const char *head,
 
 // ---------------------------------------------------------------- all names
 
-/// What the first word of a short name may be.
+/// Collects the words that may begin a short name.
 static size_t collect_names(const case_content *content, const char *names[MAX_NAMES]) {
     const machine_parts *const machine = &content->machine;
     size_t count = 0;
@@ -89,7 +89,7 @@ static whirl_status refuse_number(const machine_parts *machine, const char *rest
                       known ? key : element->group->keys[0].name);
 }
 
-/// Says how a name must begin: where elements are named as the file lists them, or a key of the rotor stands alone.
+/// Reports how a name must begin, if an element needs a number, or a key of the rotor has no element.
 static whirl_status refuse_name(const case_content *content, const char *head, const char *rest) {
     const machine_parts *const machine = &content->machine;
     const char *names[MAX_NAMES];

@@ -6,8 +6,8 @@
 
 enum { PATH_SIZE = 256 };
 
-/// The path of the key that a short name means ("rotor.stations.disc.mass"); paths themselves stand for what they are.
-/// Elements of one kind are told apart by numbers: "film[2].clearance". WHIRL_BAD_INPUT names the nearest name.
+/// Finds the path of a key by a short name ("rotor.stations.disc.mass"); full paths are allowed. Elements of one kind
+/// have numbers: "film[2].clearance". WHIRL_BAD_INPUT suggests the nearest name.
 whirl_status path_of_name(const case_content *content, const char *name, char path[PATH_SIZE]);
 
 #endif

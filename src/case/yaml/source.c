@@ -16,7 +16,7 @@ whirl_status source_load(const char *path, whirl_problems *problems, char **text
     return whirl_fail(WHIRL_BAD_INPUT, "%.240s cannot be read: %s", path, in.reason);
 }
 
-/// What no case needs: characters that steer a terminal, or turn a line so that it reads otherwise than it is computed.
+/// Reports characters that no case needs: those that control a terminal, or reverse the direction of text.
 static bool report_character(const char *text, size_t bytes, int line, int column, whirl_problems *problems) {
     const unsigned char c = (unsigned char)text[0];
     if (bytes == 0)

@@ -13,7 +13,7 @@ typedef struct tree_builder {
     whirl_problems *problems;
     file_node *root;
     file_node *open; ///< the list or mapping that is being filled
-    char *key;       ///< of the next member, or NULL
+    char *key;       ///< key of the next member, or NULL
     int key_line, key_column;
     size_t key_from;
     size_t depth, nodes;
@@ -27,7 +27,7 @@ static int column_of(const yaml_event_t *event) {
     return (int)event->start_mark.column + 1;
 }
 
-/// Anything that stops the parsing: one problem, said once.
+/// Reports a problem that stops parsing.
 static bool stop(tree_builder *b, const yaml_event_t *event, const char *message) {
     problem_in_file(b->problems, line_of(event), column_of(event), "%s", message);
     return false;
@@ -62,7 +62,7 @@ static file_node *add_node(tree_builder *b, const yaml_event_t *event, node_kind
     return made;
 }
 
-/// Escapes in quotes can make what source_check refuses, and surrogates, which are no characters.
+/// Checks the text of quoted scalars: escapes can produce characters that source_check refuses, and surrogates.
 static bool is_text(const char *text, size_t length) {
     for (size_t i = 0; i < length;) {
         const size_t bytes = utf8_length(text + i, length - i);

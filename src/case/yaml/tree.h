@@ -1,4 +1,4 @@
-/// A YAML document as a tree that knows where in the file everything stands.
+/// A YAML document as a tree with the place of everything in the file.
 #ifndef CASE_TREE_H
 #define CASE_TREE_H
 
@@ -16,21 +16,21 @@ typedef enum node_kind { NODE_TEXT, NODE_LIST, NODE_MAPPING } node_kind;
 typedef struct file_node {
     node_kind kind;
     int line, column;         ///< from 1
-    const char *text;         ///< of NODE_TEXT, trimmed by YAML; else NULL
-    bool quoted;              ///< the text stood in quotes
-    const char *key;          ///< of a mapping's member, else NULL
-    int key_line, key_column; ///< of that key
+    const char *text;         ///< value of NODE_TEXT, trimmed by YAML; else NULL
+    bool quoted;              ///< the text was quoted
+    const char *key;          ///< key of a mapping's member, else NULL
+    int key_line, key_column; ///< place of that key
     size_t from, to; ///< characters of the file before the value and up to its end (of a collection: its first sign's)
     size_t key_from; ///< characters before the key
     bool flow;       ///< the list or mapping is written with brackets
-    size_t index;    ///< of a list's item, from 1
+    size_t index;    ///< index of a list's item, from 1
     struct file_node *parent; ///< NULL for the root
     struct file_node *first, *last, *next;
-    size_t count; ///< of items or members
+    size_t count; ///< number of items or members
 } file_node;
 
-/// Parses one document. What is wrong goes to `problems`; the status is WHIRL_BAD_INPUT when there is no tree because
-/// of it. Keys that stand twice are reported and kept. Memory is the arena's.
+/// Parses one document. Problems go to `problems`; the status is WHIRL_BAD_INPUT if they prevent a tree. Duplicate keys
+/// are reported and kept. Memory is the arena's.
 whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whirl_problems *problems,
                        file_node **root);
 
@@ -39,7 +39,7 @@ whirl_status tree_read(const char *text, size_t length, memory_arena *arena, whi
 /// The member of a mapping with that key, or NULL.
 const file_node *node_member(const file_node *mapping, const char *key);
 
-/// Nothing stands there (`response:`), or ~ or null.
+/// Returns true for an empty value (`response:`), ~ or null.
 bool node_is_null(const file_node *node);
 
 /// "rotor.elements[2].film.load"; "" for the root. Cut at `size` - 1 bytes.
@@ -48,7 +48,7 @@ void node_path(const file_node *node, char *text, size_t size);
 // ---------------------------------------------------------------- excerpt
 // The lines of a file that problems are about.
 
-/// Gives every problem, in the order of problems_sort, what stands at its place in the text of the file.
+/// Adds excerpts to all problems, in the order of problems_sort, from the text of the file.
 void problems_quote(whirl_problems *problems, const char *text, size_t length);
 
 // ---------------------------------------------------------------- problem
@@ -62,7 +62,7 @@ enum { SHOWN_SIZE = 64 };
 #define PROBLEM_FORMAT(n)
 #endif
 
-/// At a place of the file without a key; line 0 stands for the file as a whole.
+/// Reports a problem at a place without a key; line 0: the file as a whole.
 void problem_in_file(whirl_problems *problems, int line, int column, const char *format, ...) PROBLEM_FORMAT(4);
 
 /// At a value: its own place when it is a word, the place of its key otherwise.
@@ -75,16 +75,16 @@ void problem_at_key(whirl_problems *problems, const file_node *where, const char
 void problem_missing(whirl_problems *problems, const file_node *mapping, const char *key, const char *format, ...)
     PROBLEM_FORMAT(4);
 
-/// What is said of a value that could not be read for lack of memory: then nothing is wrong with the file.
+/// Message for a value that could not be read for lack of memory: then the file is not at fault.
 extern const char problem_no_memory[];
 
-/// Whether that was said, or nothing could be said.
+/// Returns true if that message was reported, or there was no memory to report anything.
 bool problems_blame_memory(const whirl_problems *problems);
 
 /// In an order that a person can walk through: by line, then column.
 void problems_sort(whirl_problems *problems);
 
-/// What stands there in a few words for a message: the text (shortened), "a list", "a mapping", "nothing".
+/// Describes a value in a message: the text (shortened), "a list", "a mapping", "nothing".
 const char *node_shown(const file_node *node, char text[SHOWN_SIZE]);
 
 /// A text shortened for a message, without line breaks.
@@ -93,12 +93,12 @@ const char *text_shown(const char *text, char shown[SHOWN_SIZE]);
 // ---------------------------------------------------------------- source
 // The bytes of a file, before anything is made of them.
 
-/// Reads a plain file, at most one byte more than TREE_MAX_BYTES behind a byte order mark. *text is freed by the
-/// caller; `problems`, which may be NULL, are then of this file. WHIRL_BAD_INPUT with a sentence for what cannot be
-/// read (nothing there, a folder, a pipe, a device, no permission).
+/// Reads a plain file, at most one byte more than TREE_MAX_BYTES after a byte order mark. *text is freed by the caller;
+/// `problems`, which may be NULL, are then those of this file. WHIRL_BAD_INPUT with a sentence for a file that cannot
+/// be read (missing, a folder, a pipe, a device, no permission).
 whirl_status source_load(const char *path, whirl_problems *problems, char **text, size_t *length);
 
-/// Reports what is no text: too many bytes, bytes that are not UTF-8, control characters, tabs that indent.
+/// Reports invalid text: too many bytes, bytes that are not UTF-8, control characters, tabs as indentation.
 void source_check(const char *text, size_t length, whirl_problems *problems);
 
 #endif
