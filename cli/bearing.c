@@ -95,7 +95,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Before anything is computed: whether files may be made where they are wanted.
+/// Returns true if the output files may be made, before anything is computed.
 static bool may_write(const bearing_arguments *arguments) {
     const char *const paths[] = {arguments->csv, arguments->table, arguments->output};
     bool may = true;

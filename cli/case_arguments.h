@@ -1,4 +1,4 @@
-/// What commands that compute take: a case, settings of its parameters, a number of threads.
+/// Arguments of commands that compute: a case, settings of its parameters, a number of threads.
 #ifndef CLI_CASE_ARGUMENTS_H
 #define CLI_CASE_ARGUMENTS_H
 
@@ -27,20 +27,20 @@ enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
             "it, as in --set disc.mass=41; may be repeated"                                                            \
     }
 
-/// The row of --json, whose key is the command's own.
+/// Row of --json in an option table; its key is the command's own.
 #define JSON_OPTION(json_key, text)                                                                                    \
     {                                                                                                                  \
         .name = "json", .key = (json_key), .arg = "full", .flags = OPTION_ARG_OPTIONAL,                                \
         .doc = text "; with --json=full sections, curves and nodes as well"                                            \
     }
 
-/// Whether all is asked for; complains of anything else behind --json.
+/// Returns true for `--json=full`; reports an error for any other value.
 bool parse_json(const char *argument, const struct argp_state *state);
 
-/// The part of an argp parser that takes these arguments, the case among them, without which it complains in the end.
+/// Parses these arguments in an argp parser; reports an error if the case is missing.
 error_t parse_case_argument(case_arguments *arguments, int key, char *argument, struct argp_state *state);
 
-/// A whole number from 1 to `most`; complains of anything else that stands after `option`.
+/// Returns a whole number from 1 to `most`; reports an error for any other value of `option`.
 int take_whole(const char *option, const char *text, int most, const struct argp_state *state);
 
 /// Gives a case the values of --set, after complaining of the first that it does not take; gives the exit status.

@@ -1,4 +1,4 @@
-/// whirl check: all that is wrong with case files, or what they hold.
+/// whirl check: reports all problems of case files, or their content.
 #include "command.h"
 #include "console.h"
 
@@ -66,7 +66,7 @@ enum {
     MAX_SECONDS = 1 ///< for a look at their motions
 };
 
-/// Machines at the values looked at, and their states.
+/// Machines at some values of a batch, and their states.
 typedef struct look {
     size_t count;
     whirl_machine machines[LOOKED_AT];
@@ -98,8 +98,8 @@ static whirl_status begin_look(look *l, const whirl_study *study, const whirl_ba
     return status;
 }
 
-/// Carries the machines that go side by side with one of them over a few revolutions, by a method that is stable: films
-/// stiffen as a motion grows. One that cannot go on stays at its start, and all where they are when it takes too long.
+/// Carries the machines of one lane group over a few revolutions by a stable method: films stiffen as a motion grows. A
+/// machine that diverges stays at its start; if it takes too long, all stay where they are.
 static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) {
     enum { REVOLUTIONS = 10 };
     whirl_integrate_options stable = batch->integrate;
@@ -129,8 +129,8 @@ static whirl_status carry_with(look *l, size_t first, const whirl_batch *batch) 
     return l->carried[first] ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
 }
 
-/// The steps that a batch needs, 0 where its own are short enough. A revolution that takes too long is looked at as far
-/// as it is known by then.
+/// Finds the number of steps that a batch needs, 0 if its own are short enough. A revolution that takes too long is
+/// judged by the part that was done.
 static whirl_status needed_steps(const whirl_study *study, const whirl_batch *batch, double *needed) {
     look l = {0};
     *needed = 0.0;
@@ -149,7 +149,7 @@ static whirl_status needed_steps(const whirl_study *study, const whirl_batch *ba
     return status;
 }
 
-/// Warns where fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last
+/// Warns if fixed steps are too long for the machine in its first revolutions, at the first, the middle and the last
 /// value.
 static whirl_status warn_of_steps(const char *path, const whirl_study *study, const whirl_batch *batch) {
     double needed;
@@ -204,8 +204,7 @@ static whirl_status tell_extent(const whirl_result *told, const whirl_study *stu
     return whirl_ok();
 }
 
-/// Says how far a study goes, where the steps of a sweep do not meet its end, and what a result of the case would warn
-/// of.
+/// Reports the range of a study, sweeps whose steps do not reach their end, and warnings about the case.
 static whirl_status tell_result(const char *path, const whirl_case *object, const whirl_study *study, bool timed) {
     whirl_result *const told = calloc(1, sizeof *told);
     if (!told) return whirl_fail(WHIRL_NO_MEMORY, "%s", whirl_code_text(WHIRL_NO_MEMORY));
@@ -252,8 +251,8 @@ static void tell_notes(const whirl_rotor *rotor) {
     for (size_t i = 0; whirl_rotor_note(rotor, i, text); i++) printf("  %s\n", text);
 }
 
-/// Tables of films that are to be made before the machines of a study move: what depends on forces is not told then.
-/// Outlines of all values are built, for some tenths of a second.
+/// Counts the film tables to make before the machines of a study move (those that depend on forces are unknown then).
+/// Builds outlines for all values, which takes some tenths of a second.
 static whirl_status count_tables(const whirl_study *study, size_t *missing) {
     enum { SHORT_TIME = 1 };
     const whirl_stop *over = limit_begin(SHORT_TIME);

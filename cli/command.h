@@ -43,8 +43,8 @@ void bad_argument(const struct argp_state *state, const char *format, ...) __att
 /// Complains of an option that must be there and is not, when `value` is NULL.
 void require_option(const struct argp_state *state, const char *value, const char *option);
 
-/// Complains of all problems of a file, one a line, and of how many they are; `status` speaks where there are none.
-/// Frees them and gives the exit status: EXIT_BAD_INPUT, or EXIT_FAILED without memory.
+/// Reports all problems of a file, one a line, and their number; without problems reports `status`. Frees them and
+/// returns the exit status: EXIT_BAD_INPUT, or EXIT_FAILED without memory.
 int complain_of_problems(whirl_problems *problems, const whirl_status *status);
 
 /// The file's name without folders and without `suffix`; writes at most `size` bytes.

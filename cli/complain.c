@@ -8,7 +8,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/// How things are set off on a terminal with colours; empty elsewhere.
+/// Escape sequences for a terminal with colours; empty elsewhere.
 typedef struct colours {
     const char *bold, *error, *mark, *plain;
 } colours;
@@ -20,7 +20,7 @@ static colours find_colours(void) {
 
 enum { LONGEST_LINE = 8192 }; // a path may have 4096 bytes
 
-/// One line on standard error. Names of files, and what stands in them, are not to steer the terminal.
+/// Writes one line on standard error. Names and contents of files must not control the terminal.
 static void say(const char *program, const char *format, va_list arguments) {
     char line[LONGEST_LINE];
     const colours c = find_colours();
@@ -64,7 +64,7 @@ void require_option(const struct argp_state *state, const char *value, const cha
     if (!value) bad_argument(state, "%s is missing; '%s --help' shows what is expected", option, state->argv[0]);
 }
 
-/// The line of the file with a mark under what is wrong with it, as compilers show it.
+/// Shows the line of the file with the problem marked, like compilers.
 static void show_excerpt(const whirl_problem *problem, const colours *c) {
     if (!problem->excerpt[0]) return;
     fprintf(stderr, "%6d | %s\n       | %*s%s^", problem->line, problem->excerpt, problem->mark, "", c->mark);

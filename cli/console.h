@@ -1,4 +1,4 @@
-/// What is told while a study runs, and how it is stopped.
+/// Console of a running study: progress, estimates, interrupts.
 #ifndef CLI_CONSOLE_H
 #define CLI_CONSOLE_H
 
@@ -15,10 +15,9 @@ int available_cores(void);
 // ---------------------------------------------------------------- estimate
 // How long a study takes, by a few of its revolutions.
 
-/// Seconds that a batch takes on so many cores, to within a factor of two or so; of motions that settle at most. NaN
-/// where it is not known: of branches, of machines at rest but for modes that take a second or more, which are
-/// otherwise next to nothing, and of very large ones;
-/// infinite where a revolution takes over 5 s. Takes a tenth of a second or so itself, and no longer than a few
+/// Estimates the seconds that a batch takes on so many cores, to within a factor of about two; for motions that settle
+/// an upper bound. NaN if unknown: for branches, very large studies, and studies at rest, except modes that take a
+/// second or more. Infinite if a revolution takes over 5 s. The estimate takes about a tenth of a second, at most a few
 /// revolutions of one machine. WHIRL_NO_MEMORY.
 whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds);
 
@@ -26,17 +25,16 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
 // What becomes of the program where a library does not survive a lack of memory: a sentence and exit status 1, no
 // signal.
 
-/// From now on a fault for lack of memory, and an end of the program that is not its own, are told in a sentence.
+/// Turns faults for lack of memory, and unexpected ends of the program, into a sentence.
 void guard_begin(void);
 
 /// The program ends of itself, as it may while arguments are read.
 void guard_rest(void);
 
-/// A file that is written whole or not at all while the guard watches: what is half written of it, under its temporary
-/// name, is removed where the program ends by a fault.
+/// Registers a file that is written under a temporary name, which is removed if the program ends by a fault.
 void guard_output(const char *path);
 
-/// Memory ran out: at the end nothing is left to libraries, which may not be able to tidy up.
+/// Notes that memory ran out: at exit libraries are not called any more, since they might crash.
 void guard_note_exhausted(void);
 
 /// Ends the program.
@@ -52,22 +50,23 @@ const whirl_stop *interrupt_watch(void);
 /// Sets the flag in so many seconds from now.
 void interrupt_after(double seconds);
 
-/// Seconds until then; infinite where none were set.
+/// Seconds until the time limit; infinite without one.
 double interrupt_left(void);
 
-/// The signal that came, 0 where none did; sets the flag as a signal does that came to another process.
+/// interrupt_signal: the signal that arrived, 0 if none. interrupt_pass_on: sets the flag for a signal that arrived at
+/// another process.
 int interrupt_signal(void);
 void interrupt_pass_on(int number);
 
-/// What the interrupt was, in words.
+/// Name of the interrupt.
 const char *interrupt_text(void);
 
 // ---------------------------------------------------------------- phases
 // What `whirl check` says of forces that do not turn with the shaft.
 
-/// Lines on standard output where forces of the batch's machines have phases of their own: by which phase sections are
-/// taken (that of the shaft, or of the keyphasor of `rotor`), after how many revolutions forces repeat, or that they
-/// fit none, and what the verdicts will be called. Errors as those of the machines.
+/// Prints lines if forces of the batch's machines do not repeat with the shaft: the phase of sections (the shaft's, or
+/// that of the keyphasor of `rotor`), the period of the forces or that they have none, and the names of the verdicts.
+/// Returns errors of the machines.
 whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, const whirl_rotor *rotor);
 
 // ---------------------------------------------------------------- progress
@@ -75,12 +74,12 @@ whirl_status tell_phases(const whirl_study *study, const whirl_batch *batch, con
 
 typedef struct progress_view {
     bool terminal;
-    double seconds; ///< of the run, when it was last shown
-    int round;      ///< of refinement, and
+    double seconds; ///< time in the run of the last update
+    int round;      ///< round of refinement
     whirl_stage stage;
-    size_t points;  ///< of the stage: more than before where a map is refined further
-    int last_tenth; ///< of the run, the round or these points that a plain line was written for
-    bool drawn;     ///< a bar stands on the current line
+    size_t points;  ///< points of the stage; grows while a map is refined
+    int last_tenth; ///< tenth of the run, the round or these points for which a plain line was written
+    bool drawn;     ///< a bar is on the current line
 } progress_view;
 
 /// "12 s", "3:05 min", "2:10 h".
@@ -92,7 +91,7 @@ progress_view progress_begin(void);
 /// Shows how far the run is; `view` is a progress_view. As whirl_run_options.progress wants it.
 void progress_show(void *view, const whirl_progress *progress);
 
-/// Takes the bar away.
+/// Removes the bar.
 void progress_end(progress_view *view);
 
 // ---------------------------------------------------------------- summary
@@ -104,20 +103,20 @@ void summarize_study(const whirl_study *study);
 // ---------------------------------------------------------------- terminal
 // What the terminal can show, if there is one.
 
-/// Whether a file descriptor is a terminal.
+/// Returns true if a file descriptor is a terminal.
 bool is_terminal(int descriptor);
 
-/// Whether colours may be written to it: a terminal that is not dumb, where NO_COLOR (no-color.org) is absent or empty.
+/// Returns true if colours may be written: to a terminal that is not dumb, without NO_COLOR (no-color.org).
 bool has_colours(int descriptor);
 
-/// Columns of the terminal behind a file descriptor, from 40 on; where there is none, those that COLUMNS says, else 80.
+/// Columns of the terminal of a file descriptor, at least 40; without a terminal COLUMNS, else 80.
 int terminal_columns(int descriptor);
 
-/// Columns that a text takes: continuation bytes of UTF-8 take none.
+/// Columns of a text, in which continuation bytes of UTF-8 do not count.
 int text_columns(const char *text);
 
-/// Prints words to standard output, broken so that no line is longer than `width` where that is possible. The first
-/// line goes on at column `at`, the others begin at `indent`. No newline at the end.
+/// Prints words to standard output, in lines of at most `width` columns where possible. The first line continues at
+/// column `at`, the others begin at `indent`. No newline at the end.
 void print_wrapped(const char *text, int at, int indent, int width);
 
 #endif

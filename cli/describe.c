@@ -15,9 +15,9 @@ typedef enum subject_kind { SUBJECT_GROUP, SUBJECT_ANALYSIS, SUBJECT_METHOD } su
 
 typedef struct subject {
     subject_kind kind;
-    const char *part; ///< what it is: "element", "station", ...
+    const char *part; ///< "element", "station", ...
     const char *name, *meaning, *source;
-    const whirl_group *group; ///< of SUBJECT_GROUP
+    const whirl_group *group; ///< for SUBJECT_GROUP
 } subject;
 
 enum { MAX_SUBJECTS = 128, LONGEST_DEFAULT = 10 };
@@ -159,7 +159,7 @@ static int longest_word(const char *text) {
     return longest;
 }
 
-/// A line of cells; the last goes on below its column, or stands on a line of its own where it is too wide for that.
+/// Prints a row of cells; the last one continues below its column, or on a line of its own if it is too wide.
 static void print_cells(key_cells cells, const int columns[CELLS], int width) {
     int at = KEY_INDENT;
     printf("%*s", KEY_INDENT, "");
@@ -217,7 +217,7 @@ static void print_subject(const subject *one, int width) {
     if (one->group->shorthand) printf("\n`%s: VALUE` alone sets %s.\n", one->group->name, one->group->shorthand);
 }
 
-/// Prints all subjects of that name (an element and an analysis may share one); EXIT_BAD_INPUT when there is none.
+/// Prints all subjects of a name (an element and an analysis may share one). Returns EXIT_BAD_INPUT if there is none.
 static int describe(const catalogue *all, const char *name, int width) {
     const char *names[MAX_SUBJECTS];
     size_t found = 0;

@@ -19,8 +19,7 @@ static void note_memory(whirl_status *status, whirl_status made) {
     if (made.code == WHIRL_NO_MEMORY) *status = made;
 }
 
-/// Seconds of a revolution of so many copies of a machine side by side; NaN where it cannot be told,
-/// infinite where it takes longer than LONGEST seconds.
+/// Seconds of a revolution of several copies of a machine in lanes; NaN if unknown, infinite above LONGEST seconds.
 static double time_lanes(const whirl_machine *machine, const whirl_integrate_options *how, size_t lanes,
                          whirl_status *status) {
     enum { MOST = 50, LONGEST = 5 };
@@ -55,8 +54,8 @@ static double time_lanes(const whirl_machine *machine, const whirl_integrate_opt
     return done > 0 ? passed / done : (double)NAN;
 }
 
-/// Seconds of a revolution of each of `motions` motions on so many cores, as many side by side as is usual. One that
-/// takes long is not tried in lanes: they gain less where a machine is large.
+/// Seconds of a revolution of each of `motions` motions on so many cores, in the usual number of lanes. Slow machines
+/// are not tried in lanes: large machines gain less from them.
 static double time_motions(const whirl_machine *machine, const whirl_integrate_options *how, double motions, int cores,
                            whirl_status *status) {
     const double usual = 32.0, long_one = 0.01, threads = fmin(motions, cores);
@@ -66,8 +65,8 @@ static double time_motions(const whirl_machine *machine, const whirl_integrate_o
     return all * motions / (lanes * threads);
 }
 
-/// Seconds of modes at all points on so many cores, by those of the middle point; those of a large machine by the cube
-/// of its states. NaN below a second.
+/// Seconds of the modes of all points on so many cores, extrapolated from the middle point; for a large machine by the
+/// cube of its states. NaN below a second.
 static whirl_status time_modes(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds) {
     const double most_timed = 150.0, threads = fmin((double)batch->count, cores);
     const size_t middle = batch->count / 2;
@@ -104,7 +103,7 @@ whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch
     const bool both = batch->carry == WHIRL_CARRY_BOTH, carried = batch->carry != WHIRL_CARRY_NONE;
     const double motions = points * starts * (both ? 2.0 : 1.0), chains = carried ? motions / points : motions;
     const double whole = (double)batch->record.transient + batch->record.record;
-    // The twin that tells how a perturbation grows goes along while a motion is watched.
+    // The perturbed copy that measures growth runs along while a motion is watched.
     const bool twin = batch->record.growth == WHIRL_GROWTH_LARGEST;
     const double revolutions = whole + (twin ? (double)whirl_record_watch(&batch->record) : 0.0);
     whirl_machine machine;

@@ -47,7 +47,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Whether a file may be made there; complains if not. What is no ordinary file is written to.
+/// Returns true if a file may be made there; otherwise reports an error. Devices and pipes are written to.
 static bool may_write(const char *path, const export_arguments *arguments) {
     struct stat there;
     if (!path) return true;
@@ -68,7 +68,7 @@ static int export_csv(const export_arguments *arguments) {
     return kept ? EXIT_FAILED : complain_of(&status);
 }
 
-/// The file as it stands, once all but its numbers has been found to be a result.
+/// Exports the result file after a check that everything except its numbers is valid.
 static int export_mat(const export_arguments *arguments) {
     whirl_result *outline = NULL;
     const int outcome = load_outline(arguments->result, &outline);

@@ -92,7 +92,7 @@ static int print_names(const whirl_result *result, const figure_arguments *argum
     return complain_of(&status);
 }
 
-/// Where the figure goes: as asked for, with the format's ending where it has none.
+/// Path of the figure; the format's ending is added if there is none.
 static void name_output(const figure_arguments *arguments, const whirl_figure *figure, char *path, size_t size) {
     const char *output = arguments->output ? arguments->output : figure->name;
     const char *last = strrchr(output, '/') ? strrchr(output, '/') : output;

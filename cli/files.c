@@ -14,7 +14,7 @@
 
 enum { HEAD_SIZE = 4096 };
 
-/// Among the first lines of what Rotor.save writes, as TOML or JSON.
+/// Returns true for the beginning of a file by ROSS's Rotor.save, TOML or JSON.
 static bool is_rotor_of_ross(const char *head) {
     return strstr(head, "ross_version") || strstr(head, "\"ShaftElement");
 }
@@ -91,10 +91,10 @@ int load_outline(const char *path, whirl_result **outline) {
     return load(path, whirl_result_read_outline, outline);
 }
 
-/// A file beside `path` that does not have its name yet, with the text; gives the reason why not, or 0.
+/// Writes the text to a temporary file next to `path`. Returns an errno, or 0.
 static int write_beside(const char *path, const char *temporary, const char *text) {
     struct stat earlier;
-    // What takes the place of a private file is no more public than that.
+    // The new file is no more public than the one it replaces.
     const mode_t mode = stat(path, &earlier) == 0 ? earlier.st_mode & 0666 : 0666;
     unlink(temporary); // nobody's: a leftover of an earlier process of this number
     const int descriptor = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode | 0600);
@@ -109,7 +109,7 @@ static int write_beside(const char *path, const char *temporary, const char *tex
     return reason;
 }
 
-/// Gives the file its name: with `force` in the place of what is there. 0, or the reason why not.
+/// Renames the file; with `force` it replaces an existing one. Returns 0 or an errno.
 static int give_name(const char *temporary, const char *path, bool force) {
     if (force) return rename(temporary, path) == 0 ? 0 : errno;
     if (link(temporary, path) == 0) {

@@ -1,4 +1,4 @@
-/// Files given to a command: what they are, where that is not what was asked for.
+/// Files given to a command, and messages for files of another kind.
 #ifndef CLI_FILES_H
 #define CLI_FILES_H
 
@@ -7,23 +7,22 @@
 #include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 
-/// True when the file is a result, by its first bytes, or a rotor that ROSS has saved; complains then, and says what
-/// can be done with it.
+/// Returns true if the file is a result (by its first bytes) or a rotor of ROSS; reports what can be done with it then.
 bool is_other_than_case(const char *path);
 
-/// What a case from standard input is called in messages and results.
+/// Name of a case from standard input in messages and results.
 extern const char standard_input[];
 
-/// Whether the name of a case stands for standard input: "-".
+/// Returns true if a path means standard input: "-".
 bool is_standard_input(const char *path);
 
-/// Reads a case, from standard input where the name says so. Errors as whirl_case_load.
+/// Reads a case, from standard input if the path says so. Errors as whirl_case_load.
 whirl_status read_case(const char *path, whirl_problems *problems, whirl_case **object);
 
-/// Reads a result; gives the exit status, after complaining of what cannot be read. A case is named for what it is.
+/// Reads a result. Returns the exit status; reports an error for other files, a case by its name.
 int load_result(const char *path, whirl_result **result);
 
-/// What a command does with a result and its arguments; gives the exit status.
+/// Function of a command on a result and its arguments; returns the exit status.
 typedef int result_action(const whirl_result *result, const void *arguments);
 
 /// Does it with the result of a file, and ends the output. Gives the exit status.
@@ -32,12 +31,12 @@ int with_result(const char *path, result_action *act, const void *arguments);
 /// The same without the numbers of points.
 int load_outline(const char *path, whirl_result **outline);
 
-/// Whether a file may be made where `path` is: one that is there is kept unless `force`, and `input`, which is `what`
-/// ("the result itself"), always. Complains if not.
+/// Returns true if `path` may be written; otherwise reports an error. An existing file needs `force`. `input`,
+/// described by `what` ("the result itself"), may never be overwritten.
 bool may_write_file(const char *path, const char *input, const char *what, bool force);
 
-/// Writes a text as a file, whole or not at all; one that is there is kept unless `force`. Gives the exit status, after
-/// a complaint.
+/// Writes a text as a file, whole or not at all; an existing one needs `force`. Returns the exit status, after
+/// reporting errors.
 int write_whole(const char *path, bool force, const char *text);
 
 #endif

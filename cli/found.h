@@ -4,11 +4,11 @@
 
 #include "whirl/engine/findings.h"
 
-/// What of them is printed, and how.
+/// Selection and form of findings to print.
 typedef struct found_arguments {
     const char *units, *sheet; ///< NULL: the file's units; all of them
-    bool formed;               ///< whether a form was asked for,
-    whirl_sheet_form form;     ///< text where none was
+    bool formed;               ///< a form was given
+    whirl_sheet_form form;     ///< default: text
 } found_arguments;
 
 /// Keys of the options below; a command's own are others.
@@ -25,13 +25,13 @@ enum { KEY_FOUND_UNITS = 0x200, KEY_FOUND_SHEET, KEY_FOUND_FORMAT };
         .doc = "Of such a table: text (default), csv, latex or json"                                                   \
     }
 
-/// Takes one of these options; false for a key that is none.
+/// Takes one of these options. Returns false for other keys.
 bool found_take(int key, char *argument, const struct argp_state *state, found_arguments *arguments);
 
-/// Complains where options do not go together.
+/// Reports options that exclude each other.
 void found_check(const found_arguments *arguments, const struct argp_state *state);
 
-/// Prints the title, statements and sheets, or the sheet that is asked for. Gives the exit status.
+/// Prints the title, statements and sheets, or the requested sheet. Returns the exit status.
 int found_print(const whirl_findings *findings, const char *title, const found_arguments *arguments);
 
 #endif

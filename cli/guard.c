@@ -43,7 +43,7 @@ static void on_exit_of_others(void) {
 static void watch_faults(void) {
     enum { STACK_SIZE = 1 << 16 };
     static const int faults[] = {SIGSEGV, SIGBUS, SIGABRT};
-    // HDF5 1.10 that cannot begin calls itself until the stack is full; the handler has one of its own.
+    // HDF5 1.10 recurses until the stack is full if it cannot start; so the handler has its own stack.
     static char stack[STACK_SIZE];
     const stack_t own = {.ss_sp = stack, .ss_size = sizeof stack};
     struct sigaction action = {.sa_handler = on_fault, .sa_flags = SA_ONSTACK}, before;
@@ -74,7 +74,7 @@ void guard_note_exhausted(void) {
     exhausted = true;
 }
 
-// What failed may have been a library for want of memory, whose own leave-taking then fails as well.
+// The failure may be an out-of-memory error inside a library, whose atexit handler would then crash.
 _Noreturn void guard_leave(int status) {
     guard_rest();
     if (!exhausted && status != EXIT_FAILED) exit(status);

@@ -33,7 +33,7 @@ static void on_signal(int number) {
     }
 }
 
-/// The end is near: nobody waits for it impatiently, and whoever does has the other signals.
+/// Ignores further signals of this kind while the end is near; other signals still end the program at once.
 static void on_announcement(int number) {
     if (!received) received = number;
     stopped = true;
@@ -42,7 +42,7 @@ static void on_announcement(int number) {
 static void handle(int number, void (*handler)(int)) {
     struct sigaction action = {.sa_handler = handler, .sa_flags = SA_RESTART}, before;
     sigemptyset(&action.sa_mask);
-    // What a parent has set to be ignored (nohup) stays ignored.
+    // A signal ignored by the parent (nohup) stays ignored.
     if (sigaction(number, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(number, &action, NULL);
 }
 

@@ -50,10 +50,10 @@ static int find_finished(const journal_wish *wish, const char *path, const whirl
     return EXIT_BAD_INPUT;
 }
 
-// ---------------------------------------------------------------- what there is
+// ---------------------------------------------------------------- points of a rank
 
-/// A rank asks for room for its share of the points, whichever are dealt to it. Of what others have it takes what is
-/// carried, for it may be the one to go on with that; the first one takes all.
+/// Returns true for the points of a rank's journal. At first it reserves space for the rank's share, whichever points
+/// it gets; from other journals it takes carried points, since it may have to continue them. The first rank takes all.
 static bool is_for_rank(const run_journal *journal, size_t batch, size_t slot) {
     const whirl_share *rank = &journal->wish->owner.share, share = {rank->number + 1, rank->count};
     if (!journal->journal) return whirl_share_has(&journal->study, &share, batch, slot);
@@ -93,8 +93,8 @@ static void tell_what_was_found(const run_journal *journal, const whirl_result *
     if (!journal->wish->quiet) complain("going on from '%s'%s: %s are there", journal->path, beside, points);
 }
 
-/// Removes RESULT.h5.tmp-PROCESS, half results of runs that were killed while they wrote: who holds the journal's lock
-/// is the only one to write this result.
+/// Removes RESULT.h5.tmp-PROCESS, incomplete results of killed runs: only the owner of the journal's lock writes this
+/// result.
 static void remove_leftovers(const char *output) {
     char folder[PATH_SIZE], pattern[PATH_SIZE], path[2 * PATH_SIZE];
     const char *slash = strrchr(output, '/');
@@ -114,13 +114,13 @@ static void remove_leftovers(const char *output) {
 
 // ---------------------------------------------------------------- journals that are there
 
-/// Whether a journal has points that a run without --resume would pass over: of other shards it has none.
+/// Returns true if a journal has points that a run without --resume would ignore; journals of other shards do not.
 static bool is_in_the_way(const journal_wish *wish, const journal_name *name) {
     const whirl_share *own = &wish->owner.share, *other = &name->owner.share;
     return name->owner.is_rank || other->count != own->count || other->number == own->number;
 }
 
-/// Complains of a journal that stands in the way of a run that begins, or that another run is writing.
+/// Reports a journal that blocks a new run, or that another run is writing.
 static bool is_free(const journal_wish *wish, const journal_names *there) {
     const bool alone = wish->resume && !wish->merge && wish->owner.share.count == 0;
     for (size_t i = 0; i < there->count; i++) {
@@ -139,7 +139,7 @@ static bool is_free(const journal_wish *wish, const journal_names *there) {
     return true;
 }
 
-/// Whether a result that is there gives way: one that is partial, or of the same study, where a run goes on.
+/// Returns true if an existing result may be replaced: a partial one, or one of the same study when a run is resumed.
 static bool gives_way(const journal_wish *wish, const whirl_result *outline) {
     char difference[WHIRL_MESSAGE_SIZE];
     size_t done, total;
@@ -175,7 +175,8 @@ static int take(const run_journal *journal, const char *path) {
     return complain_of(&status);
 }
 
-/// What other runs have left of the same study, beside the result and elsewhere; *count is how many journals that are.
+/// Takes the points of other journals of the same study, next to the result and elsewhere; *count is the number of
+/// these journals.
 static int take_others(run_journal *journal, journal_names *there, size_t *count) {
     const journal_wish *wish = journal->wish;
     int outcome = EXIT_DONE;
@@ -233,7 +234,7 @@ int open_journal(const journal_wish *wish, const whirl_case *object, run_journal
 
 // ---------------------------------------------------------------- ranks
 
-/// Taking from the journal of the first rank also proves that both are of the same study, in the same folder.
+/// Taking points from the first rank's journal also proves that both have the same study and folder.
 int open_rank_journal(const journal_wish *wish, const whirl_case *object, const journal_names *there,
                       run_journal *journal) {
     whirl_result *outline = NULL;

@@ -7,7 +7,7 @@
 
 #include "command.h"
 
-/// What stands between "RESULT.h5.journal" and the numbers, by whether it is a rank's.
+/// Text between "RESULT.h5.journal" and the numbers: of a share, of a rank.
 static const char *const endings[] = {".shard-", ".rank-"};
 
 bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAME_SIZE]) {
@@ -19,7 +19,7 @@ bool name_journal(const char *output, journal_owner owner, char path[JOURNAL_NAM
     return false;
 }
 
-/// A whole number of few digits; the text goes on behind it. 0 where there is none.
+/// Reads a whole number of few digits and moves past it. Returns 0 if there is none.
 static size_t read_number(const char **text) {
     enum { MAX_DIGITS = 9 };
     const size_t digits = strspn(*text, "0123456789");
@@ -36,7 +36,7 @@ bool read_share(const char *text, const char *between, whirl_share *share) {
     return *text == '\0' && share->number >= 1 && share->number <= share->count;
 }
 
-/// Reads what stands behind "RESULT.h5.journal"; false where that is no end of a journal's name.
+/// Reads the rest after "RESULT.h5.journal". Returns false if it is no journal's name.
 static bool read_ending(const char *ending, journal_owner *owner) {
     *owner = (journal_owner){.is_rank = false};
     if (*ending == '\0') return true;

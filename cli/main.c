@@ -15,7 +15,7 @@ static const command *const commands[] = {&new_command,     &import_command,  &r
                                           &balance_command, &bearing_command, &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
 
-/// What the first argument chose, and where its own arguments begin.
+/// Command chosen by the first argument, and index of its own arguments.
 typedef struct choice {
     const char *name;
     int index;
@@ -30,7 +30,7 @@ static void print_version(FILE *stream, struct argp_state *state) {
         fprintf(stream, "whirl %s (commit %s)\n", WHIRL_VERSION, revision);
 }
 
-/// The table of commands as argp shows it in the help text, beside the options.
+/// Lists the commands for argp's help text.
 static void list_commands(struct argp_option options[COMMAND_COUNT + 2]) {
     *options++ = (struct argp_option){.doc = "Commands:", .group = 1};
     for (int i = 0; i < COMMAND_COUNT; i++)
@@ -55,7 +55,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// What commands of other programs are called.
+/// Returns whirl's command for a common name in other programs, or NULL.
 static const char *usual_name(const char *name) {
     static const char *const names[][2] = {
         {"plot", "report"}, {"draw", "report"}, {"graph", "report"},   {"solve", "run"},      {"simulate", "run"},
@@ -81,7 +81,7 @@ static const command *find_command(const char *name) {
     return NULL;
 }
 
-/// What `whirl` alone takes; the options are the caller's.
+/// Arguments of `whirl` without a command; the caller owns the options.
 static struct argp whirl_argp(struct argp_option options[COMMAND_COUNT + 2]) {
     list_commands(options);
     return (struct argp){

@@ -1,4 +1,4 @@
-/// whirl merge: makes the result of what shards have computed.
+/// whirl merge: makes the result from the journals of shards.
 #include "command.h"
 
 #include "console.h"

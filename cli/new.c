@@ -33,7 +33,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// The options, and the kinds of cases as argp shows them beside these.
+/// Lists the options, and the kinds of cases for argp's help text.
 static void list_options(struct argp_option options[OPTION_COUNT + MAX_STARTERS + 2]) {
     *options++ = (struct argp_option){
         .name = "output", .key = 'o', .arg = "CASE.yaml", .doc = "Write the case here (default: standard output)"};

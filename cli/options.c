@@ -1,4 +1,4 @@
-/// Reading the arguments of a command: argp, and before it what argp can not say, the option that was meant.
+/// Parsing the arguments of a command: argp, preceded by suggestions for unknown options, which argp lacks.
 #include "command.h"
 #include "console.h"
 
@@ -7,10 +7,10 @@
 
 enum { MAX_OPTIONS = 32 };
 
-/// The long options of a command, those that argp adds among them.
+/// Long options of a command, including those that argp adds.
 typedef struct option_names {
     const char *names[MAX_OPTIONS];
-    bool takes_argument[MAX_OPTIONS]; ///< in the next word, where none stands behind '='
+    bool takes_argument[MAX_OPTIONS]; ///< as the next word, without '='
     size_t count;
 } option_names;
 
@@ -37,14 +37,14 @@ static size_t find_option(const option_names *all, const char *word, size_t leng
     return all->count;
 }
 
-/// Whether a word is a short option whose argument is the next word: "-o".
+/// Returns true if a word is a short option with its argument in the next word: "-o".
 static bool takes_next(const struct argp *argp, const char *word) {
     for (const struct argp_option *one = argp->options; one && (one->name || one->key || one->doc); one++)
         if (one->arg && !(one->flags & OPTION_ARG_OPTIONAL) && word[1] == one->key && word[2] == '\0') return true;
     return false;
 }
 
-/// Says which option was meant by one that does not exist; false after it did, or where nothing is near.
+/// Suggests an option for an unknown one. Returns false if it did, or nothing is similar.
 static bool know_option(const option_names *all, const char *program, const char *word, size_t length) {
     char name[64];
     if (length >= sizeof name) return true;

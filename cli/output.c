@@ -12,8 +12,8 @@
 
 enum { PATH_SIZE = 4096 };
 
-/// A file in `folder` that nobody sees and that is gone with its descriptor, where the system has such; else one by the
-/// name that half results have, which a later run takes away.
+/// Opens an anonymous file in `folder`, if the system has such; else one with a temporary result's name, which a later
+/// run removes.
 static int trial_file(const char *folder, const char *path) {
 #ifdef O_TMPFILE
     const int nameless = open(folder, O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600);
@@ -31,21 +31,22 @@ static int trial_file(const char *folder, const char *path) {
     return file;
 }
 
-/// The folder that `path` lies in: "." or what stands before the last '/', with it.
+/// Folder of `path`: "." or the part up to the last '/'.
 static bool folder_of(const char *path, char folder[PATH_SIZE]) {
     const char *slash = strrchr(path, '/');
     const int length = slash ? (int)(slash - path) + 1 : 0;
     return snprintf(folder, PATH_SIZE, "%.*s", length ? length : 1, length ? path : ".") < PATH_SIZE;
 }
 
-/// Makes a file in the folder: permissions alone do not tell for root, full or read-only file systems.
+/// Returns true if a file can be made in the folder. Permissions do not show this for root, and for full or read-only
+/// file systems.
 static bool folder_takes_files(const char *folder, const char *path) {
     const int file = trial_file(folder, path);
     if (file >= 0) close(file);
     return file >= 0;
 }
 
-/// Room in a name for what is written beside a result: RESULT.h5.journal-NUMBER.tmp-PROCESS.
+/// Length of the longest suffix of a result's name: RESULT.h5.journal-NUMBER.tmp-PROCESS.
 enum { LONGEST_ENDING = 40 };
 
 static bool name_is_short(const char *folder, const char *path) {
@@ -58,7 +59,7 @@ static bool name_is_short(const char *folder, const char *path) {
     return false;
 }
 
-/// What stands at `path` may be replaced by a result.
+/// Returns true if `path` is free or a file that a result may replace.
 static bool is_no_other_thing(const char *path, const char *input) {
     struct stat there, source;
     if (stat(path, &there) != 0) return true;

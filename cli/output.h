@@ -1,4 +1,4 @@
-/// Where a result goes.
+/// Path of a result.
 #ifndef CLI_OUTPUT_H
 #define CLI_OUTPUT_H
 
@@ -8,11 +8,10 @@
 /// one; complains if not. `input` must not be the same file.
 bool output_is_writable(const char *path, const char *input);
 
-/// True when nothing stands at `path`; complains if something does, for results are not replaced unasked.
+/// Returns true if nothing exists at `path`; otherwise reports an error, since results are not overwritten unasked.
 bool output_is_free(const char *path);
 
-/// What is derived from a file holds what stands in it: from now on this process makes no file that more people can
-/// read than this one.
+/// Restricts the permissions of all new files of this process to those of a file that they are derived from.
 void keep_private(const char *path);
 
 /// False, with a complaint, when `path` or a folder in it is a file, so that it can be no folder.

@@ -6,10 +6,10 @@
 
 #include "whirl/engine/report.h"
 
-/// What was seen of the machines of a batch.
+/// Periods of the forces of a batch's machines.
 typedef struct phases {
-    size_t fitting;     ///< those whose forces repeat
-    size_t least, most; ///< after so many revolutions
+    size_t fitting;     ///< machines whose forces repeat
+    size_t least, most; ///< periods in revolutions
 } phases;
 
 static void note(phases *seen, const whirl_system *system) {
@@ -24,7 +24,7 @@ static const char *plural(size_t count) {
     return count == 1 ? "" : "s";
 }
 
-/// Of forces that do not repeat, at all machines or at some.
+/// Prints that the forces do not repeat, for all machines or some.
 static void print_never(const char *who) {
     printf(
         "%s fit no period up to %d revolutions: stable motions that follow them are called quasi-periodic (forced)\n",
@@ -47,7 +47,7 @@ static void print(const phases *seen, size_t looked_at) {
         print_never("  forces at the others");
 }
 
-/// Of periods that are too long for the revolutions that are watched.
+/// Prints that periods are too long for the watched revolutions.
 static void print_watch(const phases *seen, int watched) {
     const size_t always = 64, three = 3 * seen->most;
     if (seen->most > always && (size_t)watched < three)

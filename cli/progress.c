@@ -25,13 +25,13 @@ static double done_share(const whirl_progress *progress) {
     return progress->revolutions_total > 0 ? fmin(progress->revolutions_done / progress->revolutions_total, 1) : 0;
 }
 
-/// "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." and "from neighbours,
-/// round 2: ..." where that is done.
+/// Writes "37 %, 190 of 521 points, 5310 revolutions/s, 1:04 min left"; "refining, round 2: ..." or "from neighbours,
+/// round 2: ..." in these stages.
 static void state_text(const whirl_progress *progress, char *text, size_t size) {
     const double computed = progress->revolutions_done - progress->revolutions_recalled;
     const double rate = progress->seconds > 0 ? computed / progress->seconds : 0;
     char left[32] = "?", round[48] = "";
-    // The first revolutions of all lanes are told of late.
+    // The first revolutions of all lanes are reported late.
     const bool known =
         rate > 0 && (progress->seconds >= 1.0 || progress->revolutions_done >= progress->revolutions_total);
     const double needed = known ? (progress->revolutions_total - progress->revolutions_done) / rate : (double)INFINITY;

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// Before anything else; ends the program where it cannot be.
+/// Starts the ranks, before anything else; ends the program on failure.
 void ranks_begin(int *argc, char ***argv);
 
 /// Called now and then while a rank waits for others.
@@ -21,7 +21,7 @@ int ranks_end(int status, ranks_meanwhile meanwhile);
 int ranks_count(void);
 int ranks_number(void); ///< from 0
 
-/// What follows is work for one: the first rank goes on as if there were no others, and these have only to end.
+/// Continues with the first rank alone: the others only end.
 void ranks_dismiss(void);
 
 /// Threads that a rank may well use: its part of the cores of its computer, or OMP_NUM_THREADS.
@@ -30,16 +30,16 @@ int ranks_threads(void);
 /// Waits for all ranks; gives the worst outcome of any (an exit status). When that is a failure, all ranks are to end.
 int ranks_agree(int outcome);
 
-/// Waits for all ranks; bytes of the first one become those of all.
+/// Waits for all ranks, and copies bytes of the first one to all.
 void ranks_share(void *bytes, size_t size);
 
 /// Numbers that all ranks see at any time, 0 at the beginning; any thread may ask.
 enum { RANKS_WORDS = 96 };
 
-/// Adds to a number; gives what it was before. Of a rank but the first a question takes a millisecond or two.
+/// Adds to a number and returns its previous value. This takes a millisecond or two on other ranks than the first.
 int64_t ranks_add(size_t word, int64_t amount);
 
-/// Adds to neighbouring numbers in one question, `count` of them from a word on; gives what they are then.
+/// Adds to `count` neighbouring numbers from a word on, in one request; returns their new values.
 enum { RANKS_MAX = 8 };
 void ranks_add_all(size_t word, size_t count, int64_t *amounts);
 

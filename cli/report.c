@@ -114,7 +114,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
     }
 }
 
-/// Reads one result; the name of its file becomes its folder in the report and must differ from those before.
+/// Reads one result; its file's name becomes its folder in the report, and must be unique.
 static int read_entry(const char *path, entry *entries, size_t index) {
     entry *const mine = &entries[index];
     base_name(path, ".h5", mine->name, sizeof mine->name);
@@ -133,8 +133,8 @@ static int read_claims(const char *path, whirl_claims **claims) {
     return status.code == WHIRL_OK ? EXIT_DONE : complain_of_problems(&problems, &status);
 }
 
-/// Looks for the explorer's template where it is built and where it is installed, as seen from the program. Writes its
-/// path and gives it, or NULL where there is none.
+/// Finds the explorer's template, built or installed, relative to the program. Returns its path, or NULL if there is
+/// none.
 static const char *find_template(char path[PATH_SIZE]) {
     static const char *const places[] = {"explorer/template.html", "../share/whirl/explorer.html"};
     char program[PATH_SIZE / 2];
@@ -151,7 +151,7 @@ static const char *find_template(char path[PATH_SIZE]) {
     return NULL;
 }
 
-/// Says what became of the explorer.
+/// Reports whether the explorer was written.
 static void tell_explorer(const report_arguments *arguments, bool built) {
     if (!built)
         complain("explorer.html is left out: its template is not built; `make explorer` builds it");

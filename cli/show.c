@@ -9,7 +9,7 @@
 #include "whirl/engine/report.h"
 
 typedef struct show_arguments {
-    int first; ///< of the results in argv
+    int first; ///< index of the first result in argv
     bool json, full;
 } show_arguments;
 

@@ -7,10 +7,10 @@
 typedef struct starter {
     const char *name;
     const char *meaning; ///< one line
-    const char *text;    ///< of the case
+    const char *text;    ///< text of the case
 } starter;
 
-/// The starter at an index, NULL behind the last.
+/// Returns the starter at an index, NULL past the last.
 const starter *starter_at(size_t index);
 
 #endif

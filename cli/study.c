@@ -1,4 +1,4 @@
-/// From a case to its result: what `whirl run` and `whirl merge` have in common.
+/// From a case to its result: code shared by `whirl run` and `whirl merge`.
 #include "study.h"
 
 #include <stdio.h>
@@ -33,7 +33,7 @@ static int load(const study_arguments *arguments, whirl_case **object) {
     return outcome == EXIT_DONE && arguments->refine ? set_budget(arguments, *object) : outcome;
 }
 
-/// Says why a run ended before its end.
+/// Reports why a run ended early.
 static void tell_of_stop(const whirl_status *status) {
     if (*interrupt_watch())
         complain("%s (%s)", status->message, interrupt_text());
@@ -41,7 +41,7 @@ static void tell_of_stop(const whirl_status *status) {
         complain("%s", status->message);
 }
 
-/// Gives the exit status of a run. That of a rank which ended for another one's sake is told by that one.
+/// Returns the exit status of a run. A rank that ended because of another one leaves the message to that one.
 static int outcome_of(const whirl_status *status, const together *all) {
     if (all->failed) return EXIT_UNFINISHED;
     if (status->code != WHIRL_STOPPED) return complain_of(status);
@@ -49,7 +49,7 @@ static int outcome_of(const whirl_status *status, const together *all) {
     return EXIT_UNFINISHED;
 }
 
-/// Whatever the exit status, there may be a result, of what was done until a stop.
+/// Computes the study. A partial result may exist for any exit status.
 static int compute(const study_arguments *arguments, const whirl_case *object, run_journal *journal,
                    whirl_result **result) {
     enum { LITTLE = 1 };
@@ -62,7 +62,7 @@ static int compute(const study_arguments *arguments, const whirl_case *object, r
         .context = &view,
         .stop = interrupt_watch(),
         .keeper = journal->journal ? whirl_journal_keeper(journal->journal) : NULL,
-        // What comes from journals, or goes there and nowhere else, need not be in memory as well.
+        // Points in a journal are not kept in memory as well.
         .memory = whole ? 0 : LITTLE,
         .share = arguments->share,
         .gather = arguments->merge,
@@ -132,7 +132,7 @@ static int show(const study_arguments *arguments, const whirl_result *result) {
     return finish_output();
 }
 
-/// Whether a partial result would cover the complete one of an earlier run.
+/// Returns true if a partial result would replace the complete one of an earlier run.
 static bool would_cover(const char *path, const whirl_result *result) {
     size_t done, total;
     whirl_result *earlier = NULL;
@@ -143,8 +143,8 @@ static bool would_cover(const char *path, const whirl_result *result) {
     return complete;
 }
 
-/// Saves and shows a result, which may be partial and leaves a complete one alone then. Large tables lie in the
-/// journal: it is open until all is told, and goes only when a complete result is safe.
+/// Saves and shows a result; a partial one does not replace a complete one. Large tables are in the journal, which
+/// stays open until everything is printed, and is removed only when a complete result is safe.
 static int deliver(const study_arguments *arguments, const whirl_result *result, run_journal *journal) {
     size_t done, total;
     if (would_cover(arguments->output, result)) {
@@ -193,7 +193,7 @@ static int contribute(const study_arguments *arguments, const whirl_case *object
     return outcome;
 }
 
-/// Computes, or takes what journals have, and delivers; of a shard the journal is all there is.
+/// Computes or takes points from journals, and delivers the result; the output of a shard is its journal.
 static int compute_and_deliver(const study_arguments *arguments, const whirl_case *object, run_journal *journal) {
     char started[32];
     whirl_result *result = NULL;
@@ -213,8 +213,8 @@ static int compute_and_deliver(const study_arguments *arguments, const whirl_cas
 
 // ---------------------------------------------------------------- the whole
 
-/// After a refusal: tasks that were started side by side without knowing it stand in each other's way. What starts them
-/// may run something else than a study in each, so that their number alone is no reason to refuse.
+/// Explains a refusal if tasks were started in parallel unaware of each other and get into each other's way. The number
+/// of tasks alone is no reason to refuse, since each may run something else.
 static void tell_of_tasks(const study_arguments *arguments) {
     static const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}; // of Open MPI, of MPICH and Slurm
     for (size_t i = 0; i < sizeof names / sizeof *names && arguments->share.count == 0; i++) {

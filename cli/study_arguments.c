@@ -17,7 +17,7 @@ void note_command_line(study_arguments *arguments, int argc, char **argv) {
         used += (size_t)snprintf(text + used, size - used, "%s%s", i ? " " : "", argv[i]);
 }
 
-/// A number above 0, of revolutions or of a time; all zero where it is neither.
+/// Reads a number above 0 of revolutions or time; all zero for other texts.
 static whirl_budget read_budget(const char *text) {
     static const struct {
         const char *name;

@@ -1,4 +1,4 @@
-/// What commands that make a result take.
+/// Arguments of commands that make a result.
 #ifndef CLI_STUDY_ARGUMENTS_H
 #define CLI_STUDY_ARGUMENTS_H
 
@@ -12,11 +12,11 @@ typedef struct study_arguments {
     case_arguments given;
     const char *output; ///< NULL: no file
     bool json, json_full, quiet, resume, force, refine, merge;
-    double max_time;     ///< seconds; 0: as long as it takes
-    whirl_budget budget; ///< of refinement; all zero: as many revolutions as the study has
+    double max_time;     ///< seconds; 0: no limit
+    whirl_budget budget; ///< budget of refinement; all zero: as many revolutions as the study has
     whirl_share share;   ///< all zero: the whole study
     size_t journal_count;
-    const char *journals[MAX_JOURNALS]; ///< those that are not beside the result
+    const char *journals[MAX_JOURNALS]; ///< journals elsewhere than next to the result
     char default_output[STUDY_PATH_SIZE];
     char command_line[COMMAND_LINE_SIZE];
 } study_arguments;
@@ -42,11 +42,10 @@ enum { KEY_FORCE = KEY_OWN, KEY_JSON, KEY_REFINE, KEY_MAX_TIME, KEY_STUDY_OWN };
 /// The command line as it was typed, before argp reorders it.
 void note_command_line(study_arguments *arguments, int argc, char **argv);
 
-/// The part of an argp parser that takes -o, -q, --force, --json, --refine, --max-time and what parse_case_argument
-/// takes.
+/// Parses -o, -q, --force, --json, --refine, --max-time and the arguments of parse_case_argument in an argp parser.
 error_t parse_study_argument(study_arguments *arguments, int key, char *argument, struct argp_state *state);
 
-/// Gives the result the case's name with .h5, in the current folder, where it has none.
+/// Sets the default name of the result: the case's name with .h5, in the current folder.
 void name_output(study_arguments *arguments, const struct argp_state *state);
 
 /// A share as it is written, "2/7"; complains of anything else.

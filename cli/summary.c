@@ -7,7 +7,7 @@ static const char *plural(double count) {
     return count == 1 ? "" : "s";
 }
 
-/// What a batch along branches may find.
+/// Prints the limits of a batch along branches.
 static void print_room(const whirl_batch *batch) {
     const double points = (double)batch->count;
     printf("%s%s: at most %d points, from ", *batch->second ? " and " : "", batch->second, batch->record.trace.points);

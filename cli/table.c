@@ -85,7 +85,7 @@ static int print_names(const whirl_result *result, const table_arguments *argume
     return none ? complain_of_nothing(arguments) : EXIT_DONE;
 }
 
-/// As asked for, or as the file ends; NULL, with a complaint, where that is none.
+/// Returns the requested format, or that of the file's ending; NULL, after reporting it, for an unknown one.
 static const char *format_of(const table_arguments *arguments, bool printed) {
     if (arguments->format) return arguments->format;
     if (printed) return formats[0][0];

@@ -11,8 +11,8 @@
 /// The numbers that all ranks see; before these, how many pieces of each pass are dealt out.
 enum {
     WORD_LEFT = 2 * WHIRL_MAX_BATCHES, ///< ranks that are done
-    WORD_THREADS,                      ///< of all ranks
-    WORD_SHARED                        ///< the first of what they tell one another now and then
+    WORD_THREADS,                      ///< threads of all ranks
+    WORD_SHARED                        ///< first of the numbers that ranks exchange
 };
 
 _Static_assert((int)WORD_SHARED + (int)SHARED_NUMBERS <= (int)RANKS_WORDS, "the ranks see fewer numbers");
@@ -32,7 +32,7 @@ int open_together(const journal_wish *wish, const whirl_case *object, run_journa
     if (count == 1 || outcome != EXIT_DONE) return outcome;
     ranks_share(all_done, sizeof *all_done);
     if (number > 0) there = find_journals(wish->output);
-    // Nobody begins a journal before all have looked.
+    // No rank begins a journal before all have looked for existing ones.
     ranks_agree(EXIT_DONE);
     if (number > 0 && !*all_done) outcome = open_rank_journal(wish, object, &there, journal);
     free_journal_names(&there);
@@ -41,7 +41,7 @@ int open_together(const journal_wish *wish, const whirl_case *object, run_journa
     return outcome;
 }
 
-// ---------------------------------------------------------------- what there is to do
+// ---------------------------------------------------------------- known points
 
 static int make_known(together *t, const whirl_case *object) {
     whirl_result *outline = NULL;
@@ -58,7 +58,7 @@ static int make_known(together *t, const whirl_case *object) {
     return complain_of(&made);
 }
 
-/// The first rank's journal has all that is known.
+/// Shares the points known to the first rank's journal.
 static void share_known(together *t) {
     size_t size = 0, points = 0, known = 0;
     for (size_t i = 0; i < 2 * t->batch_count; size += t->slots[i++])
@@ -91,7 +91,7 @@ static bool open_point(void *context, size_t batch, size_t slot) {
     return !t->known[batch][slot];
 }
 
-/// An eighth of what this rank's threads will do of what is left, one piece by one in the end.
+/// Claims an eighth of this rank's part of the remaining points; single points at the end.
 static size_t claim(void *context, size_t batch, size_t count, size_t *first) {
     together *t = context;
     const int64_t all = (int64_t)count, left = all - t->dealt[batch];
@@ -110,8 +110,8 @@ void together_look(void) {
     if (number) ranks_raise(WORD_SHARED + SHARED_STOP, number);
 }
 
-/// Tells the others what this rank has done since it last did, and hears of all. Signals come to all ranks wherever
-/// they arrive, and a failure ends all.
+/// Reports this rank's work since the last time to the others, and receives that of all. A signal to one rank reaches
+/// all, and a failure ends all.
 static void exchange(together *t) {
     const whirl_progress *own = &t->own;
     int64_t now[SHARED_NUMBERS], all[SHARED_NUMBERS];
@@ -132,7 +132,7 @@ static void exchange(together *t) {
     if (all[SHARED_STOP] > 0 && !interrupt_signal()) interrupt_pass_on((int)all[SHARED_STOP]);
 }
 
-/// What the first rank has gathered was not all known before.
+/// Shows the progress of gathering; only points that were unknown before count.
 static void show_gathered(together *t) {
     t->shown = t->own;
     if (t->own.stage <= WHIRL_STAGE_CONFIRM) t->shown.revolutions_recalled = t->known_share * t->own.revolutions_done;

@@ -15,7 +15,7 @@ enum { SAMPLE = 9, MAX_POINTS = 10000, MAX_REVOLUTIONS = 1000000, NAME_SIZE = 64
 typedef struct verify_arguments {
     case_arguments given;
     whirl_verify_options options;
-    int points; ///< of the sweep; 0: those of the detail or of the response, or a few of the sweep
+    int points; ///< points of the sweep; 0: those of the detail or of the response, or a few of the sweep
     bool json, quiet;
 } verify_arguments;
 
@@ -93,7 +93,7 @@ static void sample(whirl_batch *batch, size_t count, double *values) {
     batch->count = count;
 }
 
-/// The batch of points over one parameter or two; NULL where the study has none.
+/// Returns the batch of points over one or two parameters; NULL if there is none.
 static const whirl_batch *find_many(const whirl_study *study) {
     static const whirl_role roles[] = {WHIRL_ROLE_SURVEY, WHIRL_ROLE_MAP, WHIRL_ROLE_BASIN};
     const whirl_batch *found = NULL;
@@ -101,7 +101,7 @@ static const whirl_batch *find_many(const whirl_study *study) {
     return found;
 }
 
-/// Leaves in the study the points that are to be verified; gives the exit status.
+/// Reduces the study to the points to verify. Returns the exit status.
 static int choose_points(const verify_arguments *arguments, whirl_study *study, double values[2 * MAX_POINTS]) {
     const whirl_batch *sweep = find_many(study), *detail = find_batch(study, WHIRL_ROLE_DETAIL);
     const size_t wanted = (size_t)arguments->points;
@@ -132,14 +132,14 @@ static void tolerance_text(const whirl_integrate_options *how, char text[NAME_SI
         snprintf(text, NAME_SIZE, "%d steps", how->steps_per_revolution);
 }
 
-/// The value, or a dash where there is none.
+/// Prints the value, or a dash for NaN.
 static void print_number(const char *format, int width, double value) {
     char text[NAME_SIZE] = "-";
     if (isfinite(value)) snprintf(text, sizeof text, format, value);
     printf(" %*s", width, text);
 }
 
-/// The order stands beside the last of its three levels, where it has been seen.
+/// Prints the observed order next to the last of its three levels.
 static void print_order(const whirl_verification *v, const whirl_verify_point *point, int m, int level) {
     char text[NAME_SIZE] = "";
     if (level == WHIRL_VERIFY_LEVELS - 1)
@@ -246,7 +246,7 @@ static int verify(const verify_arguments *arguments, const whirl_study *study, w
     return EXIT_FAILED;
 }
 
-/// The unit in which the case writes what is swept.
+/// Unit in which the case writes the swept parameter.
 static whirl_unit unit_of(const whirl_case *object, const char *parameter) {
     whirl_result *outline = NULL;
     whirl_unit unit = {.name = "", .size = 1.0};

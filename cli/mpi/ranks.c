@@ -13,9 +13,9 @@
 #include "command.h"
 #include "console.h"
 
-/// How all ranks came out.
+/// Outcome of all ranks.
 typedef struct outcome {
-    int failure; ///< the worst exit status of a failure, 0 where there is none
+    int failure; ///< largest exit status of a failed rank, 0 if none failed
     int teller;  ///< the first rank that has it
     int first;   ///< exit status of the first rank
 } outcome;
@@ -23,11 +23,11 @@ typedef struct outcome {
 /// There is one MPI in a process.
 static struct {
     int count, number;
-    int64_t words[RANKS_WORDS]; ///< of the first rank
+    int64_t words[RANKS_WORDS]; ///< used on the first rank
     pthread_mutex_t lock, asking;
-    pthread_t answerer; ///< of the first rank
+    pthread_t answerer; ///< used on the first rank
     whirl_stop leaving;
-    FILE *told; ///< what this rank would have printed, where it is not the first one
+    FILE *told; ///< suppressed output of this rank, unless it is the first one
     char *text;
     size_t text_size;
     bool dismissed; ///< the first rank works alone
@@ -85,7 +85,7 @@ static void await(MPI_Request *request, ranks_meanwhile meanwhile) {
 
 enum { TAG_QUESTION = 1, TAG_ANSWER };
 
-/// What is to be done with the numbers from a word on.
+/// Request to change numbers from a word on.
 typedef struct question {
     int64_t word, count, is_raised;
     int64_t amounts[RANKS_MAX];
@@ -93,7 +93,7 @@ typedef struct question {
 
 enum { QUESTION_SIZE = sizeof(question) / sizeof(int64_t) };
 
-/// Changes numbers of the first rank; gives what they were before.
+/// Changes numbers of the first rank; returns their previous values.
 static void change(const question *asked, int64_t before[RANKS_MAX]) {
     for (int64_t i = 0; i < asked->count; i++) {
         int64_t *word = &ranks.words[asked->word + i];
@@ -103,7 +103,7 @@ static void change(const question *asked, int64_t before[RANKS_MAX]) {
     }
 }
 
-/// Whether there was a question.
+/// Answers a waiting question. Returns false if there was none.
 static bool answer_one(void) {
     MPI_Status from;
     int waiting;
@@ -117,7 +117,8 @@ static bool answer_one(void) {
     return true;
 }
 
-/// A thread of the first rank, all of whose others may be computing. It looks more seldom while nobody asks.
+/// Thread of the first rank that answers questions while its other threads compute. It polls less often without
+/// questions.
 static void *answer(void *unused) {
     const long shortest = 100, longest = 2000; // microseconds
     for (long pause = shortest; !ranks.leaving; rest(pause)) {
@@ -259,12 +260,12 @@ static int find_threads(void) {
 static void hold_back_output(void) {
     FILE *nowhere = fopen("/dev/null", "w");
     ranks.told = open_memstream(&ranks.text, &ranks.text_size);
-    // Of the C library's streams alone: what a sanitizer has to say is said.
+    // Only the C library's streams are redirected: reports of sanitizers appear.
     if (nowhere) stdout = nowhere;
     if (ranks.told) stderr = ranks.told;
 }
 
-/// What a rank that failed would have printed; all else is the first rank's to tell.
+/// Prints the suppressed output of the rank that failed; the first rank prints everything else.
 static void tell(void) {
     if (!ranks.told) return;
     fflush(ranks.told);
@@ -272,7 +273,7 @@ static void tell(void) {
         dprintf(2, "%.*s", (int)ranks.text_size, ranks.text);
 }
 
-/// Nobody asks any more.
+/// Ends the answering thread after the last question.
 static void end_answers(void) {
     MPI_Request request;
     lock();

@@ -1,4 +1,4 @@
-// Cases and what the page is told of them.
+// Cases, and their descriptions for the page.
 #include "core.h"
 #include "pieces.h"
 

@@ -1,7 +1,7 @@
-/// The C core as the explorer's worker sees it: a few functions over handles, numbers and JSON.
+/// The C core for the explorer's worker: a few functions with handles, numbers and JSON.
 ///
 /// A function that can fail returns 0, or a null handle, and leaves {"message": ..., "problems": [...]} to
-/// explorer_message. Texts that are handed out are valid until the next call. One thread.
+/// explorer_message. Returned texts are valid until the next call. One thread.
 #ifndef EXPLORER_CORE_H
 #define EXPLORER_CORE_H
 
@@ -16,10 +16,10 @@
 #define EXPORTED
 #endif
 
-/// What the last call that failed had to say.
+/// Message of the last failure.
 const char *explorer_message(void);
 
-/// Keeps the message of a status; false unless that is WHIRL_OK.
+/// Stores the message of a status. Returns true for WHIRL_OK.
 bool explorer_good(const whirl_status *status);
 
 // ---------------------------------------------------------------- cases
@@ -40,13 +40,13 @@ const char *explorer_edit(const char *source, size_t length, const char *path, c
 
 // ---------------------------------------------------------------- plans
 
-/// What a first look leaves out; see explorer_plan_look.
+/// Reductions of a first look; see explorer_plan_look.
 typedef struct look {
     bool shorter, coarser;
-    int transient, record, steps; ///< that were asked for
+    int transient, record, steps; ///< requested numbers
 } look;
 
-/// How points are computed: the options of a batch of the case, with changes.
+/// A plan of computation: a batch of the case with changed options.
 typedef struct plan {
     const whirl_case *object; ///< borrowed
     whirl_study study;
@@ -66,35 +66,34 @@ void explorer_plan_free(plan *p);
 int explorer_plan_number(plan *p, const char *option, double value);
 int explorer_plan_method(plan *p, const char *method);
 
-/// Where the plan's method is "auto", settles it: by `known`, or where that is "" as the command does for the batch
-/// (explorer_plan_layout does, too). The method of the plan.
+/// Chooses the method if the plan's is "auto": `known`, or for "" the command's choice for the batch (as
+/// explorer_plan_layout does). Returns the method.
 const char *explorer_plan_choose(plan *p, const char *known);
 
-/// Makes a first look of the plan: no more than `transient` + `record` revolutions (0: as they are) and, by methods of
-/// fixed step, `steps` of them (0: as they are). To be called after all other options. Where anything is left out,
-/// points have no verdict unless a longer run must give the same.
+/// Reduces the plan to a first look: at most `transient` + `record` revolutions (0: unchanged), and `steps` fixed steps
+/// (0: unchanged). Call it after all other options. If anything is reduced, points have no verdict unless a longer run
+/// must give the same.
 void explorer_plan_look(plan *p, int transient, int record, int steps);
 
-/// Asks for what a diagram shows of its points.
+/// Requests the fields of a diagram.
 void explorer_plan_diagram(plan *p);
 
-/// Asks besides for what is found in spectra, as amplitude and phase at the running speed: a tenth to a fifth more
-/// work.
+/// Also requests fields of spectra, such as amplitude and phase at the running speed: 10 to 20 % more work.
 void explorer_plan_spectra(plan *p);
 
-/// Asks for everything that the page shows of a point besides what the case wants to know: whole spectra, and the
-/// waveform of `waveform` revolutions.
+/// Requests everything that the page shows of a point, besides what the case asks for: whole spectra, and the waveform
+/// of `waveform` revolutions.
 void explorer_plan_everything(plan *p, int waveform);
 
-/// Layout of the blocks and the options as JSON; needed before points are computed. NULL after a
-/// failure. `value` is one that the parameter takes.
+/// Returns the layout of the blocks and the options as JSON; needed before points are computed. NULL after a failure.
+/// `value` is one of the parameter's values.
 const char *explorer_plan_layout(plan *p, double value);
 
 /// Doubles of a block and of a state.
 size_t explorer_block_size(const plan *p);
 size_t explorer_dimension(const plan *p);
 
-/// The verdict of a block as JSON, "provisional" where a look was too short for one.
+/// Returns the verdict of a block as JSON, "provisional" if a look was too short for one.
 const char *explorer_verdict(const plan *p, const double *block);
 
 /// Scales and stations of the machine at a value as JSON. NULL after a failure.
@@ -104,22 +103,22 @@ const char *explorer_machine(const plan *p, double value);
 
 typedef struct job job;
 
-/// Starts points at `values` [count], each from its own start or, where `carried`, from the end of the one before.
-/// `start` [dimension] takes the place of the case's start; NULL: none. The plan must outlive the job, which is freed
-/// by explorer_job_free.
+/// Starts points at `values` [count], each from its own start or, if `carried`, from the end of the previous one.
+/// `start` [dimension] replaces the case's start; NULL: none. The plan must outlive the job. Free it with
+/// explorer_job_free.
 job *explorer_job_new(const plan *p, const double *values, size_t count, int carried, const double *start);
 void explorer_job_free(job *j);
 
-/// Revolutions that were done in one turn of all that is under way: 0 at the end, -1 after a failure.
+/// Carries all current motions on by one turn. Returns the revolutions done: 0 at the end, -1 after a failure.
 double explorer_job_turn(job *j);
 
-/// A finished point that was not taken yet: its index, or -1. Writes its block and its end, NaN where it diverged.
+/// Takes a finished point: returns its index, or -1 if there is none. Writes its block and its end, NaN if it diverged.
 int explorer_job_take(job *j, double *block, double *end);
 
 // ---------------------------------------------------------------- orbits along branches
 
-/// Asks for what the page shows of an orbit of so many revolutions (0: of its own time, or an equilibrium), by the
-/// plan's batch, which traces branches. To be called after all other options, before explorer_plan_layout.
+/// Requests the fields of an orbit of so many revolutions (0: of its own period, or an equilibrium), by the plan's
+/// batch, which traces branches. Call it after all other options, before explorer_plan_layout.
 void explorer_plan_orbit(plan *p, int revolutions);
 
 /// Doubles of the nodes of such an orbit: the states at the beginnings of its segments.
@@ -134,8 +133,8 @@ int explorer_orbit(const plan *p, double value, int revolutions, double period, 
 /// Revolutions of one motion, sampled.
 typedef struct motion motion;
 
-/// The machine of a plan at a value, in `state` [dimension], or at its start where that is NULL. Freed by
-/// explorer_motion_free.
+/// explorer_motion_new: starts the machine of a plan at a value, from `state` [dimension], or from its own start for
+/// NULL. Free it with explorer_motion_free.
 motion *explorer_motion_new(const plan *p, double value, const double *state, int samples);
 void explorer_motion_free(motion *m);
 

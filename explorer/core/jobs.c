@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// What a point left behind.
+/// Result of a point.
 typedef struct finished_point {
     bool done, taken;
     double *numbers; ///< [block size + dimension]
@@ -20,8 +20,8 @@ struct job {
     bool carried;
     size_t count, begun, oldest; ///< points; the first one that may not have been taken
     double *values;              ///< [count]
-    whirl_machine first;         ///< whose structure the machines of the recorder have
-    bool unlike;                 ///< the next machine has another structure, and waits for a recorder of its own
+    whirl_machine first;         ///< machine with the structure of the recorder's machines
+    bool unlike;                 ///< the next machine has another structure, and waits for a new recorder
     whirl_machine *machines;     ///< [count] of the points under way
     finished_point *points;      ///< [count]
     double *start;               ///< [dimension] instead of the machines' starts, or NULL
@@ -61,7 +61,7 @@ static bool next(void *context, whirl_task *task) {
     return true;
 }
 
-/// A carried point starts where the last one ended; after a divergence the chain starts afresh.
+/// Starts a carried point where the last one ended; after a divergence the chain starts from the case's start.
 static whirl_status carry(job *j, const whirl_record *record) {
     const size_t bytes = j->plan->dimension * sizeof *j->start;
     j->waiting = false;

@@ -1,5 +1,5 @@
-// First looks: motions that are cut short, and coarser, so that something is to be seen at once. What a short run takes
-// for chaos may be a transient, so that a look has a verdict only where a run at the case's length has the same.
+// First looks: shorter and coarser motions that can be shown at once. Chaos in a short run may be a transient, so a
+// look has a verdict only if the case's length must give the same.
 #include "looks.h"
 
 #include <string.h>

@@ -4,10 +4,10 @@
 
 #include "core.h"
 
-/// Whether a run at the length that was asked for may say something else than this block.
+/// Returns true if a run of the requested length may change this block's verdict.
 bool look_is_provisional(const plan *p, const double *block);
 
-/// Makes the block of a provisional point say "undetermined"; its evidence stays.
+/// Sets the verdict of a provisional point to "undetermined"; its evidence stays.
 void look_withhold(const plan *p, double *block);
 
 /// Why there is no verdict, in a sentence.

@@ -8,7 +8,7 @@ struct motion {
     whirl_machine machine;
     whirl_integrator *integrator;
     size_t samples, stride, instants; ///< a revolution; instants between samples; observed so far
-    double *states, *forces;          ///< where the next sample goes
+    double *states, *forces;          ///< next sample
     double *x;                        ///< [dimension]
 };
 

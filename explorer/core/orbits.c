@@ -1,9 +1,9 @@
-// Orbits along branches, stable or not, by what results hold of them.
+// Orbits along branches, stable or not, from the orbits in results.
 #include "core.h"
 
 #include <string.h>
 
-/// What its nodes are of, without them.
+/// Returns an orbit's dimensions, without nodes.
 static whirl_orbit outline(const plan *p, int revolutions, double period) {
     const size_t round = revolutions > 0 ? (size_t)revolutions : 1;
     const size_t segments = period > 0.0 ? (size_t)p->batch.record.trace.segments : 1;

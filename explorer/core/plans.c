@@ -1,4 +1,4 @@
-// Plans: how points are computed, and what their blocks are.
+// Plans: how points are computed, and the layout of their blocks.
 #include "core.h"
 #include "looks.h"
 #include "pieces.h"
@@ -15,7 +15,7 @@ static const whirl_batch *find_batch(const whirl_study *study, const char *name)
     return NULL;
 }
 
-/// What "auto" takes by the values of the batch, as in the command; dop853 where these give no machine.
+/// Chooses the method for "auto" from the values of the batch, as in the command; dop853 if they give no machine.
 static void choose_method(const plan *p, const whirl_batch *from, whirl_integrate_options *how) {
     whirl_study one = {.batch_count = 1, .batches = {*from}, .machine = p->study.machine, .family = p->study.family};
     whirl_integrate_options *taken = &one.batches[0].integrate;
@@ -86,7 +86,7 @@ EXPORTED int explorer_plan_method(plan *p, const char *method) {
     return 1;
 }
 
-/// What a diagram shows of its points, and what the panels show of one.
+/// Analyses for the points of a diagram, and for the panels of one point.
 static const char *const shown_of_many[] = {"poincare", "orbit", "rub", "lyapunov", "regime", NULL};
 static const char *const shown_of_one[] = {"poincare", "orbit",    "rub",      "lyapunov",
                                            "regime",   "spectrum", "waveform", NULL};

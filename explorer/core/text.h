@@ -11,7 +11,7 @@ typedef struct text {
     bool no_memory;
 } text;
 
-/// Empties a text and keeps its memory.
+/// Empties a text; its memory is kept.
 void text_clear(text *t);
 
 /// Appends, printf-formatted.
@@ -24,7 +24,7 @@ void text_add(text *t, const char *format, ...)
 /// Appends a string with quotes and escapes.
 void json_text(text *t, const char *value);
 
-/// Appends a number that reads back as the same double; null for what JSON has no number for.
+/// Appends a number that reads back as the same double; null for NaN and infinity.
 void json_number(text *t, double value);
 
 /// Appends `"name":`, with a comma before it unless a container has just begun.
@@ -33,7 +33,7 @@ void json_name(text *t, const char *name);
 /// Appends a comma unless a container has just begun.
 void json_next(text *t);
 
-/// The bytes, or a sentence where memory ran out.
+/// Returns the text, or a sentence if memory ran out.
 const char *text_bytes(const text *t);
 
 #endif

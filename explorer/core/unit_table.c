@@ -1,9 +1,9 @@
-// Writes the table of units that units.inc is, by the real UDUNITS-2: a program of the build machine.
+// Writes units.inc, the table of units, with the real UDUNITS-2: a program of the build machine.
 //
 //   unit_table < NAMES > units.inc
 //
-// A line of NAMES is a tag of the database's XML files with what it holds: "<singular>meter<", "<value>1e24<". Units
-// are asked of the library by their exact names, so that the table holds its own numbers.
+// A line of NAMES is a tag of the database's XML files with its content: "<singular>meter<", "<value>1e24<". Units are
+// looked up by their exact names, so that the table has the library's own numbers.
 #include <ctype.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -29,7 +29,7 @@ typedef struct table {
 
 static table names, symbols;
 
-// ---------------------------------------------------------------- what a unit is made of
+// ---------------------------------------------------------------- parts of a unit
 
 static ut_status see_product(const ut_unit *unit, int count, const ut_unit *const *units, const int *powers,
                              void *context) {
@@ -93,7 +93,7 @@ static size_t encode(unsigned long code, char *to) {
     return 3;
 }
 
-/// What the tag holds, trimmed, with &#xB5; and its like resolved.
+/// Reads the content of a tag, trimmed, with &#xB5; and similar resolved.
 static void read_text(const char *from, char text[NAME_SIZE]) {
     size_t length = 0;
     from += strspn(from, " \t");

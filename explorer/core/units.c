@@ -96,7 +96,7 @@ static const unit_prefix *find_prefix(const unit_prefix *table, size_t count, co
     return found;
 }
 
-/// A name behind any prefixes spelled out and at most one symbol of a prefix.
+/// Reads a name after any number of spelled-out prefixes and at most one prefix symbol.
 static bool read_name(const char *name, ut_unit *unit) {
     double factor = 1.0;
     bool symbol_seen = false;
@@ -156,7 +156,7 @@ static bool raise_to(ut_unit *a, int power) {
 
 typedef struct unit_reader {
     const char *at;
-    bool after_name; ///< what was read last is a name without a power
+    bool after_name; ///< the last token was a name without a power
     int depth;
 } unit_reader;
 
@@ -171,7 +171,7 @@ static int superscript(const char *text) {
     return -1;
 }
 
-/// More than MAX_POWER where there is no number.
+/// Reads a power in superscripts; above MAX_POWER if there is none.
 static int read_superscripts(unit_reader *r) {
     const bool negative = superscript(r->at) == RAISED_MINUS;
     if (negative) r->at += strlen(superscripts[RAISED_MINUS]);
@@ -213,7 +213,7 @@ static bool is_raised_dot(const char *text) {
     return strncmp(text, "·", strlen("·")) == 0;
 }
 
-/// Behind a name only ¹, ² and ³ are powers; the other superscripts belong to it.
+/// After a name only ¹, ² and ³ are powers; other superscripts belong to the name.
 static bool is_name_part(const char *text) {
     const int index = superscript(text);
     if ((unsigned char)*text < 0x80) return isalpha((unsigned char)*text) || *text == '_';
@@ -261,15 +261,15 @@ static bool read_factor(unit_reader *r, ut_unit *unit) {
     return read_power(r, unit);
 }
 
-/// "per" stands for a stroke.
+/// Length of "per", which means a division.
 static size_t per_length(const char *text) {
     return strncasecmp(text, "per", 3) == 0 && !is_name_part(text + 3) ? 3 : 0;
 }
 
 typedef enum joint { JOINT_NONE, JOINT_TIMES, JOINT_OVER } joint;
 
-/// What joins two factors: ".", "*" and a raised dot without spaces, "/" and "per" with or without them, spaces alone,
-/// or nothing beside a parenthesis or behind a power.
+/// Reads the operator between two factors: ".", "*" or a raised dot without spaces, "/" or "per" with or without them,
+/// spaces alone, or nothing next to a parenthesis or after a power.
 static joint read_joint(unit_reader *r) {
     const size_t spaces = strspn(r->at, " ");
     const char *sign = r->at + spaces;
@@ -333,7 +333,7 @@ ut_unit *ut_get_dimensionless_unit_one(const ut_system *system) {
     return unit_new(&one);
 }
 
-/// Nothing is to be done: names that are added are found before those of the database.
+/// Does nothing: added names are found before those of the database.
 ut_status ut_unmap_name_to_unit(ut_system *system, const char *name, ut_encoding encoding) {
     (void)system, (void)name, (void)encoding;
     return UT_SUCCESS;

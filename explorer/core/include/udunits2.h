@@ -1,6 +1,6 @@
-/// What src/case asks of UDUNITS-2, for a build without it: the same functions with the same meaning and results
-/// (explorer/tests/units.sh compares them with the library's). Units come from the library's own database, which is
-/// compiled in (unit_table.c).
+/// The part of UDUNITS-2 that src/case needs, for a build without it: the same functions with the same meaning and
+/// results (explorer/tests/units.sh compares them). Units are those of the library's database, compiled in
+/// (unit_table.c).
 #ifndef EXPLORER_UDUNITS2_H
 #define EXPLORER_UDUNITS2_H
 
@@ -30,11 +30,12 @@ ut_unit *ut_divide(const ut_unit *numerator, const ut_unit *denominator);
 ut_unit *ut_scale(double factor, const ut_unit *unit);
 /// Angles are dimensionless.
 int ut_is_dimensionless(const ut_unit *unit);
-/// "0.001 m2.kg.s-3": the unit in base units. Returns the bytes that it takes, as snprintf.
+/// Writes the unit in base units, "0.001 m2.kg.s-3". Returns the number of bytes, like snprintf.
 int ut_format(const ut_unit *unit, char *text, size_t size, unsigned options);
 void ut_free(ut_unit *unit);
 
-/// From numbers in `from` to numbers in `to`, or NULL where they are not of one kind. Freed by cv_free.
+/// ut_get_converter: converts numbers in `from` to numbers in `to`; NULL if the units are of different kinds. Free it
+/// with cv_free.
 cv_converter *ut_get_converter(ut_unit *from, ut_unit *to);
 double cv_convert_double(const cv_converter *converter, double value);
 void cv_free(cv_converter *converter);
