@@ -1,4 +1,4 @@
-// The critical speeds of a machine without damping, all at once: a point of a critical speed map.
+// Undamped critical speeds of a machine, all at once: a point of a critical speed map.
 #include <math.h>
 #include <stdlib.h>
 
@@ -6,7 +6,7 @@
 
 enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, BEARINGS, FIELD_COUNT };
 
-/// Critical speeds, the lowest, at which the stiffness of bearings is looked up.
+/// Number of lowest critical speeds at which the bearings' stiffness is evaluated.
 enum { LOOKED_UP = 6 };
 
 static size_t kept(const block_shape *shape) {
@@ -42,7 +42,7 @@ void bearings_place(const whirl_system *alone, double *x, const whirl_system *ma
     if (alone->adopt) alone->adopt(alone->model, x, machine, rest);
 }
 
-/// Sets x, of the bearings alone, to where the machine as it is given rests at a speed.
+/// Sets x, of the bearings alone, to the equilibrium of the machine as given at a speed.
 static whirl_status find_rest(const whirl_resting *point, double speed, const whirl_system *alone, double *x) {
     whirl_machine given;
     whirl_status status = point->at_speed(point->context, speed, WHIRL_AS_GIVEN, 0.0, &given);
@@ -57,7 +57,7 @@ static whirl_status find_rest(const whirl_resting *point, double speed, const wh
     return status;
 }
 
-/// Sets what is rounding to 0, a bearing at a time.
+/// Sets rounding errors to 0, bearing by bearing.
 static void drop_rounding(double *numbers, size_t probes) {
     static const double rounding = 1e-30; // N/m, N s/m
     for (size_t p = 0; p < probes; p++) {
@@ -67,7 +67,7 @@ static void drop_rounding(double *numbers, size_t probes) {
     }
 }
 
-// Where the machine rests matters if they are not the same in the middle and beside it.
+// The equilibrium matters only if coefficients differ between the centre and a place off it.
 whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double *numbers) {
     const size_t probes = point->system->probe_count;
     whirl_machine alone;
@@ -90,7 +90,7 @@ whirl_status whirl_bearings_at(const whirl_resting *point, double speed, double 
     return status;
 }
 
-/// At speeds beyond a table, and where the machine rests nowhere, there are none.
+/// Speeds beyond a table, and machines without equilibrium, have no coefficients.
 static whirl_status fill_bearings(const whirl_resting *point, const whirl_critical_speeds *found,
                                   const block_view *view) {
     const size_t probes = point->system->probe_count;

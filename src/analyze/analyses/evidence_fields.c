@@ -1,4 +1,4 @@
-// Evidence as fields, beyond what every verdict rests on.
+// Fields with further evidence, beyond that of every verdict.
 #include <math.h>
 
 #include "analysis.h"

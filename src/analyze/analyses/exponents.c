@@ -1,11 +1,11 @@
-// All Lyapunov exponents: mean logarithmic growths of orthonormal perturbations (Benettin et al. 1980), with the sum
-// that they must have and the dimension that they give the attractor (Kaplan, Yorke 1979).
+// All Lyapunov exponents: mean logarithmic growths of orthonormal perturbations (Benettin et al. 1980), with their
+// exact sum and the Kaplan-Yorke dimension of the attractor (Kaplan, Yorke 1979).
 #include <math.h>
 #include <stdlib.h>
 
 #include "analysis.h"
 
-/// Exponents whose balance failed are none; to the errors of the others belongs what their sum misses.
+/// Discards exponents whose balance failed; adds the balance's miss to the errors of others.
 static void settle_balance(const growth_balance *balance, whirl_estimate *exponents, size_t count) {
     for (size_t k = 0; k < count; k++) {
         if (balance->failed)
@@ -27,7 +27,7 @@ bool whirl_lyapunov_spectrum(const whirl_record *record, whirl_estimate *exponen
 
 double whirl_kaplan_yorke(const whirl_estimate *exponents, size_t count) {
     enum { SIGMAS = 3 };
-    const double least = 0.002; // as chaos needs it
+    const double least = 0.002; // the least exponent of chaos
     double sum = 0.0;
     for (size_t k = 0; k < count; k++) {
         const whirl_estimate *e = &exponents[k];

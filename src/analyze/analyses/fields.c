@@ -1,4 +1,4 @@
-// Where the numbers of a field lie in the block of a point.
+// Places of fields in the block of a point.
 #include <string.h>
 
 #include <math.h>

@@ -1,4 +1,4 @@
-// The orbit that a motion has come to rest on, and its Floquet multipliers, as fields.
+// The orbit that a motion has settled on, and its Floquet multipliers, as fields.
 #include <math.h>
 
 #include "analysis.h"
@@ -41,10 +41,10 @@ static const field_plan fields[FIELD_COUNT] = {
                 "revolution after which the motion was set upon it (0: it ran all its way)", WHIRL_PER_POINT, 1, NULL},
 };
 
-/// What is told of multipliers, once there are some.
+/// Writes the fields that follow from the multipliers.
 static void put_multipliers(const whirl_record_orbit *orbit, const block_view *view) {
     const double slight = 1e-9;
-    const double lost = 1e-12; // a smaller multiplier is in the rounding of the largest numbers of a derivative
+    const double lost = 1e-12; // a smaller multiplier is lost in the rounding of a derivative's largest numbers
     double sum = 0.0, *unstable = view_numbers(view, UNSTABLE, 0);
     *unstable = 0.0;
     for (size_t i = 0; i < orbit->multiplier_count; i++) {

@@ -1,4 +1,4 @@
-// The block of a point: which numbers lie where, and how the analyses fill them.
+// The block of a point: where its numbers lie, and how the analyses fill them.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -66,7 +66,7 @@ static bool is_at_rest(whirl_analysis_set set) {
     return false;
 }
 
-/// On springs in the place of its bearings it is another machine, whose ranges are not those that results name.
+/// A machine on springs instead of its bearings has ranges that results do not name.
 static size_t range_count(const whirl_system *system, const whirl_record_options *options) {
     whirl_law_range range;
     size_t count = 0;
@@ -105,7 +105,7 @@ whirl_status whirl_layout_new(const whirl_system *system, const whirl_integrate_
     return status;
 }
 
-/// Two, as all that there may be one or more of here, so that their rows are not taken for one.
+/// A system with two ranges: a single row would be taken for a field of one.
 static bool two_ranges(const void *model, size_t index, const whirl_extremes *seen, whirl_law_range *out) {
     (void)model, (void)seen, (void)out;
     return index < 2;
@@ -113,8 +113,8 @@ static bool two_ranges(const void *model, size_t index, const whirl_extremes *se
 
 whirl_status whirl_layout_known(whirl_layout *layout) {
     const whirl_runout runout = {.order = 1};
-    const whirl_probe probes[2] = {{.runout_count = 1, .runout = &runout}}; // one of two, so that rows of which there
-                                                                            // is one a station are not taken for one
+    const whirl_probe probes[2] = {
+        {.runout_count = 1, .runout = &runout}}; // a station with two: a single row would be taken for one a station
     const whirl_system system = {
         .dimension = 2, .probe_count = 2, .contact_count = 1, .switch_count = 2, .probes = probes, .range = two_ranges};
     const whirl_integrate_options integrate = whirl_integrate_default();

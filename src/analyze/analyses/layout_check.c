@@ -1,4 +1,4 @@
-// What readers make sure of: tables of branches and tori have the shape that the program takes for granted.
+// Checks of layouts that are read: tables of branches and tori have the shape that the program relies on.
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 /// The field whose rows are the dimension.
 static const char *const dimensions[] = {WHIRL_FIELD_TRACE_MULTIPLIERS, WHIRL_FIELD_TORUS_EXPONENTS};
 
-/// Whether a layout has any field of an analysis.
+/// Returns true if a layout has a field of an analysis.
 static bool has_any(const whirl_layout *layout, const char *analysis) {
     const size_t length = strlen(analysis);
     for (size_t i = 0; i < layout->field_count; i++)
@@ -16,7 +16,7 @@ static bool has_any(const whirl_layout *layout, const char *analysis) {
     return false;
 }
 
-/// The shape that a layout was made for, as far as these analyses have it.
+/// Recovers the shape that a layout was made for, as far as these analyses depend on it.
 static block_shape shape_of(const whirl_layout *layout, const whirl_record_options *options) {
     block_shape shape = {.options = options};
     for (size_t i = 0; i < sizeof dimensions / sizeof *dimensions; i++) {

@@ -7,7 +7,7 @@
 #include "numerics.h"
 #include "section.h"
 
-/// A perturbation that vanished altogether has shrunk at least to the smallest double.
+/// Growth in which a perturbation vanishes: it shrank at least to the smallest double.
 static const double strongest_decay = -745.0;
 
 static double block_mean(const double *values, size_t length) {
@@ -16,7 +16,8 @@ static double block_mean(const double *values, size_t length) {
     return sum / (double)length;
 }
 
-/// Standard error of the mean of all blocks from their scatter. What does not fill a block is left out at the start.
+/// Standard error of the mean of all blocks, from their scatter. Values that do not fill a block are left out at the
+/// start.
 static double block_error(const double *values, size_t count, size_t length) {
     const size_t blocks = count / length;
     const double *first = values + count % length;
@@ -49,7 +50,7 @@ static double smooth_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
-/// A mean with the distance of the two halves' means from it.
+/// A mean whose error is the distance of the two halves' means from it.
 static whirl_estimate compare_halves(double (*mean)(const double *, size_t), const double *values, size_t half) {
     const double all = mean(values, 2 * half);
     return (whirl_estimate){all, fmax(fabs(mean(values, half) - all), fabs(mean(values + half, half) - all))};
@@ -69,7 +70,7 @@ whirl_estimate estimate_regular_mean(const double *values, size_t count, size_t 
 
 // ---------------------------------------------------------------- all exponents
 
-/// While the perturbations turn towards their directions they do not count.
+/// Index of the first growth that counts, after the perturbations have aligned.
 static size_t first_counted(const whirl_record *record) {
     return record->growth_count / 10;
 }
@@ -81,7 +82,7 @@ static whirl_estimate mean_growth(const whirl_record *record, size_t which, doub
     return estimate_mean(values, record->growth_count - first);
 }
 
-/// Not a number where it is none in some revolution.
+/// Mean growth of volume; NaN if it is unknown in some revolution.
 static double mean_volume(const whirl_record *record) {
     const size_t first = first_counted(record);
     double sum = 0.0;
@@ -93,7 +94,7 @@ bool follows_all(const whirl_record *record) {
     return record->growths && record->growth_count > 0 && record->motion == WHIRL_BOUNDED;
 }
 
-/// What turns stays behind: its exponents, zeros, are none of the motion's.
+/// Sorts exponents, those of coordinates that turn (zeros, which are not the motion's) behind the others.
 static void sort_exponents(const whirl_record *record, whirl_estimate *exponents) {
     const size_t steady = record->dimension - turns_count(record->turns, record->dimension);
     for (size_t k = 1; k < steady; k++)
@@ -112,7 +113,7 @@ growth_balance gather_exponents(const whirl_record *record, whirl_estimate *expo
         exponents[k] = mean_growth(record, k, values);
         b.sum += exponents[k].value;
         sizes += fabs(exponents[k].value);
-        errors += isnan(exponents[k].error) ? 0.0 : exponents[k].error; // of a single revolution
+        errors += isnan(exponents[k].error) ? 0.0 : exponents[k].error; // a single revolution
     }
     sort_exponents(record, exponents);
     if (isfinite(b.exact)) b.miss = fabs(b.sum - b.exact);
@@ -145,7 +146,7 @@ whirl_estimate second_exponent(const whirl_record *record) {
 whirl_estimate whirl_lyapunov_largest(const whirl_record *record) {
     if (record->motion != WHIRL_BOUNDED) return (whirl_estimate){NAN, NAN};
     if (record->growth_count == 0) return (whirl_estimate){NAN, NAN};
-    // While the perturbation turns towards the direction of fastest growth it does not count.
+    // Growth does not count while the perturbation aligns with the direction of fastest growth.
     const size_t aligning = record->growth_count / 10;
     const growth_balance balance = balance_growth(record);
     if (balance.failed) return (whirl_estimate){NAN, NAN};

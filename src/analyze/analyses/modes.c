@@ -1,5 +1,5 @@
-// Modes of a machine about where it rests: frequencies, damping, whirl and shapes, and what was located on the way from
-// the point before.
+// Modes of a machine about its equilibrium: frequencies, damping, whirl and shapes, and the critical speeds and
+// thresholds between the point before and this one.
 #include <math.h>
 #include <stdlib.h>
 
@@ -31,7 +31,7 @@ static size_t kept(const block_shape *shape) {
     return (size_t)shape->options->modes;
 }
 
-/// Forward, backward and a threshold, of every mode once.
+/// Rows of located events: at most one crossing for each mode, and a threshold.
 static size_t located(const block_shape *shape) {
     return (size_t)shape->options->modes + 1;
 }

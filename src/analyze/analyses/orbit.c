@@ -1,4 +1,4 @@
-// Orbits: how far every station moves, and in which sense it whirls.
+// Extent of every station's motion, and its sense of whirl.
 #include <math.h>
 
 #include "analysis.h"
@@ -18,7 +18,7 @@ static const field_plan fields[FIELD_COUNT] = {
     // clang-format on
 };
 
-/// Whether a station moves by no more than rounding.
+/// Returns true if a station moves no more than rounding.
 static bool orbit_rests(const double *low, const double *high, double max_radius) {
     return hypot(high[0] - low[0], high[1] - low[1]) <= 2.0 * MIN_MOTION * max_radius;
 }

@@ -1,5 +1,5 @@
-// Ranges: how far a motion, or a machine at rest, goes in what its laws are for. Small motions about where a machine
-// rests are those of contacts that stay as they are there, open or closed.
+// Ranges: how far a motion, or a machine at rest, goes within the validity of its laws. Small motions about an
+// equilibrium keep its contacts open or closed.
 #include <math.h>
 #include <stdlib.h>
 
@@ -15,7 +15,7 @@ static size_t one_where_any(const block_shape *shape) {
     return shape->range_count > 0;
 }
 
-/// Not on springs in the place of its bearings, where it rests elsewhere.
+/// One row at rest, but not on springs instead of the bearings, where the equilibrium differs.
 static size_t one_at_rest(const block_shape *shape) {
     return shape->at_rest && !shape->options->bearings;
 }
@@ -71,7 +71,8 @@ static bool has_films(const whirl_system *system) {
     return false;
 }
 
-/// Where it rests, if it does. Analyses that need a place of rest have found one, or the point has no answer.
+/// Writes the ranges at the equilibrium, if there is one. Analyses that need it have found it, or the point has no
+/// answer.
 static whirl_status compute_resting(const whirl_resting *point, const whirl_record_options *options,
                                     const block_view *view) {
     const whirl_system *system = point->system;
@@ -91,7 +92,7 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
     }
     free(x);
     if (status.code != WHIRL_NUMERICAL_FAILURE) return status;
-    // Films of a shaft that stands still carry nothing: nobody asks where it lies in them.
+    // At standstill films carry nothing, and the eccentricity has no meaning.
     if (point->speed != 0.0) *view_numbers(view, REST, 0) = whirl_equilibrium_share(system, point->start);
     return whirl_ok();
 }

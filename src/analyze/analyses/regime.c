@@ -238,7 +238,7 @@ const analysis_plan regime_analysis = {.fields = fields,
                                        .compute = compute,
                                        .compute_diverged = put_judgement};
 
-/// The number of a field of this analysis, NaN where the block has none.
+/// Reads a number of a field of this analysis, NaN if the block has none.
 static double stored(const whirl_layout *layout, const double *block, const char *name) {
     const whirl_field *field = whirl_layout_field(layout, name);
     return field ? block[field->offset] : NAN;

@@ -1,9 +1,9 @@
-// The registry of analyses: one line each, with what a choice of them can tell of itself.
+// Registry of analyses: one line each, with their properties.
 #include <string.h>
 
 #include "analysis.h"
 
-/// What an orbit or a torus costs that is found by Newton's method from one beside it.
+/// Cost of finding an orbit or a torus by Newton's method from a neighbouring one.
 #define FOUND_COST 10.0
 
 static const whirl_kind motion = {.name = "motion",
@@ -35,7 +35,7 @@ static const whirl_kind torus = {.name = "torus",
                                  .found = true,
                                  .cost = FOUND_COST};
 
-// Which choices have it, and what it is of.
+// Selection (by default, on demand) and the kind of point.
 #define ON_DEMAND false, false, &motion
 #define USUAL true, false, &motion
 #define KEPT false, true, &motion

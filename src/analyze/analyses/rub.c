@@ -1,4 +1,4 @@
-// Rub: what the unilateral contacts did over the record.
+// Rub: work of the unilateral contacts over the record.
 #include <math.h>
 
 #include "analysis.h"
@@ -12,7 +12,7 @@ static const field_plan fields[FIELD_COUNT] = {
     // clang-format on
 };
 
-/// Without friction nothing was folded; and what no system tells of is missing.
+/// Clears friction where there is none, and numbers that the system does not report.
 static void settle_friction(const whirl_record *record, size_t which, const block_view *view) {
     const double torque = record->contact_torque[which];
     const bool told = record->system && record->system->friction;

@@ -1,4 +1,4 @@
-// Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which tells forward from
+// Amplitude spectra in orders of the running speed, and the full spectrum of x + iy, which separates forward from
 // backward whirl. The record holds whole revolutions, so whole orders and their fractions 1/record lie on bins.
 #include "analysis.h"
 
@@ -25,8 +25,8 @@ static void hann_window(size_t count, double *window) {
 }
 
 /// Removes the mean and applies the window. The mean is weighted by the window: a plain mean over a broken number of
-/// periods of a line would leave an offset, which would leak into other lines. True where something is left but the
-/// rounding of the mean.
+/// periods of a line would leave an offset, which leaks into other lines. True if more than the rounding of the mean is
+/// left.
 static bool window_samples(const double *samples, const double *window, size_t count, double *windowed) {
     double mean = 0.0, largest = 0.0, scale = 0.0;
     for (size_t j = 0; j < count; j++) mean += samples[j] * window[j];
@@ -45,13 +45,13 @@ static double squares_of(const double *samples, size_t count) {
     return sum;
 }
 
-/// Share of the motion below which lines are looked for at higher orders, too; and the size of motions over their
-/// largest displacement below which they are rests.
+/// Share of the motion below which lines are searched at higher orders, too; and size over the largest displacement
+/// below which a motion is none.
 static const double enough = 0.99, at_rest = 1e-7;
 
-/// The whole bins, and the lines between them: of `bins` bins, or of twice, four times ... as many of `most` until
-/// these hold enough of the mean square of the motion. By Parseval's theorem squares of all bins sum to 3 times that,
-/// the window being squared. `power` has room for `most`. Returns the mean square of the lines.
+/// Fills in the bins and the lines between them: of `bins` bins, or of twice, four times ... as many up to `most`,
+/// until the lines hold enough of the motion's mean square. By Parseval's theorem squares of all bins sum to 3 times
+/// that, since the window is squared. `power` has space for `most`. Returns the mean square of the lines.
 static double fill(whirl_spectrum *spectrum, const wave_transform *wave, double square, size_t bins, size_t most,
                    double *power) {
     double held = 0.0, lines = 0.0;
@@ -82,8 +82,8 @@ static double largest_of(const double *samples, size_t count) {
     return largest;
 }
 
-/// Into a spectrum with room for its bins, of `turn` samples per revolution; lines of `bins` bins, up to `most` where
-/// there is more of the motion. false: no memory.
+/// Analyses a signal of `turn` samples per revolution into a spectrum with space for its bins; lines of `bins` bins, up
+/// to `most` if there is more of the motion. False without memory.
 static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins, size_t most,
                     whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + most) * sizeof *x);
@@ -150,7 +150,7 @@ static void swap(double *one, double *other) {
     *other = kept;
 }
 
-/// Of a shaft that turns clockwise: what goes from x to y goes backward.
+/// Swaps directions for a shaft that turns clockwise: motion from x to y is backward there.
 static void swap_directions(whirl_spectrum *spectrum) {
     double *forward = spectrum->forward;
     spectrum->forward = spectrum->backward;

@@ -1,5 +1,5 @@
 // Stability by logarithmic decrements: over the cross coupling of stages with bearings alone (Level I of API 617), and
-// with seals and impellers station by station and all together (Level II).
+// with seals and impellers, one station at a time and together (Level II).
 #include <math.h>
 #include <stdlib.h>
 
@@ -24,7 +24,8 @@ enum {
     FIELD_COUNT
 };
 
-/// Points of the curve; it goes to so many times the anticipated cross coupling, or twice the limit if that is less.
+/// Points of the curve, and its end as a multiple of the anticipated cross coupling (or twice the limit if that is
+/// less).
 enum { CURVE_POINTS = 21, CURVE_END = 10 };
 
 static size_t curve_points(const block_shape *shape) {
@@ -65,20 +66,20 @@ static const field_plan fields[FIELD_COUNT] = {
               NULL},
 };
 
-/// The modes that decide with bearings alone, which are followed from there to every other machine: chosen anew they
-/// would be others where seals and stages turn directions of whirl over.
+/// The deciding modes with bearings alone, which are followed to every other machine. Choosing them anew there would
+/// fail where seals and stages reverse directions of whirl.
 typedef struct deciding {
     whirl_modes *modes; ///< with bearings alone
-    bool *any;          ///< [modes->count] whether it is one that decides
-    size_t *partner;    ///< [modes->count] what it has become
+    bool *any;          ///< [modes->count] the mode decides
+    size_t *partner;    ///< [modes->count] the followed mode in the other machine
     double clock;
 } deciding;
 
-/// A machine whose decrement is asked for.
+/// A machine whose decrement is computed.
 typedef struct probing {
     const whirl_resting *point;
     deciding from;
-    double frequency; ///< of the mode at the last one
+    double frequency; ///< frequency of the deciding mode in the last machine
     double anticipated;
 } probing;
 
@@ -90,7 +91,7 @@ static double decrement_of(const whirl_mode *mode) {
     return 6.283185307179586476925 * (0.0 - mode->real) / mode->imaginary;
 }
 
-/// The frequency up to which modes decide: the speed, or that of the first mode where that is faster.
+/// Highest frequency of deciding modes: the speed, or the first mode's frequency if that is higher.
 static double highest_of(const whirl_modes *modes, const bool *any, double clock, double speed) {
     double first = INFINITY;
     for (size_t i = 0; i < modes->count; i++)
@@ -98,9 +99,8 @@ static double highest_of(const whirl_modes *modes, const bool *any, double clock
     return isfinite(first) ? fmax(speed, first) : speed;
 }
 
-/// Chooses modes that do not clearly go backward and are damped so little that they are seen; where there are none,
-/// however much they are damped. Of two planes that hardly act on each other the direction of either mode is a matter
-/// of chance, to and fro more than round: both decide.
+/// Marks the deciding modes: not clearly backward, and with visible damping; if there are none, with any damping. Modes
+/// of two almost uncoupled planes have no definite direction and both decide.
 static void choose(const whirl_modes *modes, double clock, double speed, bool *any) {
     static const double backward = -0.3, damped[] = {0.8, INFINITY};
     bool found = false;
@@ -118,8 +118,8 @@ static void choose(const whirl_modes *modes, double clock, double speed, bool *a
     }
 }
 
-/// The least decrement of the modes [count] that decide, and of those up to the highest of these that grow; NaN where
-/// there are none. *frequency is that of the mode.
+/// Least decrement of the deciding modes [count], and of growing modes up to the highest of these; NaN without any.
+/// *frequency is that of the mode.
 static double least_decrement(const whirl_modes *modes, const bool *any, double clock, double speed,
                               double *frequency) {
     const double highest = highest_of(modes, any, clock, speed);
@@ -134,7 +134,7 @@ static double least_decrement(const whirl_modes *modes, const bool *any, double 
     return best;
 }
 
-/// The machine whose modes are asked for.
+/// A variant of the machine whose modes are computed.
 typedef struct asked {
     const whirl_resting *point;
     whirl_variant variant;
@@ -146,7 +146,7 @@ static whirl_status at_frequency(const void *context, double frequency, whirl_ma
     return own->point->at_frequency(own->point->context, frequency, own->variant, own->value, machine);
 }
 
-/// Marks in any [modes->count] what the modes that decide have become.
+/// Marks in any [modes->count] the modes that the deciding ones have become.
 static whirl_status follow(const deciding *from, const whirl_modes *modes, double clock, bool *any) {
     const whirl_status status = whirl_modes_match(from->modes, modes, from->clock / clock, from->partner, NULL);
     for (size_t i = 0; i < from->modes->count && status.code == WHIRL_OK; i++)
@@ -154,7 +154,7 @@ static whirl_status follow(const deciding *from, const whirl_modes *modes, doubl
     return status;
 }
 
-/// The decrement of modes, which are followed from those with bearings alone; chosen anew where none of these is there.
+/// Computes the decrement of modes, followed from those with bearings alone; chosen anew if none of these is left.
 static whirl_status tell(probing *p, const whirl_machine *machine, const whirl_modes *modes, double *decrement) {
     const bool known = p->from.modes && p->from.modes->dimension == modes->dimension;
     bool *any = calloc(modes->count + 1, sizeof *any);
@@ -191,7 +191,7 @@ static whirl_status probe(probing *p, whirl_variant variant, double value, doubl
     return status;
 }
 
-/// Chooses the modes that decide with bearings alone, to be let go by forget.
+/// Chooses the deciding modes with bearings alone. Freed by forget.
 static whirl_status begin(probing *p) {
     deciding *from = &p->from;
     whirl_machine machine;
@@ -213,21 +213,20 @@ static void forget(probing *p) {
     free(p->from.partner);
 }
 
-/// A decrement, or that of a mode that hardly swings where there is none that could grow: all are overdamped, or go
-/// backward.
+/// Decrement, or that of a barely oscillating mode if no mode could grow: all are overdamped, or backward.
 static double or_overdamped(double decrement) {
     return isnan(decrement) ? 10.0 : decrement;
 }
 
-/// With so many times the cross coupling of the stages.
+/// Computes the decrement with a multiple of the stages' cross coupling.
 static whirl_status probe_stages(probing *p, double share, double *decrement) {
     const whirl_status status = probe(p, WHIRL_WITH_STAGES, share, decrement);
     *decrement = or_overdamped(*decrement);
     return status;
 }
 
-/// Where the decrement is 0, as a multiple of the stages: 0 where it is below with none; NaN beyond the largest
-/// multiple.
+/// Finds the multiple of the stages' cross coupling at which the decrement is 0: 0 if it is negative with none; NaN
+/// beyond the largest multiple.
 static whirl_status find_limit(probing *p, double basic, double *limit) {
     enum { STEPS = 60 };
     static const double most = 1024.0, close = 1e-12;
@@ -267,12 +266,12 @@ static whirl_status fill_parts(probing *p, double basic, const block_view *view)
     for (size_t s = 0; s < p->point->system->probe_count && status.code == WHIRL_OK; s++) {
         double own = NAN;
         status = probe(p, WHIRL_WITH_DRAG_AT, (double)s, &own);
-        *view_numbers(view, PART, s) = own == basic ? (double)NAN : own; // to the bit: there is none
+        *view_numbers(view, PART, s) = own == basic ? (double)NAN : own; // equal to the bit: the station has none
     }
     return status;
 }
 
-/// The first forward critical speed of the machine held by springs; NaN where there is none.
+/// Finds the first forward critical speed of the machine on springs; NaN without one.
 static whirl_status held_at(const whirl_resting *point, double stiffness, double *speed) {
     whirl_machine slow = {.system = NULL}, fast = {.system = NULL};
     whirl_critical_speeds *found = NULL;
@@ -289,8 +288,8 @@ static whirl_status held_at(const whirl_resting *point, double stiffness, double
     return status;
 }
 
-/// On rigid supports: springs ever stiffer, until ten times as stiff ones change it by less than 1e-6, and what is left
-/// by the rule that it goes with 1/stiffness. NaN where there is no such speed.
+/// Finds the critical speed on rigid supports: stiffens springs until a factor of ten changes it by less than 1e-6,
+/// then extrapolates in 1/stiffness. NaN without such a speed.
 static whirl_status find_rigid(const whirl_resting *point, double *speed) {
     static const double softest = 1e7, stiffest = 1e18, close = 1e-6;
     double before = NAN;
@@ -306,12 +305,12 @@ static whirl_status find_rigid(const whirl_resting *point, double *speed) {
         }
         before = own;
     }
-    // A machine that has no critical speeds without damping has no such ratio.
+    // A machine without undamped critical speeds has no such ratio.
     return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
 }
 
-// The boundary of the regions (Level I screening of API 617, 7th edition of 2002, 2.6.5, as API 684 draws it; which
-// edition counts is for the user to check): 2.5 up to 16.53 kg/m3, then straight to 2.0 at 60 kg/m3; beyond all is B.
+// Boundary of the regions (Level I screening of API 617, 7th edition of 2002, 2.6.5, as API 684 draws it; the user
+// checks which edition applies): 2.5 up to 16.53 kg/m3, then straight to 2.0 at 60 kg/m3; beyond that all is B.
 double whirl_screening_ratio(double density) {
     static const double light = 16.53, dense = 60.0, most = 2.5, least = 2.0;
     if (density > dense) return 0.0;

@@ -1,4 +1,4 @@
-// What the weight does to the shafts of a machine: sag, moments, loads of bearings, elevations for its couplings.
+// Static effects of weight on the shafts of a machine: sag, moments, bearing loads, elevations for its couplings.
 #include <math.h>
 #include <stdlib.h>
 
@@ -77,8 +77,8 @@ static const field_plan fields[FIELD_COUNT] = {
                  WHIRL_PER_STATION, 4, NULL},
 };
 
-/// Forces of the bearings alone on stations of 1 kg, the machine at rest at x, as accelerations [probes][2]; NaN where
-/// no bearing has a film.
+/// Computes the bearings' forces on stations of 1 kg, with the machine at rest at x, as accelerations [probes][2]; NaN
+/// without a film.
 static whirl_status forces_at(const whirl_resting *point, const double *x, double *force) {
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, point->speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
@@ -98,7 +98,7 @@ static whirl_status forces_at(const whirl_resting *point, const double *x, doubl
     return status;
 }
 
-/// Of a film with the machine at rest at x.
+/// Fills in the fields of a film, with the machine at rest at x.
 static void fill_film(const whirl_system *system, const double *x, size_t which, const double *force,
                       const block_view *view) {
     const whirl_probe *probe = &system->probes[which];
@@ -115,13 +115,13 @@ static void fill_film(const whirl_system *system, const double *x, size_t which,
         if (gap.pads > 0) *view_numbers(view, UNLOADED, which) = unloaded;
     }
     *view_numbers(view, SEAL, which) = isnan(force[0]) ? 1.0 : 0.0;
-    // The load is what the film pushes against; of a journal in the middle but for rounding it has no direction.
+    // The film carries the load. A centred journal (within rounding) has no attitude angle.
     if (hypot(force[0], force[1]) > 0.0 && radius > 1e-9 * probe->clearance)
         *view_numbers(view, ATTITUDE, which) =
             whirl_probe_way(probe) * atan2(across, along) * (180.0 / 3.14159265358979323846);
 }
 
-/// Where journals rest in their films, if the machine turns and rests anywhere.
+/// Fills in the journals' equilibria in their films, if the machine turns and has an equilibrium.
 static whirl_status fill_films(const whirl_resting *point, const block_view *view) {
     const whirl_system *system = point->system;
     const size_t d = system->dimension, probes = system->probe_count;
@@ -139,8 +139,8 @@ static whirl_status fill_films(const whirl_resting *point, const block_view *vie
     return status.code == WHIRL_NUMERICAL_FAILURE ? whirl_ok() : status;
 }
 
-/// Stiffness and damping of bearings where the machine turns and rests; none at speeds beyond their tables, nor of
-/// those that have neither there.
+/// Fills in stiffness and damping of bearings at the equilibrium of a turning machine; none beyond the speeds of their
+/// tables, nor for bearings without either.
 static whirl_status fill_coefficients(const whirl_resting *point, const block_view *view) {
     const size_t probes = point->system->probe_count;
     double *numbers = malloc((8 * probes + 1) * sizeof *numbers);

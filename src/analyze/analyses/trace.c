@@ -1,4 +1,4 @@
-// Points of branches: orbits and equilibria, stable or not, as numbers in a block and back.
+// Points of branches: orbits and equilibria, stable or not, as numbers of a block, written and read.
 #include <math.h>
 #include <string.h>
 
@@ -116,7 +116,7 @@ static void put_arrays(const block_view *view, const whirl_orbit *orbit) {
     memcpy(view_numbers(view, NODES, 0), orbit->nodes, orbit->segment_count * orbit->dimension * sizeof *orbit->nodes);
 }
 
-/// An orbit with a time of its own, and an equilibrium, has its first node for a section.
+/// Writes a station's section. Orbits with a free period and equilibria have their first node as section.
 static void put_station(const block_view *view, const whirl_system *system, const whirl_orbit *orbit, size_t which) {
     const whirl_probe *probe = &system->probes[which];
     const size_t count = orbit->revolutions > 0 ? orbit->revolutions : 1;
@@ -157,7 +157,7 @@ static const whirl_field *field_of(const reading *r, size_t field) {
     return whirl_layout_field(r->layout, fields[field].name);
 }
 
-/// NULL where the layout has none.
+/// Returns a field's numbers, NULL if the layout has none.
 static const double *read_numbers(const reading *r, size_t field) {
     const whirl_field *found = field_of(r, field);
     return found ? r->block + found->offset : NULL;
@@ -167,7 +167,7 @@ static bool is_size(double number) {
     return number >= 0.0 && number <= 1e6;
 }
 
-/// What is there of rows that end with missing numbers.
+/// Number of leading rows without missing numbers.
 static size_t filled(const double *numbers, size_t rows, size_t columns) {
     size_t count = 0;
     while (count < rows && !isnan(numbers[columns * count])) count++;

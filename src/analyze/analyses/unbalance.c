@@ -1,4 +1,4 @@
-// The synchronous response of a machine about where it rests: amplitudes, phases, orbits, and what two probes see.
+// Synchronous response of a machine about its equilibrium: amplitudes, phases, orbits, and the signals of two probes.
 #include <math.h>
 #include <stdlib.h>
 
@@ -52,14 +52,14 @@ static const field_plan fields[FIELD_COUNT] = {
 
 static const double degree = 3.14159265358979323846 / 180.0;
 
-/// What a probe along (c, s) sees: its amplitude, and by how many degrees the peak comes after the mark.
+/// Amplitude that a probe along (c, s) sees, and by how many degrees the peak comes after the mark.
 static void look(const double *x, const double *y, double c, double s, double *amplitude, double *lag) {
     const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
     *amplitude = hypot(real, imaginary);
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
 }
 
-/// The same with the runout of order 1 added, v exp(-i way angle) of a probe that stands by so much further on.
+/// The same with the runout of order 1 added, which is v exp(-i way angle) for a probe at `angle`.
 static void look_at_surface(const block_view *view, size_t which, const whirl_probe *probe, const double *x,
                             const double *y, double angle) {
     double *amplitude = view_numbers(view, SEEN, which), *lag = view_numbers(view, SEEN_LAG, which);
@@ -78,7 +78,7 @@ static void look_at_surface(const block_view *view, size_t which, const whirl_pr
     }
 }
 
-/// way: of its probe.
+/// Fills in a station's fields. way: sense of its probe.
 static void fill_station(const block_view *view, size_t which, const double *x, const double *y, double angle,
                          double way) {
     double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);
@@ -98,7 +98,7 @@ static void fill_station(const block_view *view, size_t which, const double *x, 
     *view_numbers(view, INCLINATION, which) = fmod(turned + 360.0, 180.0);
 }
 
-/// What stands still beside the station, and what turns with it by rule.
+/// Fills in each station's clearance, and the unbalances that are placed by rule.
 static void fill_beside(const whirl_resting *point, const block_view *view) {
     for (size_t p = 0; p < point->system->probe_count; p++) {
         const whirl_probe *probe = &point->system->probes[p];

@@ -1,4 +1,4 @@
-// Waveforms: what probes see of displacements over the last revolutions of the record.
+// Waveforms: displacements that probes see over the last revolutions of the record.
 #include <stdlib.h>
 
 #include "analysis.h"

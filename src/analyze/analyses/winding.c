@@ -21,13 +21,13 @@ static const field_plan fields[FIELD_COUNT] = {
 
 static const double pi = 3.141592653589793238463;
 
-/// Whirl has a direction when it keeps it for this share of the time; contact lasts from this share on.
+/// Share of the time over which whirl must keep its direction; share from which on contact is lasting.
 static const double constant_share = 0.95, lasting_share = 0.95;
 
 /// The path of one station.
 typedef struct path {
     size_t count;
-    double way; ///< of its probe
+    double way; ///< sense of its probe
     const double *x, *y;
     double centre[2];
     double reach;     ///< square of the largest distance from the centre of the path
@@ -52,7 +52,7 @@ static path path_of(const whirl_record *record, size_t station) {
 
 /// Turns round the centre, forward and backward.
 typedef struct turns {
-    double sum;      ///< forward less backward
+    double sum;      ///< forward minus backward
     double backward; ///< share of the samples
 } turns;
 
@@ -83,9 +83,9 @@ static double contact_share(const path *p, double gap) {
     return touching / (double)p->count;
 }
 
-/// Dry whip, or dry whirl where it rolls: friction at a lasting contact drives the station backward round its stator.
-/// Nothing outside turns at that frequency, so it is one of the rotor and stator together, or that of rolling (Black
-/// 1968; Jiang, Ulbrich 2005). A whole order would be an answer to the unbalance or to an asymmetric shaft.
+/// Returns true for dry whip, or dry whirl where it rolls: friction at a lasting contact drives the station backward
+/// round its stator. No excitation has that frequency, so it belongs to rotor and stator together, or to rolling (Black
+/// 1968; Jiang, Ulbrich 2005). A whole order would be a response to unbalance or an asymmetric shaft.
 static bool is_dry_whip(double contact, double direction, double winding, double resolution) {
     return contact >= lasting_share && direction < 0.0 && fabs(winding - round(winding)) > 2.0 * resolution;
 }
@@ -113,7 +113,8 @@ static void describe(const whirl_record *record, size_t station, const block_vie
 static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
     (void)options;
     for (size_t s = 0; s < record->probe_count; s++)
-        if (record->probes[s].x != record->probes[s].y) describe(record, s, view); // one coordinate has no sense
+        if (record->probes[s].x != record->probes[s].y)
+            describe(record, s, view); // a single coordinate has no sense of whirl
     return whirl_ok();
 }
 

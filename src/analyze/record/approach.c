@@ -6,36 +6,36 @@
 #include "record.h"
 #include "section.h"
 
-/// Longest orbit that is looked for while a motion settles: its returns are seen twice among the states that are kept.
+/// Longest orbit that is searched while a motion settles: two of its returns must fit into the kept states.
 enum { LONGEST = 40 };
 
-/// Returns within this share of the state's size are worth a try, once they have shrunk by that much.
+/// A search starts when returns are within the first share of the state's size, after they have shrunk by the second.
 static const double near_enough = 3e-3, has_shrunk = 0.75;
 
-/// Part of what a step shortens that the map may differ from its derivative by.
+/// Largest difference of the map from its derivative, as a part of what a step shortens.
 static const double safety = 0.5;
 
-/// Returns, and by how much they must have shortened the distance, that show the way.
+/// Number of returns that must be predicted correctly, and by how much they must have shortened the distance.
 static const size_t fewest_returns = 3;
 static const double nearer = 0.5;
 
 struct approach {
     const whirl_system *system;
     const whirl_record_options *options;
-    double noise;           ///< of the map over the state's size: how well the method knows where a revolution ends
-    int next;               ///< revolution from which on Newton's method is tried again
+    double noise;           ///< noise of the map over the state's size: uncertainty of a revolution's end
+    int next;               ///< first revolution of the next attempt by Newton's method
     double spent;           ///< revolutions by Newton's method
-    shot *orbit;            ///< NULL: none was found that is stable
-    size_t past;            ///< revolutions of it that the motion has done since its beginning
-    size_t good;            ///< returns in a row that went as foretold
+    shot *orbit;            ///< NULL: no stable one was found
+    size_t past;            ///< revolutions of it that the motion has done
+    size_t good;            ///< consecutive returns that were predicted correctly
     double far;             ///< distance before the first of them
-    double last;            ///< and now
-    double begun;           ///< and when the orbit was found
-    double least_shrinking; ///< by which a return shortens every distance
+    double last;            ///< present distance
+    double begun;           ///< distance when the orbit was found
+    double least_shrinking; ///< factor by which a return shortens every distance at least
     double *monodromy;      ///< [kept][kept]
-    double *metric;         ///< [kept][kept] of distances
-    double *before, *now;   ///< [kept] from the orbit at the last return and at this one
-    double *rest;           ///< [kept] what was not foretold
+    double *metric;         ///< [kept][kept] quadratic form of distances
+    double *before, *now;   ///< [kept] distance from the orbit at the last return and at this one
+    double *rest;           ///< [kept] error of the prediction
 };
 
 approach *approach_new(const whirl_system *system, const whirl_integrate_options *integrate,
@@ -69,7 +69,7 @@ double approach_spent(const approach *a) {
     return a->spent;
 }
 
-/// Room for what follows from an orbit: a block of numbers, monodromy first.
+/// Allocates the numbers that belong to an orbit: one block, monodromy first.
 static bool make_room(approach *a, size_t n) {
     a->monodromy = calloc(2 * n * n + 3 * n + 1, sizeof *a->monodromy);
     if (!a->monodromy) return false;
@@ -114,7 +114,7 @@ static double distance(const approach *a, const double *x, const double *y) {
     return sqrt(sum);
 }
 
-/// The largest of `count` returns after k revolutions, the last one `back` revolutions ago.
+/// Returns the largest of `count` returns after k revolutions, the last one `back` revolutions ago.
 static double largest_return(const approach *a, const settling *s, size_t k, size_t back, size_t count) {
     double most = 0.0;
     for (size_t i = back; i < back + count; i++) {
@@ -124,13 +124,13 @@ static double largest_return(const approach *a, const settling *s, size_t k, siz
     return most;
 }
 
-/// Returns of so many revolutions are seen together.
+/// Number of returns that are compared together.
 static size_t window_of(size_t k, int revolution) {
     const size_t longest = 32, eighth = (size_t)revolution / 8, least = k > 4 ? k : 4;
     return eighth < least ? least : eighth < longest ? eighth : longest;
 }
 
-/// Whether the motion nearly returns after k revolutions, and nearer than it did before.
+/// Returns true if the motion nearly returns after k revolutions, and closer than before.
 static bool closes_in(const approach *a, const settling *s, size_t k, int revolution, double size) {
     const size_t window = window_of(k, revolution);
     const double *first = settling_state(s, 2 * window + k - 1);
@@ -140,8 +140,8 @@ static bool closes_in(const approach *a, const settling *s, size_t k, int revolu
     return late <= a->noise * size || late <= has_shrunk * largest_return(a, s, k, window, window);
 }
 
-/// The fewest revolutions, of those that divide k, after which the motion returns nearly as well: a spiral that goes
-/// round in k is seen to come nearer after k first.
+/// Returns the least divisor of k after which the motion returns nearly as well: a spiral that goes round in k
+/// revolutions approaches its limit after k first.
 static size_t shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
     const double as_well = 3.0;
     const size_t window = window_of(k, revolution);
@@ -165,7 +165,8 @@ size_t approach_tries(approach *a, const settling *s, int revolution) {
 
 // ---------------------------------------------------------------- what was found
 
-/// A return went as foretold where what the derivative does not tell of it is but a part of what a step shortens.
+/// Compares a return with its prediction. It is correct if the derivative leaves less than a part of what a step
+/// shortens.
 static void note_return(approach *a, const double *x) {
     const size_t n = a->orbit->kept;
     const double from = metric_length(n, a->metric, a->before);
@@ -184,7 +185,7 @@ static void note_return(approach *a, const double *x) {
     a->last = metric_length(n, a->metric, a->now);
 }
 
-/// The returns that are known already.
+/// Checks the returns that are already known.
 static void note_past(approach *a, const settling *s) {
     const size_t k = a->orbit->revolutions;
     size_t known = 0;
@@ -196,7 +197,7 @@ static void note_past(approach *a, const settling *s) {
     a->begun = a->last;
 }
 
-/// Distances about the orbit; false where it is not stable.
+/// Makes the distances about the orbit; false if it is not stable.
 static bool measure(approach *a, bool *memory) {
     const double margin = 1e-6;
     const size_t n = a->orbit->kept;

@@ -1,6 +1,6 @@
-// Rest: a motion that stays, to what its steps resolve, where the equations let nothing move. Its size is that of the
-// errors of its steps, so that neither returns nor a perturbation beside it tell anything: the equilibrium does, and
-// the eigenvalues about it. See docs/theory.md, "Rest".
+// Rest: a motion that is constant, to what its steps resolve, at an equilibrium. It is as small as the errors of its
+// steps, so neither its returns nor a perturbed copy mean anything; the equilibrium and its eigenvalues decide instead.
+// See docs/theory.md, "Rest".
 #include "record.h"
 
 #include <math.h>
@@ -9,24 +9,24 @@
 #include "numerics.h"
 #include "section.h"
 
-/// A motion rests within this share of the state's size.
+/// Largest size of a motion at rest, over the state's size.
 static const double near_enough = 1e-5;
 
-/// No state counts as smaller: what is below near_enough of it is not resolved by the steps, or is rounding.
+/// Smallest size of a state: anything below near_enough of it is not resolved by the steps, or is rounding.
 static double least_scale(const whirl_integrate_options *integrate) {
     const double tolerances = 100.0, rounding = 1e-12;
     return fmax(whirl_method_is_adaptive(integrate->method) ? tolerances * integrate->atol : 0.0, rounding) /
            near_enough;
 }
 
-/// The largest coordinate, at the least `scale`.
+/// Returns the largest coordinate, or `scale` if that is larger.
 static double scale_of(const whirl_record *record, double scale) {
     for (size_t i = 0; i < record->dimension; i++)
         scale = fmax(scale, fmax(fabs(record->low[i]), fabs(record->high[i])));
     return scale;
 }
 
-/// The farthest that the record's bounds are from x.
+/// Returns the largest distance of the record's bounds from x.
 static double reach_from(const whirl_record *record, const double *x) {
     double squares = 0.0;
     for (size_t i = 0; i < record->dimension; i++) {
@@ -42,9 +42,9 @@ static bool has_turns(const whirl_system *system) {
     return false;
 }
 
-/// Whether nothing pushes the system from x at any instant of a revolution: forces that go to and fro do no more than a
-/// displacement by 1e-10 of the scale would. `room` has dimension (dimension + 1)
-/// numbers, `forcing` those of the system.
+/// Returns true if no force moves the system from x at any instant of a revolution: oscillating forces do no more than
+/// a displacement by 1e-10 of the scale would. `room` has dimension (dimension + 1) numbers, `forcing` those of the
+/// system.
 static bool stays_at(const whirl_system *system, const double *x, double scale, double *room, double *forcing) {
     enum { INSTANTS = 16 };
     const double unmoved = 1e-10;
@@ -64,7 +64,7 @@ static bool stays_at(const whirl_system *system, const double *x, double scale, 
     return true;
 }
 
-/// The mode that decays most slowly, or grows: by revolution, its frequency in orders.
+/// Takes the mode that decays most slowly, or grows, per revolution; its frequency in orders.
 static void take_slowest(const whirl_modes *modes, double period, whirl_record_rest *rest) {
     const double two_pi = 6.283185307179586;
     rest->growth = modes->growth * period;

@@ -1,4 +1,4 @@
-// The options of recording as they describe themselves, and what follows from them.
+// Descriptors of the recording options, and values that follow from them.
 #include <limits.h>
 #include <math.h>
 
@@ -75,7 +75,7 @@ static const whirl_member members[] = {
     FLAG(orbits, "", "no", "orbits of motions that have come to rest are looked for"),
     WHOLE("growth", growth, "", "growth", "1", 0, WHIRL_GROWTH_ALL, false,
           "perturbations that are followed: 0 none, 1 one, 2 all"),
-    // What a case says anew of its details.
+    // Overrides for the recording of details.
     WHOLE(NULL, transient, "detail", "transient", "", 0, WHIRL_MAX_TRANSIENT, false,
           "revolutions before the record; as in integrate where absent"),
     WHOLE(NULL, record, "detail", "record", "", 1, WHIRL_MAX_RECORD, false,
@@ -166,7 +166,7 @@ int whirl_record_samples(const whirl_record_options *options, int steps_per_revo
 }
 
 whirl_status whirl_record_options_check(const whirl_record_options *options) {
-    // What is advised may go beyond what cases may say.
+    // Advised options may exceed the limits of cases.
     if (options->transient < 0 || options->record < 1 || options->transient > INT_MAX - options->record)
         return whirl_fail(WHIRL_BAD_INPUT, "transient is %d and record %d revolutions, expected at least 0 and 1",
                           options->transient, options->record);
@@ -197,7 +197,7 @@ whirl_status whirl_record_options_check(const whirl_record_options *options) {
     return whirl_ok();
 }
 
-/// Whether all perturbations can be followed, where they are to be.
+/// Checks that all perturbations can be followed, if requested.
 static whirl_status check_growth(const whirl_system *system, const char *name, const whirl_record_options *options) {
     const whirl_method *method;
     if (options->growth != WHIRL_GROWTH_ALL) return whirl_ok();

@@ -1,4 +1,4 @@
-// What recording would gather of a motion that stays on an orbit, stable or not.
+// Makes the record that a motion on an orbit would have, stable or not.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,10 +7,10 @@
 #include "whirl/engine/ensemble.h"
 #include "whirl/engine/orbit.h"
 
-/// The states of an orbit at equal distances in time: the first at its beginning, which is its end, too.
+/// The states of an orbit at equal time steps: the first at its beginning, which is also its end.
 typedef struct path {
     size_t count, dimension, next;
-    double per_revolution; ///< of these distances
+    double per_revolution; ///< steps per revolution
     double *states;        ///< [count][dimension]
 } path;
 
@@ -21,8 +21,8 @@ static void keep(void *context, double t, const double *x) {
     memcpy(p->states + p->next * p->dimension, x, p->dimension * sizeof *x);
 }
 
-/// Instants of a segment: as many as the options have of a revolution (of an orbit with a time of its own, of all of
-/// it) and, of revolutions, so many more that samples are instants.
+/// Instants of a segment: as many as the options have for a revolution (for the whole orbit if its period is free) and,
+/// for revolutions, so many more that samples are instants.
 static size_t instants_of(const whirl_orbit *orbit, const whirl_orbit_options *options, size_t samples) {
     const size_t steps = (size_t)options->integrate.steps_per_revolution;
     const size_t segments = orbit->segment_count / (orbit->revolutions > 0 ? orbit->revolutions : 1);
@@ -31,7 +31,7 @@ static size_t instants_of(const whirl_orbit *orbit, const whirl_orbit_options *o
     return instants;
 }
 
-/// Freed by free(p->states).
+/// Computes the states of an orbit. Freed by free(p->states).
 static whirl_status follow(const whirl_system *system, const whirl_orbit *orbit, const whirl_orbit_options *options,
                            size_t samples, path *p) {
     const bool rests = orbit->period == 0.0;
@@ -44,8 +44,8 @@ static whirl_status follow(const whirl_system *system, const whirl_orbit *orbit,
     return rests ? whirl_ok() : whirl_orbit_observe(system, orbit, options, instants, keep, p);
 }
 
-/// The state after so many revolutions; between two of the path's by the cubic through them whose slopes are those of
-/// the chords around each.
+/// State after so many revolutions, by the cubic between two states of the path whose slopes are those of the chords
+/// around each.
 static void state_after(const path *p, double revolutions, double *x) {
     const double at = fmod(revolutions * p->per_revolution, (double)p->count), whole = floor(at + 1e-9);
     const double s = fabs(at - whole) <= 1e-9 ? 0.0 : at - whole;
@@ -58,7 +58,7 @@ static void state_after(const path *p, double revolutions, double *x) {
     }
 }
 
-/// Bounds, and all that is watched, of one time round the orbit; counts as of all the record.
+/// Observes bounds, and all that is watched, along one period of the orbit; counts are those of the whole record.
 static whirl_status see(const whirl_system *system, const path *p, whirl_record *record) {
 #define SEEN(array, ...) .array = record->array,
     const whirl_ensemble_seen seen = {.low = record->low, .high = record->high, WHIRL_WATCHED(SEEN)};
@@ -76,7 +76,7 @@ static whirl_status see(const whirl_system *system, const path *p, whirl_record 
     return whirl_ok();
 }
 
-/// Sections and waveforms, revolution after revolution.
+/// Writes sections and waveforms, revolution after revolution.
 static void write_revolutions(const whirl_system *system, const path *p, whirl_record *record) {
     const size_t samples = record->samples_per_revolution;
     double *x = record->end;

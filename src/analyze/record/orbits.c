@@ -2,16 +2,16 @@
 
 #include <math.h>
 
-/// What a revolution with a perturbation costs more than one without.
+/// Additional cost of a revolution with a perturbation, in revolutions.
 static const double perturbed = 0.5;
 
-/// Steps of Newton's method that a search takes, and the share of a point's revolutions that it may cost.
+/// Newton steps of a search, and the largest share of a point's revolutions that it may cost.
 static const double steps = 3.0, most_share = 0.25;
 
-/// A motion that is further off, over its size, is not on the orbit.
+/// Largest distance, over its size, of a motion that is on the orbit.
 static const double elsewhere = 1e-4;
 
-/// A multiplier is on the unit circle.
+/// Largest distance of a neutral multiplier from the unit circle.
 static const double neutral = 1e-9;
 
 bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k, double spent) {

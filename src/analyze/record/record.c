@@ -1,7 +1,8 @@
-// Recording to the end: one motion, or all that a source gives.
+// Records one motion, or all motions of a source, to the end.
 #include "whirl/engine/analyze.h"
 
-/// To the end, or until the monitor asks for a stop; it is told of every revolution of every motion.
+/// Records to the end, or until the monitor requests a stop; the monitor is called after every revolution of every
+/// motion.
 static whirl_status record_all(const whirl_system *system, const whirl_integrate_options *integrate,
                                const whirl_record_options *options, const whirl_task_source *source, size_t lanes,
                                const whirl_monitor *monitor) {

@@ -1,4 +1,4 @@
-/// What the parts of a record have of one another: how motions are followed, watched, and kept.
+/// Internal interfaces of recording: how motions are followed, watched, and stored.
 #ifndef ANALYZE_RECORD_H
 #define ANALYZE_RECORD_H
 
@@ -13,7 +13,7 @@
 #include <stddef.h>
 
 // ---------------------------------------------------------------- archive
-// Memory as bytes and back: one description of what belongs to a state serves measuring, writing and reading it.
+// Serialization: one description of a state's parts serves measuring, writing and reading.
 
 typedef enum archive_way { ARCHIVE_MEASURE, ARCHIVE_WRITE, ARCHIVE_READ } archive_way;
 
@@ -21,223 +21,221 @@ typedef struct archive {
     archive_way way;
     unsigned char *bytes; ///< [size] written or read; NULL while measuring
     size_t size, at;
-    bool sound; ///< false when what is read does not fit
+    bool sound; ///< false if the data read do not fit
 } archive;
 
-/// Goes on over `size` bytes of memory.
+/// Processes `size` bytes of memory.
 void archive_part(archive *a, void *memory, size_t size);
 
-/// ... over a number that must be the same when it is read.
+/// Processes a number that must be equal when it is read.
 void archive_same(archive *a, double number);
 
-/// ... over a count, at most `most` when it is read.
+/// Processes a count, at most `most` when it is read.
 void archive_count(archive *a, size_t *count, size_t most);
 
 // ---------------------------------------------------------------- settling
-// Whether a motion has settled on a periodic orbit: then the rest of its transient teaches nothing.
+// Detection of motions that have settled on a periodic orbit, whose transient can then be cut short.
 
 /// The last states of a section, and for every k how many revolutions in a row have returned after k.
 typedef struct settling settling;
 
-/// Of motions of the system, which is borrowed: what turns has no part in returns. NULL without memory. Freed by
-/// settling_free.
+/// Makes one for motions of the system, which is borrowed: coordinates that turn do not count for returns. NULL without
+/// memory. Freed by settling_free.
 settling *settling_new(const whirl_system *system);
 void settling_free(settling *settling);
 
-/// Goes over its state.
+/// Serializes its state.
 void settling_archive(settling *settling, archive *a);
 
-/// Takes the state x [dimension] at the end of a revolution. The least k <= 128 after which the motion has returned to
-/// 1e-11 of its size for three periods and 32 revolutions; 0: none.
+/// Adds the state x [dimension] at the end of a revolution. Returns the least k <= 128 after which the motion has
+/// returned to 1e-11 of its size for three periods and 32 revolutions; 0 without one.
 size_t settling_note(settling *settling, const double *x);
 
-/// The state [dimension] so many revolutions before the last one; NULL where it is no longer, or was never, there. 129
-/// are kept.
+/// Returns the state [dimension] so many revolutions before the last one; NULL if it is not kept. 129 are kept.
 const double *settling_state(const settling *settling, size_t back);
 
 // ---------------------------------------------------------------- shots
-// Newton's method on the map over k revolutions, for several motions side by side: the orbits on which they come to
-// rest, with all their multipliers.
+// Shooting: Newton's method on the map over k revolutions, for several motions side by side. Finds the orbits on which
+// they settle, with all their multipliers.
 
-/// A motion on its way onto an orbit; one block, freed by free.
+/// A search for a motion's orbit; one block, freed by free.
 typedef struct shot {
     const whirl_system *system; ///< borrowed
-    size_t dimension, kept;     ///< coordinates, and those that do not turn on and on
-    size_t revolutions;         ///< after which the orbit closes
+    size_t dimension, kept;     ///< coordinates, and those that do not turn
+    size_t revolutions;         ///< period of the orbit
     double *nodes;              ///< [revolutions][dimension] the states at the beginnings of its revolutions
-    double *factors;            ///< [revolutions][kept][kept] the derivatives of their ends by these, rows first
-    whirl_multiplier *values;   ///< [kept] multipliers by falling modulus
-    double residual;            ///< by which it fails to close, over its largest coordinate
-    double volume;              ///< sum of ln|multiplier| by the divergence; NaN where the system gives none
-    double carried;             ///< revolutions that were computed, with all perturbations
+    double *factors; ///< [revolutions][kept][kept] derivative of a revolution's end by its beginning, rows first
+    whirl_multiplier *values; ///< [kept] multipliers by falling modulus
+    double residual;          ///< distance by which it fails to close, over its largest coordinate
+    double volume;            ///< sum of ln|multiplier| from the divergence; NaN if the system gives none
+    double carried;           ///< revolutions that were computed, with all perturbations
     bool found;
-    bool flies, done; ///< it is under way, or has come to its end
+    bool flies, done; ///< it is in a lane, or has ended
 } shot;
 
-/// A shot from the state x [dimension], or for one that is read (NULL); NULL without memory.
+/// Makes a search from the state x [dimension], or one to be read (NULL). NULL without memory.
 shot *shot_new(const whirl_system *system, size_t revolutions, const double *x);
 
-/// Goes over what was found; the shot was made for the same system and as many revolutions.
+/// Serializes the result; the search must be for the same system and period.
 void shot_archive(shot *s, archive *a);
 
-/// The derivative of the map over all revolutions, matrix [kept][kept]; `room` has as many.
+/// Computes the derivative of the map over all revolutions, matrix [kept][kept]; `room` has as many.
 void shot_monodromy(const shot *s, double *matrix, double *room);
 
-/// The coordinates of x - node that do not turn: out [kept].
+/// Computes the coordinates of x - node that do not turn: out [kept].
 void shot_difference(const shot *s, const double *x, double *out);
 
-/// Their Euclidean length.
+/// Returns the Euclidean length of that difference.
 double shot_distance(const shot *s, const double *x);
 
-/// Where shots are carried: machines of one structure, by the method that their motions go by, more exactly where that
-/// has a tolerance.
+/// The ensemble that carries searches: machines of one structure, by their motions' method, with a tighter tolerance if
+/// it has one.
 typedef struct shooter shooter;
 
-/// WHIRL_BAD_INPUT where the system gives no Jacobian, or the method takes no perturbations along. Freed by
+/// Makes one. WHIRL_BAD_INPUT if the system has no Jacobian, or the method does not carry perturbations. Freed by
 /// shooter_free.
 whirl_status shooter_new(const whirl_system *system, const whirl_integrate_options *integrate, shooter **out);
 void shooter_free(shooter *s);
 
-/// How many shots go side by side.
+/// Number of searches that run side by side.
 size_t shooter_lanes(const shooter *s);
 
-/// Takes shots [count], those that fly among them, towards their orbits from starts that are close, by full steps, few
-/// of them, until fewer than `least` >= 1 are left: those that have come to their end are done. Where one closes after
-/// fewer revolutions that divide its own, it has these. What flies must not be freed before it is done.
-/// WHIRL_NO_MEMORY.
+/// Runs the searches [count], including those in lanes, by full Newton steps from close starts, few of them, until
+/// fewer than `least` >= 1 are left; the others are done. An orbit that closes after fewer revolutions, a divisor, gets
+/// these. Searches in lanes must not be freed before they are done. WHIRL_NO_MEMORY.
 whirl_status shooter_fire(shooter *s, shot *const *shots, size_t count, size_t least);
 
 // ---------------------------------------------------------------- approach
-// A motion on its way to a periodic orbit: when Newton's method is worth a try, and whether the motion itself reaches
+// A motion's approach to a periodic orbit: when Newton's method is worth a try, and whether the motion itself reaches
 // the orbit that was found. See docs/theory.md, "Orbits of settled motions".
 
 typedef struct approach approach;
 
-/// For motions of the system that go by these options; NULL without memory. Freed by approach_free.
+/// Makes one for motions of the system with these options. NULL without memory. Freed by approach_free.
 approach *approach_new(const whirl_system *system, const whirl_integrate_options *integrate,
                        const whirl_record_options *options);
 void approach_free(approach *a);
 
-/// Goes over its state.
+/// Serializes its state.
 void approach_archive(approach *a, archive *to);
 
-/// After `revolution` revolutions, the last states of which `states` has: of how many revolutions an orbit may be
-/// near, 0 where Newton's method is not worth a try.
+/// Returns the period of an orbit that may be near after `revolution` revolutions, given the last states; 0 if Newton's
+/// method is not worth a try.
 size_t approach_tries(approach *a, const settling *states, int revolution);
 
-/// Takes what Newton's method made of that state: *s belongs to the approach from then on. Errors: WHIRL_NO_MEMORY.
+/// Takes the result of Newton's method from that state: the approach then owns *s. WHIRL_NO_MEMORY.
 whirl_status approach_take(approach *a, shot *s, const settling *states, int revolution);
 
-/// Before the next revolution's end is looked at: what that was, where an orbit is known.
+/// Checks the last revolution, if an orbit is known. Called before approach_arrives.
 void approach_goes_on(approach *a, const settling *states);
 
-/// Whether the motion, at the beginning of the orbit's first revolution now, has come so near to a stable orbit, by a
-/// way that its multipliers foretell, that it cannot but come to rest on it.
+/// Returns true if the motion, at the start of the orbit's first revolution, is so near a stable orbit, and approaches
+/// it as its multipliers predict, that it must settle on it.
 bool approach_arrives(const approach *a, const settling *states);
 
-/// The orbit that was found last, NULL where there is none; it belongs to the approach.
+/// Returns the orbit that was found last, NULL without one; owned by the approach.
 shot *approach_orbit(const approach *a);
 
-/// Revolutions that Newton's method has taken.
+/// Returns the revolutions that Newton's method has taken.
 double approach_spent(const approach *a);
 
 // ---------------------------------------------------------------- at_rest
-// Whether a motion has come to rest at an equilibrium.
+// Detection of motions at rest at an equilibrium.
 
-/// Looks for the equilibrium of a recorded motion that hardly moves (record->rest). Does nothing for others.
-/// WHIRL_NO_MEMORY alone is an error.
+/// Searches the equilibrium of a recorded motion that hardly moves (record->rest). Does nothing for others. The only
+/// error is WHIRL_NO_MEMORY.
 whirl_status at_rest_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
 
 // ---------------------------------------------------------------- orbits
-// The orbits of settled motions: what a record says of them.
+// Orbits of settled motions, as a record reports them.
 
-/// Whether a search for an orbit of k revolutions costs little beside the motion itself, where Newton's method has
-/// taken `spent` revolutions of it before.
+/// Returns true if a search for an orbit of k revolutions costs little compared with the motion itself, given that
+/// Newton's method has already taken `spent` revolutions of it.
 bool orbits_pay(size_t dimension, const whirl_record_options *options, size_t k, double spent);
 
-/// After how many revolutions the motion of a complete record returns; 0 where it does not, or a search does not pay.
+/// Returns the revolutions after which the motion of a complete record returns; 0 if it does not, or if a search costs
+/// too much.
 size_t orbits_settled_period(const whirl_record *record, const whirl_record_options *options);
 
-/// Tells a record whose bounds are known of the orbit that Newton's method found, or did not, at this distance from the
-/// motion.
+/// Notes in a record with known bounds the orbit that Newton's method found, or that it found none, at this distance
+/// from the motion.
 void orbits_tell(whirl_record *record, const shot *s, double distance);
 
 // ---------------------------------------------------------------- record_block
 // The memory of a record.
 
-/// Where a motion that has settled on P-`period` after `revolution` revolutions goes on: it leaves out what is left of
-/// the transient but for the last 64 revolutions, or as many as three of a period beyond 64 need.
+/// Returns the revolution at which a motion continues that has settled on P-`period` after `revolution` revolutions: it
+/// skips the rest of the transient except the last 64 revolutions, or three periods if these are longer than 64.
 int record_skip(const whirl_record_options *options, int revolution, size_t period);
 
-/// An empty record for a motion of the system, all zero; NULL without memory. Freed by whirl_record_free.
+/// Makes an empty record for a motion of the system, all zero. NULL without memory. Freed by whirl_record_free.
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options);
 
-/// A motion was set upon an orbit of k <= options->record revolutions: what is recorded of these stands at the end of
+/// Prepares the record of a motion on an orbit of k <= options->record revolutions, which are recorded at the end of
 /// sections and waveforms.
 void record_begin_orbit(whirl_record *record, const whirl_record_options *options, size_t k);
 
-/// Fills the rest of them, before means are scaled, with these revolutions again and again, and growths by the
-/// largest multiplier of record->orbit.
+/// Fills the rest of the record, before means are scaled, by repeating these revolutions, and growths by the largest
+/// multiplier of record->orbit.
 void record_repeat_orbit(whirl_record *record, const whirl_record_options *options);
 
-/// What the section holds so far: where coordinates are angles, with the points of circles in their places, whose arcs
-/// are as long as the angles' differences. States that differ by whole turns are the same there. Valid until the next
-/// call.
+/// Returns the section so far. An angle is replaced by a point on a circle whose arcs are as long as the angles'
+/// differences, so that states that differ by whole turns agree. Valid until the next call.
 section record_points(const whirl_record *record);
 
-/// Coordinates that turn on and on have no size and no place in the section, once the record is complete.
+/// Clears coordinates that turn from a complete record: they have no size and no place in the section.
 void record_close_turns(whirl_record *record);
 
-/// Goes over the options and sizes that a record's meaning depends on, and over what it has gathered so far.
+/// Serializes the options and sizes that a record's meaning depends on, and its content so far.
 void record_archive(whirl_record *record, const whirl_integrate_options *integrate, const whirl_record_options *options,
                     archive *a);
 
-/// Perturbations [count][dimension] as they are at first: a single one across all axes; of all of them the k-th is
-/// sin(k theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k
-/// theta)/sin(theta) are polynomials of rising degree in cos(theta), any k axes see the first k of them as independent
-/// ones: also where the motion leaves planes, or other groups of coordinates, to themselves, the fastest growth comes
-/// first (along the axes, the first ones would stay in the first group). What turns on and on has axes of its own, the
-/// last: made orthogonal in turn, the others never know of it, and their growth is that of the rest alone.
+/// Sets the initial perturbations [count][dimension]. A single one lies across all axes; the k-th of all is sin(k
+/// theta_i), theta_i = pi i/(n + 1) for the i-th axis of n. They are orthonormal, and since sin(k theta)/sin(theta) are
+/// polynomials of rising degree in cos(theta), any k axes see the first k of them as independent: even if the motion
+/// decouples planes, or other groups of coordinates, the fastest growth comes first. Coordinates that turn have axes of
+/// their own, the last: orthogonalized in turn, the others never mix with them.
 void record_place_perturbations(const whirl_record *record, size_t count, double *perturbations);
 
 // ---------------------------------------------------------------- steps
-// Fixed steps that are too long for a motion, and what its verdict is worth then.
+// Fixed steps that are too long for a motion, and their effect on its verdict.
 
-/// Fills record->steps of a finished motion, by a few of its revolutions. Methods with a tolerance are left out.
+/// Fills record->steps of a finished motion, by a few of its revolutions. Methods with a tolerance are skipped.
 whirl_status steps_look(const whirl_system *system, const whirl_integrate_options *integrate, whirl_record *record);
 
-/// Takes back what steps that are too long do not bear: the verdict where they are unstable or wrong, confidence where
-/// they are coarse.
+/// Corrects a verdict for steps that are too long: none if they are unstable or wrong, less confidence if they are
+/// coarse.
 void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps);
 
-/// Why steps leave a verdict open; false where they do not.
+/// Writes why steps leave a verdict undetermined; false if they do not.
 bool steps_reason(const whirl_verdict *verdict, char *text, size_t size);
 
 // ---------------------------------------------------------------- twin
 // A perturbation followed by a second trajectory.
 
-/// A second trajectory close to the first, drawn back to its distance after every revolution (Benettin et al. 1980).
+/// A perturbed copy of a motion: a second trajectory close to the first, rescaled to its distance after every
+/// revolution (Benettin et al. 1980).
 typedef struct trajectory_twin {
     size_t dimension;
-    const double *turns, *angles; ///< as whirl_system has them: what turns is not perturbed
-    double share;                 ///< of the state's size (twin_share)
+    const double *turns, *angles; ///< as in whirl_system: coordinates that turn are not perturbed
+    double share;                 ///< relative to the state's size
     double least;                 ///< distance, in the state's units
     double distance;
-    double *x; ///< NULL: no twin
+    double *x; ///< NULL: no copy
 } trajectory_twin;
 
-/// A twin at x, yet to be placed, of motions that are carried in that way. Steps of one-step methods are a smooth
-/// function of the state: twin and motion err alike. CVODE's orders and steps have a history, each motion errs on its
-/// own, and the twin stands 10^4 tolerances off, so that what they err by is a small part of the distance. (All others
-/// would lose by it: a distance d adds errors of the order of d.)
+/// Makes a perturbed copy at x, yet to be placed, for motions of these options. Steps of one-step methods are a smooth
+/// function of the state: motion and copy have the same errors. CVODE's orders and steps have a history, so each motion
+/// has errors of its own, and the copy is 10^4 tolerances away, which makes these errors a small part of the distance.
+/// (Other methods would lose by it: a distance d adds errors of the order of d.)
 trajectory_twin twin_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x);
 
-/// Places the twin beside the state x.
+/// Places the copy next to the state x.
 void twin_begin(trajectory_twin *twin, const double *x);
 
-/// Natural logarithm of the growth since the last call; the twin is drawn back to its distance from x.
-/// Where the distance is lost in rounding or out of all bounds, the growth is the limit of what can be told.
+/// Returns the natural logarithm of the growth since the last call, and rescales the copy's distance from x. If the
+/// distance is lost in rounding or overflows, the growth is the limit of what can be resolved.
 double twin_growth(trajectory_twin *twin, const double *x, bool bounded);
 
 #endif

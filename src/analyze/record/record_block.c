@@ -17,7 +17,7 @@ int record_skip(const whirl_record_options *options, int revolution, size_t peri
     return revolution < target ? target : revolution;
 }
 
-/// Numbers of every part of a record; the order of the parts is fixed in `lay_out`.
+/// Numbers in every part of a record; lay_out fixes the order of the parts.
 typedef struct sizes {
     size_t section, points, growth, growths, waveform, multipliers, dimension, probes, contacts;
 } sizes;
@@ -63,7 +63,7 @@ static void lay_out(whirl_record *record, double *block, const sizes *size) {
 #undef CUT
 }
 
-/// Numbers of what is observed of every instant.
+/// Numbers that are observed at every instant.
 static size_t observed(size_t dimension, size_t probes, size_t contacts) {
 #define COUNT(array, extent, columns, ...) +WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)
     return 3 * dimension WHIRL_WATCHED(COUNT);
@@ -94,7 +94,7 @@ whirl_record *record_new(const whirl_system *system, const whirl_integrate_optio
     return record;
 }
 
-/// A state goes on with the very options that it was saved with.
+/// Serializes options: a saved state continues only with the same ones.
 static void options_archive(const whirl_member *member, const void *options, archive *a) {
     for (; member->part; member++) {
         const char *letter = (const char *)options + member->offset;
@@ -123,11 +123,11 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     if (r->growths) archive_part(a, r->volume, r->growth_count * sizeof *r->volume);
     for (size_t i = 0; i < 2 * r->probe_count; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
-    // What is observed of every instant stands behind the waveform, to the end.
+    // The numbers observed at every instant follow the waveform, to the end.
     archive_part(a, r->low, observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
 }
 
-/// Copies what stands in the last k of `count` rows of `width` numbers over all rows before them, again and again.
+/// Repeats the last k of `count` rows of `width` numbers over all rows before them.
 static void repeat_rows(double *rows, size_t count, size_t width, size_t k) {
     for (size_t i = count - k; i-- > 0;) memcpy(rows + i * width, rows + (i + k) * width, width * sizeof *rows);
 }

@@ -1,9 +1,7 @@
-// Recording many motions in the lanes of an ensemble: side by side, or one after the other where integrators carry
-// them.
-//
-// A motion takes one lane, and a second one for its twin while a perturbation is followed. Lanes in use are kept
-// together at the front. A motion that needs a second lane when none is free waits outside, with its state, and goes
-// before new ones. None of this changes a bit of any motion.
+// Records many motions in the lanes of an ensemble: side by side, or one after the other if an integrator carries them.
+// A motion takes one lane, and a second one for its perturbed copy while growth is followed. Lanes in use are kept
+// together at the front. A motion that needs a second lane when none is free waits outside with its state, and precedes
+// new ones. None of this changes a bit of any motion.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,14 +18,14 @@ typedef struct motion {
     int revolution; ///< done so far
     size_t lane, twin_lane;
     trajectory_twin twin;
-    settling *settling;      ///< NULL when every transient runs to its end
-    approach *approach;      ///< NULL when no orbit is looked for before that
+    settling *settling;      ///< NULL if every transient runs to its end
+    approach *approach;      ///< NULL if no orbit is searched before that
     int first_recorded;      ///< revolution
-    shot *shot;              ///< the motion waits for it; or NULL
-    double *x;               ///< [2 dimension] its state, and its twin's
+    shot *shot;              ///< search that the motion waits for; or NULL
+    double *x;               ///< [2 dimension] states of the motion and its perturbed copy
     double *perturbations;   ///< [perturbed][dimension]
     whirl_perturbations set; ///< the same while an integrator carries them, else none
-    double *saved;           ///< [2][numbers of a lane] to be restored into its lane, and its twin's; NULL: nothing
+    double *saved; ///< [2][numbers of a lane] to be restored into the lanes of the motion and its copy; or NULL
 } motion;
 
 struct whirl_recorder {
@@ -35,34 +33,34 @@ struct whirl_recorder {
     const whirl_record_options *options;
     const whirl_task_source *source;
     whirl_ensemble *ensemble;
-    whirl_ensemble *variational; ///< that carries all perturbations, beside the other one; or NULL
-    shooter *shooter;            ///< that looks for orbits, or NULL
+    whirl_ensemble *variational; ///< carries all perturbations, next to the other one; or NULL
+    shooter *shooter;            ///< searches orbits, or NULL
     size_t dimension, lane_count;
-    size_t beside;           ///< perturbations of a motion that are carried by the Jacobian
+    size_t beside;           ///< perturbations of a motion that the Jacobian carries
     int first_watched, last; ///< revolutions
     size_t used;             ///< lanes
-    motion **owner;          ///< [lane_count] the motion of every lane in use
+    motion **owner;          ///< [lane_count] motion in every used lane
     bool *recorded;          ///< [lane_count] whether a lane is watched, set by revolve_lanes for one revolution
     size_t count, most;      ///< motions under way
-    motion **motions;        ///< [most], those that wait included
-    bool exhausted;          ///< the source had none when it was last asked
+    motion **motions;        ///< [most], including those that wait
+    bool exhausted;          ///< the source had none at the last call
     whirl_ensemble_observe watch;
     const whirl_probe *probes;
     size_t probe_count, sample_count;
     double *samples; ///< [of a revolution][probes][2][lane_count]
 };
 
-/// Whether motions have a twin while they are watched.
+/// Returns true if motions have a perturbed copy while they are watched.
 static bool has_twins(const whirl_recorder *r) {
     return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
 }
 
-/// Whether it was set upon an orbit whose multipliers tell how perturbations grow.
+/// Returns true if a motion was put on an orbit, whose multipliers give the growth of perturbations.
 static bool is_on_orbit(const motion *m) {
     return m->record->orbit.set_at > 0.0;
 }
 
-/// Whether the growth of perturbations is followed.
+/// Returns true if the growth of perturbations is followed.
 static bool is_followed(const whirl_recorder *r, const motion *m) {
     return m->revolution >= r->first_watched && !is_on_orbit(m);
 }
@@ -90,7 +88,7 @@ static size_t take_lane(whirl_recorder *r, motion *m) {
     return r->used++;
 }
 
-/// Frees a lane; the last one in use moves there.
+/// Frees a lane and moves the last used one there.
 static void free_lane(whirl_recorder *r, size_t lane) {
     const size_t last = --r->used;
     if (lane == last) {
@@ -122,7 +120,7 @@ static void leave_lanes(whirl_recorder *r, motion *m) {
     }
 }
 
-/// Puts a motion into a lane, and its twin into another while a perturbation is followed.
+/// Puts a motion into a lane, and its perturbed copy into another while growth is followed.
 static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
@@ -165,7 +163,7 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     m->first_recorded = r->options->transient;
     if (m->record && follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(task->system);
-    // Of all exponents the smallest are lost in the rounding of a matrix: they are followed to the end.
+    // The smallest of all exponents are lost in a matrix's rounding, so such motions run to the end.
     const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
     if (approaches) m->approach = approach_new(task->system, r->integrate, r->options);
     if (m->record && (m->settling || !r->options->settle) && (m->approach || !approaches)) return m;
@@ -175,8 +173,8 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
 
 // ---------------------------------------------------------------- motions are saved and taken up
 
-/// All that a motion is between two revolutions. What a lane has beside it, watched numbers, goes along where it is in
-/// one. A twin needs no more than its state.
+/// Serializes a motion between two revolutions, with the watched numbers of its lane if it is in one. A perturbed copy
+/// has no more than its state.
 static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
@@ -197,7 +195,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     if (m->saved && a->sound) archive_part(a, m->saved, numbers * sizeof *m->saved);
 }
 
-/// A motion as it was saved; where that does not fit, or nothing was, as it begins.
+/// Restores a saved motion; begins anew if the data do not fit, or if there are none.
 static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) {
     const whirl_motion_saver *saver = r->source->saver;
     motion *m = motion_new(r, task);
@@ -211,12 +209,12 @@ static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) 
         motion_free(m);
         return motion_new(r, task);
     }
-    // It was saved before the revolution in which it is to be followed.
+    // It was saved before the revolution in which its growth is followed.
     if (follows(r, m) && m->record->growth_count == 0) twin_begin(&m->twin, m->x);
     return m;
 }
 
-/// The state of one motion; false without memory.
+/// Serializes one motion; false without memory.
 static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *state) {
     if (!waits(m)) {
         m->saved = malloc(whirl_ensemble_numbers(r->ensemble) * sizeof *m->saved);
@@ -260,7 +258,7 @@ static whirl_status admit_new(whirl_recorder *r) {
         return whirl_fail(WHIRL_NO_MEMORY, "no memory to record %d revolutions", r->options->record);
     }
     r->motions[r->count++] = m;
-    // One that was saved while it waited for its orbit goes on waiting.
+    // A motion that was saved while it waited for its orbit continues to wait.
     return !m->shot && r->used + lanes_needed(r, m) <= r->lane_count ? enter_lanes(r, m) : whirl_ok();
 }
 
@@ -282,7 +280,7 @@ static whirl_status fill(whirl_recorder *r) {
 
 // ---------------------------------------------------------------- a revolution
 
-/// Lets the perturbations of a motion go along with a lane of an ensemble.
+/// Attaches the perturbations of a motion to a lane of an ensemble.
 static void carry_beside(const whirl_recorder *r, motion *m, whirl_ensemble *ensemble, size_t lane) {
     whirl_record *record = m->record;
     const size_t count = record->growth_count;
@@ -299,7 +297,7 @@ static void note_beside(motion *m) {
     m->set.count = 0;
 }
 
-/// Before a revolution, in which a motion may begin to be watched or recorded.
+/// Prepares a motion for a revolution, in which it may begin to be watched or recorded.
 static whirl_status prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == m->first_recorded) whirl_ensemble_forget(r->ensemble, m->lane);
     if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
@@ -321,9 +319,9 @@ static whirl_status prepare_all(whirl_recorder *r) {
     return status;
 }
 
-/// The motion that a lane holds, if it is recorded in this revolution; NULL for a perturbed copy, an empty lane and a
-/// motion that is not recorded yet. Motions move to other lanes whenever one is freed: a lane is looked up when it is
-/// used, never noted before.
+/// Returns the motion in a lane, if it is recorded in this revolution; NULL for a perturbed copy, an empty lane and a
+/// motion that is not recorded yet. Motions move to other lanes whenever one is freed: look lanes up when they are
+/// used, never store them.
 static motion *recorded_in(const whirl_recorder *r, size_t lane) {
     motion *m = lane < r->used ? r->owner[lane] : NULL;
     return m && m->lane == lane && records(m) ? m : NULL;
@@ -341,7 +339,7 @@ static void revolve_lanes(whirl_recorder *r) {
     whirl_ensemble_revolve(r->ensemble, r->used, recording ? &r->watch : NULL);
 }
 
-/// One sample of the waveforms, of all lanes: rows of the ensemble as they are, told apart after the revolution.
+/// Takes one sample of all lanes' waveforms: rows of the ensemble, which are sorted by motion after the revolution.
 static void sample(void *context) {
     whirl_recorder *r = context;
     double *to = r->samples + r->sample_count++ * 2 * r->probe_count * r->lane_count;
@@ -355,13 +353,13 @@ static void sample(void *context) {
     }
 }
 
-/// Where the waveforms of lane's motion go on; NULL where nothing is recorded there.
+/// Returns the next place in the waveforms of a lane's motion; NULL if nothing is recorded there.
 static double *waveform_of(const whirl_recorder *r, size_t lane) {
     const motion *m = recorded_in(r, lane);
     return m ? m->record->waveform + m->record->sample_count : NULL;
 }
 
-/// The samples of a revolution go to the records, those of a few neighbouring lanes at a time, which lie side by side.
+/// Copies the samples of a revolution to the records, a few neighbouring lanes at a time, which are adjacent in memory.
 static void keep_samples(const whirl_recorder *r) {
     enum { NEIGHBOURS = 8 };
     const size_t rows = 2 * r->probe_count;
@@ -385,7 +383,7 @@ static void follow_twin(whirl_recorder *r, motion *m) {
     whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
 }
 
-/// Carries the perturbations of all motions that are watched, where they have an ensemble of their own.
+/// Carries the perturbations of all watched motions, if they have an ensemble of their own.
 static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
@@ -402,7 +400,7 @@ static whirl_status follow_all(whirl_recorder *r) {
     return whirl_ok();
 }
 
-/// Whether a motion left its bounds by passing the limit alone, and not in a coordinate that is infinite or no number.
+/// Notes if a motion left its bounds only by passing the limit, with all coordinates finite.
 static void note_limit(const whirl_recorder *r, const motion *m) {
     whirl_record *record = m->record;
     size_t farthest = 0;
@@ -415,7 +413,7 @@ static void note_limit(const whirl_recorder *r, const motion *m) {
     record->limit_coordinate = farthest;
 }
 
-/// After a revolution of a motion.
+/// Notes the result of a motion's revolution.
 static void note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
@@ -440,7 +438,7 @@ static void note(whirl_recorder *r, motion *m) {
     if (m->approach) approach_goes_on(m->approach, m->settling);
 }
 
-/// What is known of the orbit that a motion was set upon, once it has been round.
+/// Records the orbit of a motion that was put on it and has completed it once.
 static void close_orbit(const whirl_recorder *r, const motion *m) {
     const shot *orbit = approach_orbit(m->approach);
     orbits_tell(m->record, orbit, shot_distance(orbit, m->x));
@@ -474,7 +472,7 @@ static whirl_status complete(const whirl_recorder *r) {
 
 // ---------------------------------------------------------------- orbits
 
-/// After how many revolutions an orbit is looked for that is near the motion now; 0: none is.
+/// Returns the period of an orbit to be searched near the motion; 0: none.
 static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
     if (waits(m) || m->record->motion != WHIRL_BOUNDED || is_on_orbit(m)) return 0;
     if (m->revolution == r->last) return orbits_settled_period(m->record, r->options);
@@ -482,8 +480,8 @@ static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
     return approach_tries(m->approach, m->settling, m->revolution);
 }
 
-/// Motions near an orbit wait for Newton's method, out of their lanes, until enough of them do: side by side it costs
-/// least.
+/// Starts the searches of motions near an orbit. They leave their lanes and wait until there are enough: Newton's
+/// method is cheapest side by side.
 static whirl_status aim(whirl_recorder *r) {
     for (size_t i = 0; i < r->count && r->shooter; i++) {
         motion *m = r->motions[i];
@@ -496,7 +494,7 @@ static whirl_status aim(whirl_recorder *r) {
     return whirl_ok();
 }
 
-/// Sets a motion upon the orbit that it approaches, for one round that is recorded.
+/// Puts a motion on the orbit that it approaches, for one recorded period.
 static void set_on_orbit(whirl_recorder *r, motion *m) {
     const shot *orbit = approach_orbit(m->approach);
     m->record->orbit.set_at = m->revolution;
@@ -507,7 +505,7 @@ static void set_on_orbit(whirl_recorder *r, motion *m) {
     record_begin_orbit(m->record, r->options, orbit->revolutions);
 }
 
-/// Takes what became of a motion's shot.
+/// Takes the result of a motion's search.
 static whirl_status take_shot(const whirl_recorder *r, motion *m) {
     shot *s = m->shot;
     m->shot = NULL;
@@ -518,8 +516,8 @@ static whirl_status take_shot(const whirl_recorder *r, motion *m) {
     return whirl_ok();
 }
 
-/// How many of `count` motions that wait for Newton's method may wait on: as many as do not fill half of its lanes,
-/// while several times as many motions go on, and none that waits is over.
+/// Returns how many of `count` motions may wait on for Newton's method: those that fill less than half of its lanes,
+/// while several times as many motions run, and none of those that wait is over.
 static size_t may_wait(const whirl_recorder *r, size_t count) {
     const size_t lanes = shooter_lanes(r->shooter) / 2, others = (r->count - count) / 4;
     const size_t most = lanes < others ? lanes : others;
@@ -528,7 +526,7 @@ static size_t may_wait(const whirl_recorder *r, size_t count) {
     return most > 0 ? most - 1 : 0;
 }
 
-/// Looks for the orbits of the motions that wait for it.
+/// Runs the searches of the motions that wait.
 static whirl_status look_for_orbits(whirl_recorder *r) {
     shot **shots = r->shooter ? calloc(r->count + 1, sizeof(shot *)) : NULL;
     if (!shots) return r->shooter ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : whirl_ok();
@@ -542,7 +540,7 @@ static whirl_status look_for_orbits(whirl_recorder *r) {
     return status;
 }
 
-/// Ends the transients of motions that cannot but come to rest on their orbits.
+/// Ends the transients of motions that must settle on their orbits.
 static void end_transients(whirl_recorder *r) {
     for (size_t i = 0; i < r->count; i++) {
         motion *m = r->motions[i];
@@ -574,7 +572,7 @@ static whirl_status hand_over(whirl_recorder *r) {
 
 whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     *turned = 0;
-    whirl_status status = look_for_orbits(r); // of motions that were taken up while they waited for it
+    whirl_status status = look_for_orbits(r); // of restored motions that waited for it
     end_transients(r);
     if (status.code == WHIRL_OK) status = fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
@@ -592,15 +590,15 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     if (status.code == WHIRL_OK) status = aim(r);
     if (status.code == WHIRL_OK) status = look_for_orbits(r);
     end_transients(r);
-    // What was computed since a stop means nothing: no record of it is handed over, and no state saved.
+    // Results since a stop are invalid: no record is handed over, and no state saved.
     if (status.code == WHIRL_OK && whirl_integrate_stopped(r->integrate)) return whirl_fail(WHIRL_STOPPED, "stopped");
     if (status.code == WHIRL_OK) status = hand_over(r);
     if (status.code == WHIRL_OK) save_motions(r);
     return status;
 }
 
-/// How many perturbations go along with a motion that an integrator carries: a second trajectory shows the largest
-/// growth, but by methods whose steps change abruptly, or of systems with kinks.
+/// Returns how many perturbations an integrator carries with a motion. A perturbed copy gives the largest growth,
+/// except with methods whose steps change abruptly, or systems with kinks.
 static size_t count_beside(const whirl_system *system, const whirl_integrate_options *integrate,
                            const whirl_record_options *options) {
     const whirl_method *own;
@@ -610,7 +608,7 @@ static size_t count_beside(const whirl_system *system, const whirl_integrate_opt
     return own->follows_one || (system->kinked && own->follows) ? 1 : 0;
 }
 
-/// Whether motions and what is followed of them go side by side: there a twin shows the largest growth.
+/// Returns true if motions and their copies run side by side: then a perturbed copy gives the largest growth.
 static bool go_side_by_side(const whirl_system *system, const whirl_integrate_options *integrate,
                             const whirl_record_options *options) {
     if (!whirl_ensemble_takes(system, integrate)) return false;

@@ -1,5 +1,6 @@
-// What a chaotic motion may end on. Chaos that has lost its hold (a crisis) goes on for as long as it pleases among the
-// remains of its attractor; what it ends on is stable and lies where it goes. See docs/theory.md, "Transient chaos".
+// Coexisting attractors on which a chaotic motion may end. After a boundary crisis, chaotic transients can last
+// thousands of revolutions near the former attractor; they end on a stable motion in the region that they visit. See
+// docs/theory.md, "Transient chaos".
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,10 +8,10 @@
 
 #include "whirl/engine/analyze.h"
 
-/// How far from the motion something counts as near, over the size of its box.
+/// Margin around the motion's box within which an attractor counts as near, over the size of the box.
 static const double margin = 0.1;
 
-/// Whether x [dimension] is in the box of the record, or near it.
+/// Returns true if x [dimension] is in the box of the record, or near it.
 static bool is_within(const whirl_record *record, const double *x) {
     for (size_t i = 0; i < record->dimension; i++) {
         const double reach = margin * (record->high[i] - record->low[i]);
@@ -19,7 +20,7 @@ static bool is_within(const whirl_record *record, const double *x) {
     return true;
 }
 
-/// Whether nothing drives the system in time; `room` has 2 dimension + forcing_count numbers.
+/// Returns true if nothing drives the system in time; `room` has 2 dimension + forcing_count numbers.
 static bool is_free(const whirl_system *system, const double *x, double *room) {
     enum { INSTANTS = 7 };
     const size_t d = system->dimension;
@@ -32,7 +33,7 @@ static bool is_free(const whirl_system *system, const double *x, double *room) {
     return true;
 }
 
-/// Looks for a stable equilibrium from some states of the section.
+/// Searches a stable equilibrium from some states of the section.
 static whirl_status seek_rest(const whirl_system *system, const whirl_record *record, int *refuge) {
     enum { STATES = 8 };
     const size_t d = record->dimension;
@@ -51,10 +52,10 @@ static whirl_status seek_rest(const whirl_system *system, const whirl_record *re
     return status;
 }
 
-/// Starts for orbits: near states of the section, the last of many.
+/// Starts of orbit searches: near states of the section, the last of many.
 enum { STARTS = 32 };
 
-/// Orbits are followed by the motion's own method, or as well as tells a stable one.
+/// Options for orbit searches: the motion's own method, or one that is exact enough to tell stability.
 static whirl_collect_options how_to_seek(const whirl_integrate_options *integrate, const double *low,
                                          const double *high, const double *around) {
     const whirl_method *method;
@@ -74,7 +75,7 @@ static whirl_collect_options how_to_seek(const whirl_integrate_options *integrat
     return options;
 }
 
-/// Looks for a stable orbit that motions lead to from near states of the section.
+/// Searches a stable orbit to which motions lead from near states of the section.
 static whirl_status seek_orbits(const whirl_system *system, const whirl_integrate_options *integrate,
                                 const whirl_record *record, int *refuge) {
     const size_t d = record->dimension, apart = record->section_count / STARTS;

@@ -13,9 +13,9 @@ static const double tolerance = 1e-11;
 
 struct settling {
     size_t dimension, count;      ///< states taken
-    const double *turns, *angles; ///< as whirl_system has them; what turns has no part in returns
+    const double *turns, *angles; ///< as in whirl_system; coordinates that turn do not count for returns
     size_t returns[KEPT];         ///< [k] revolutions in a row that returned after k
-    double states[];              ///< [KEPT][dimension], in turn
+    double states[];              ///< [KEPT][dimension], a ring
 };
 
 settling *settling_new(const whirl_system *system) {

@@ -64,7 +64,7 @@ double shot_distance(const shot *s, const double *x) {
     return sqrt(sum);
 }
 
-/// The largest modulus of the coordinates that do not turn.
+/// Largest modulus of the coordinates that do not turn.
 static double largest(const shot *s, const double *x) {
     double most = 0.0;
     for (size_t i = 0; i < s->dimension; i++)
@@ -80,28 +80,28 @@ static double largest_of(size_t n, const double *values) {
 
 // ---------------------------------------------------------------- many
 
-/// A shot in a lane.
+/// A search in a lane.
 typedef struct flight {
     shot *of;
     size_t revolution;
-    int steps; ///< of Newton's method
+    int steps; ///< Newton steps
 } flight;
 
 struct shooter {
     whirl_ensemble *ensemble;
     size_t dimension, lanes;
-    double tolerance;          ///< by which an orbit may fail to close
+    double tolerance;          ///< largest distance by which an orbit may fail to close
     whirl_perturbations *sets; ///< [lanes]
     double *vectors;           ///< [lanes][dimension][dimension]
     flight *flights;           ///< [lanes]
-    size_t used;               ///< lanes, in front
+    size_t used;               ///< lanes, at the front
 };
 
-/// Methods with a tolerance go by one at which Newton's method sees a smooth map, and the orbit is known by two digits
-/// better than the motion.
+/// Options for searches: methods with a tolerance use one at which Newton's method sees a smooth map, and the orbit is
+/// two digits more exact than the motion.
 static whirl_integrate_options exact(const whirl_integrate_options *integrate, double *tolerance) {
     whirl_integrate_options own = *integrate;
-    const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // of order 8 and 5
+    const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // order 8 and 5
     *tolerance = 1e-12;
     if (!whirl_method_is_adaptive(own.method)) return own;
     own.rtol = fmax(fmin(1e-2 * own.rtol, 1e-10), fmin(own.rtol, finest));
@@ -111,7 +111,7 @@ static whirl_integrate_options exact(const whirl_integrate_options *integrate, d
 }
 
 static whirl_status make_ensemble(shooter *s, const whirl_system *system, const whirl_integrate_options *options) {
-    enum { ABREAST = 16 }; // two vectors of the widest
+    enum { ABREAST = 16 }; // two vectors of the widest kind
     if (whirl_ensemble_follows(system, options)) return whirl_ensemble_variational(system, options, &s->ensemble);
     if (whirl_ensemble_flows(system, options))
         return whirl_ensemble_flow(system, options, ABREAST, system->dimension, &s->ensemble);
@@ -158,7 +158,7 @@ size_t shooter_lanes(const shooter *s) {
     return s->lanes;
 }
 
-/// Unit perturbations go along with the next revolution of a lane.
+/// Attaches unit perturbations to a lane for the next revolution.
 static void begin_revolution(shooter *s, size_t lane) {
     const size_t d = s->dimension;
     double *vectors = s->vectors + lane * d * d;
@@ -168,7 +168,7 @@ static void begin_revolution(shooter *s, size_t lane) {
     whirl_ensemble_carry(s->ensemble, lane, &s->sets[lane]);
 }
 
-/// Takes revolution r of a shot: its derivative, and the state where it ends, the next node or, past the last one,
+/// Stores revolution r of a search: its derivative, and the state at its end, the next node or, past the last one,
 /// `end`.
 static void end_revolution(const shooter *s, size_t lane, shot *of, size_t r, double *end) {
     const size_t d = s->dimension, n = of->kept;
@@ -187,14 +187,14 @@ static void end_revolution(const shooter *s, size_t lane, shot *of, size_t r, do
 
 enum { MAX_STEPS = 8 };
 
-/// After a shot was carried to `end`: whether it goes on, from a node that was moved.
+/// Takes a Newton step after a search reached `end`; returns true if it continues, from a node that was moved.
 static bool step(const shooter *s, shot *of, const double *end, double *room) {
     const size_t n = of->kept;
     const double before = of->residual, size = largest(of, of->nodes);
     double *gap = room, *matrix = room + n;
     difference(of, end, of->nodes, gap);
     of->residual = largest_of(n, gap) / fmax(size, 1e-300);
-    // It closes, or only rounding is left, over which no step leads.
+    // The orbit closes, or only rounding is left, which no step reduces.
     of->found = of->residual <= s->tolerance || (of->residual <= 100.0 * s->tolerance && of->residual > 0.25 * before);
     if (of->found || !(of->residual < before)) return false;
     shot_monodromy(of, matrix, matrix + n * n);
@@ -205,7 +205,7 @@ static bool step(const shooter *s, shot *of, const double *end, double *room) {
     return true;
 }
 
-/// An orbit that closes after fewer revolutions has these.
+/// Shortens an orbit that closes after fewer revolutions.
 static void shorten(shot *s, double tolerance) {
     const double same = 1e3 * tolerance * largest(s, s->nodes);
     const size_t repeats = s->system->turns ? s->system->repeats : 1, d = s->dimension;
@@ -219,14 +219,14 @@ static void shorten(shot *s, double tolerance) {
     }
 }
 
-/// Puts a shot at the beginning of its orbit.
+/// Puts a search at the beginning of its orbit.
 static whirl_status begin(const shooter *s, size_t lane, flight *f) {
     f->revolution = 0;
     f->of->volume = 0.0;
     return whirl_ensemble_load(s->ensemble, lane, f->of->system, f->of->nodes);
 }
 
-/// After a revolution: whether the shot stays in its lane. `end` has dimension numbers.
+/// Ends a revolution; *stays tells if the search stays in its lane. `end` has dimension numbers.
 static whirl_status go_on(const shooter *s, size_t lane, flight *f, double *end, double *room, bool *stays) {
     const bool bounded = whirl_ensemble_motion(s->ensemble, lane) == WHIRL_BOUNDED;
     end_revolution(s, lane, f->of, f->revolution++, end);
@@ -236,7 +236,7 @@ static whirl_status go_on(const shooter *s, size_t lane, flight *f, double *end,
     return *stays ? begin(s, lane, f) : whirl_ok();
 }
 
-/// Takes a shot out that is done; the last one moves to its lane.
+/// Removes a search that is done; the last one moves to its lane.
 static void leave(shooter *s, size_t lane) {
     shot *of = s->flights[lane].of;
     of->flies = false;
@@ -250,7 +250,7 @@ static void leave(shooter *s, size_t lane) {
     s->flights[lane] = s->flights[s->used];
 }
 
-/// A revolution of all that fly.
+/// Carries all searches in lanes over a revolution.
 static whirl_status revolve(shooter *s, double *end) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < s->used; i++) begin_revolution(s, i);

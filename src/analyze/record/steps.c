@@ -5,10 +5,10 @@
 
 #include "section.h"
 
-/// Errors of a revolution, over the size of the motion: what is another motion, and what may be one.
+/// Errors of a revolution, over the size of the motion, from which on it is another motion, or may be one.
 static const double wrong_error = 0.1, coarse_error = 1e-2;
 
-/// What more steps are advised to reach, and how closely the equations are followed to see it.
+/// Error at which advised steps aim, and the tolerance at which the equations are followed to measure errors.
 static const double good_error = 1e-4, seen_error = 1e-5;
 
 static bool are_unstable(double growth) {
@@ -17,11 +17,11 @@ static bool are_unstable(double growth) {
 
 // ---------------------------------------------------------------- looking
 
-/// Adds what one revolution says.
+/// Adds the result of one revolution.
 static void add_check(whirl_step_quality *all, const whirl_step_check *check, const whirl_integrate_options *integrate,
                       double size) {
     const double error = check->error / size;
-    all->growth = fmax(all->growth, check->growth); // the one that is a number
+    all->growth = fmax(all->growth, check->growth); // takes the one that is a number
     all->error = fmax(all->error, error);
     all->factor = fmax(all->factor, check->steps / integrate->steps_per_revolution);
     // Errors of a method of order 4.
@@ -43,10 +43,10 @@ static whirl_status look_at_bounded(const whirl_system *system, const whirl_inte
     return status;
 }
 
-/// Whether the equations leave the bounds in that revolution, too.
+/// Checks whether the exact equations leave the bounds in that revolution, too.
 static whirl_status look_at_diverged(const whirl_system *system, const whirl_integrate_options *integrate,
                                      whirl_record *record) {
-    const double leaving = 0.1 * integrate->limit; // what grows slowly may be a revolution late
+    const double leaving = 0.1 * integrate->limit; // slow growth may be a revolution late
     whirl_step_check check;
     const whirl_status status = whirl_step_check_revolution(system, integrate, record->end, NULL, seen_error, &check);
     if (status.code != WHIRL_OK) return status;

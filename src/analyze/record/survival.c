@@ -1,6 +1,6 @@
-// How long chaos lives at least. Escapes from the remains of an attractor are a Poisson process: times are distributed
-// exponentially (Grebogi, Ott, Yorke 1983; Lai, Tel 2011), so that n copies which go on for T revolutions each without
-// an end have the chance exp(-n T/tau), and exclude mean lives tau below n T/3 at 95 %. See docs/theory.md, "Transient
+// Lower bound for the lifetime of chaos. Escapes from the remains of an attractor are a Poisson process with
+// exponential times (Grebogi, Ott, Yorke 1983; Lai, Tel 2011). So n copies that run T revolutions each without an end
+// have the probability exp(-n T/tau), and exclude mean lives tau below n T/3 at 95 %. See docs/theory.md, "Transient
 // chaos".
 #include <math.h>
 #include <stdlib.h>
@@ -9,14 +9,15 @@
 #include "numerics.h"
 #include "record.h"
 
-/// Copies that go side by side, and those of systems that go alone; revolutions that count at least, and those that are
-/// then looked at.
+/// Copies that run side by side, and those of systems that run alone; least revolutions that count, and those that are
+/// then judged.
 enum { COPIES = 64, COPIES_ALONE = 32, MIN_LIVED = 200, LOOKED_AT = 128 };
 
-/// Mean lives that are excluded, over the revolutions that were watched.
+/// Mean lives that are excluded, over the recorded revolutions.
 static const double long_against_watch = 2.0;
 
-/// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may part.
+/// Displacement of a copy over the motion's extent in every coordinate, and the revolutions in which copies may diverge
+/// from each other.
 static const double displacement = 1e-6, longest_parting = 600.0;
 
 typedef struct copies {
@@ -33,7 +34,7 @@ static bool survival_next(void *context, whirl_task *task) {
     return true;
 }
 
-/// Whether a copy is no longer chaotic: it is lost, returns or comes closer and closer to that, or is regular.
+/// Returns true if a copy is no longer chaotic: it is lost, returns or closes in on a return, or is regular.
 static bool survival_is_over(const whirl_record *record) {
     const double near_return = 0.02, shrinks = 0.5, regular_walk = 0.2, regular_digits = 4.0;
     if (record->motion != WHIRL_BOUNDED) return true;
@@ -58,7 +59,8 @@ static void survival_abandon(void *context, const whirl_task *task) {
     (void)context, (void)task;
 }
 
-/// States of the section, from the first to the last, each displaced in a direction of its own, the same in every run.
+/// Picks states of the section, from the first to the last, and displaces each in a direction of its own, the same in
+/// every run.
 static void place_copies(const whirl_record *record, double share, copies *all) {
     const size_t d = record->dimension, count = (size_t)all->count;
     for (size_t c = 0; c < count; c++) {

@@ -1,5 +1,4 @@
-// The growth of a small perturbation (Benettin et al. 1980), by a second trajectory that is drawn back every
-// revolution.
+// Growth of a small perturbation (Benettin et al. 1980), by a perturbed copy that is rescaled every revolution.
 #include "record.h"
 
 #include <float.h>
@@ -7,21 +6,21 @@
 
 #include "numerics.h"
 
-/// Size of the perturbation relative to the state: far above rounding, far below anything that matters. Also in
+/// Size of the perturbation relative to the state: far above rounding, far below anything nonlinear. Also in
 /// tolerances.
 static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
 
-/// A distance is kept while the state is not this many times larger or smaller than when it was chosen.
+/// The distance stays the same until the state is this many times larger or smaller than when it was chosen.
 static const double outgrown = 1e3;
 
-/// Of what does not turn.
+/// Norm of the coordinates that do not turn.
 static double norm(const trajectory_twin *twin, const double *x) {
     double sum = 0.0;
     for (size_t i = 0; i < twin->dimension; i++) sum += turns_on(twin->turns, i) ? 0.0 : x[i] * x[i];
     return sqrt(sum);
 }
 
-/// Angles are not perturbed, whatever turn they are in.
+/// Places the copy. Angles are not perturbed, and keep their number of turns.
 static void twin_place(trajectory_twin *twin, const double *x) {
     for (size_t i = 0; i < twin->dimension; i++)
         twin->x[i] = turns_on(twin->turns, i) ? x[i] : x[i] + twin->distance / sqrt((double)twin->dimension);

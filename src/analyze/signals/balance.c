@@ -1,4 +1,4 @@
-// Influence coefficients by complex least squares, and corrections by these or by the least largest vibration.
+// Influence coefficients by complex least squares, and corrections by least squares or by the least largest vibration.
 #include "whirl/engine/balance.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ static void find_rows(const whirl_balance *of, const whirl_balance_model *model,
 
 // ---------------------------------------------------------------- influence
 
-/// Which planes, or sets, trials had; how many.
+/// Lists the planes, or sets, that had trial weights; returns how many.
 static size_t find_tried(const whirl_balance *of, bool by_set, size_t index[WHIRL_MAX_PLANES]) {
     size_t count = 0;
     for (size_t n = 0; n < (by_set ? of->mode_count : of->plane_count); n++) {
@@ -49,7 +49,7 @@ static size_t find_tried(const whirl_balance *of, bool by_set, size_t index[WHIR
     return count;
 }
 
-/// Coefficients of the readings of runs, count of the planes or sets at index.
+/// Fits the coefficients to the readings of runs, for the planes or sets at index [count].
 static whirl_status fit(const whirl_balance *of, whirl_balance_row *row, bool by_set, const size_t *index,
                         size_t count) {
     const double rpm = two_pi / 60.0;
@@ -94,13 +94,13 @@ static whirl_status take_given(const whirl_balance *of, whirl_balance_row *row) 
     return whirl_ok();
 }
 
-/// Whether coefficients are known without trials.
+/// Returns true if coefficients are known without trials.
 static bool are_known(const whirl_balance *of) {
     return of->by_model || of->coefficient_count > 0;
 }
 
-/// What is left of the mean of all readings of a row without the weights that runs had, by the coefficients of the file
-/// or of the model.
+/// Takes the vibration without any run's weights: the mean of all readings of a row, less the weights' effect by the
+/// coefficients of the file or the model.
 static void take_known(const whirl_balance *of, const whirl_correction *out, whirl_balance_row *row) {
     double complex sum = 0.0;
     double runs = 0.0;
@@ -138,14 +138,14 @@ static whirl_status find_influence(const whirl_balance *of, whirl_correction *ou
 
 // ---------------------------------------------------------------- correction
 
-/// A kg m of an unknown at a row.
+/// Effect of a kg m of an unknown at a row.
 static double complex effect_of(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
                                 size_t unknown) {
     return out->by_set ? balance_number(row->influence[unknown])
                        : balance_effect(out, row->influence, of->plane_count, unknown);
 }
 
-/// Unknowns that the correction has: all planes; of modes those that were tried, or that something was read near to.
+/// Lists the unknowns of the correction: all planes, or those modes that had trials or readings near their speeds.
 static size_t find_used(const whirl_balance *of, const whirl_correction *out, size_t index[WHIRL_MAX_PLANES]) {
     size_t count = 0;
     if (out->by_set) return find_tried(of, true, index);
@@ -157,7 +157,7 @@ static size_t find_used(const whirl_balance *of, const whirl_correction *out, si
     return count;
 }
 
-/// |vibration| of a row after the correction, were the model's coefficients others.
+/// |vibration| of a row after the correction, with other model coefficients.
 static double after_with(const whirl_balance *of, const whirl_correction *out, const whirl_balance_row *row,
                          const double (*influence)[2]) {
     double complex sum = balance_number(row->before);
@@ -179,12 +179,12 @@ static void predict(const whirl_balance *of, whirl_correction *out, const size_t
     }
 }
 
-/// kg m that a kg m of an unknown puts into a plane.
+/// kg m in a plane per kg m of an unknown.
 static double complex share_of(const whirl_balance *of, const whirl_correction *out, size_t unknown, size_t plane) {
     return of->mode_count > 0 ? balance_number(out->sets[unknown][plane]) : (double)(unknown == plane);
 }
 
-/// Adds the weights in planes of the unknowns.
+/// Adds the unknowns' weights in the planes.
 static void place(const whirl_balance *of, const whirl_correction *found, const double complex *amounts,
                   const size_t *index, size_t count, double (*moment)[2]) {
     for (size_t n = 0; n < count; n++)
@@ -194,7 +194,7 @@ static void place(const whirl_balance *of, const whirl_correction *found, const 
         }
 }
 
-/// The normal equations of the unknowns at index.
+/// Makes the normal equations of the unknowns at index.
 static balance_normal equations_of(const whirl_balance *of, const whirl_correction *out, const size_t *index,
                                    size_t count) {
     balance_normal equations = {.n = count};
@@ -207,7 +207,7 @@ static balance_normal equations_of(const whirl_balance *of, const whirl_correcti
     return equations;
 }
 
-/// Whether amounts take the weight in a plane beyond its limit.
+/// Returns true if amounts take the weight in a plane beyond its limit.
 static bool are_beyond(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
                        const double complex *amounts) {
     for (size_t p = 0; p < of->plane_count; p++) {
@@ -218,7 +218,7 @@ static bool are_beyond(const whirl_balance *of, const whirl_correction *out, con
     return false;
 }
 
-/// The weights of the unknowns at index by an interior-point method.
+/// Finds the weights of the unknowns at index by an interior-point method.
 static whirl_status find_within(const whirl_balance *of, const whirl_correction *out, const size_t *index, size_t count,
                                 double complex *amounts) {
     double limits[WHIRL_MAX_PLANES];
@@ -246,8 +246,8 @@ static whirl_status find_within(const whirl_balance *of, const whirl_correction 
     return found ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
 }
 
-/// The best weights of the unknowns at index, within the limits of planes: amounts [count]. *told: the rows tell them
-/// apart; without that there are none. WHIRL_NO_MEMORY.
+/// Finds the best weights of the unknowns at index, within the limits of planes: amounts [count]. *told: the rows
+/// determine them; otherwise there are none. WHIRL_NO_MEMORY.
 static whirl_status best_weights(const whirl_balance *of, const whirl_correction *out, const size_t *index,
                                  size_t count, double complex *amounts, bool *told) {
     const balance_normal equations = equations_of(of, out, index, count);
@@ -264,7 +264,7 @@ static whirl_status best_weights(const whirl_balance *of, const whirl_correction
     return whirl_ok();
 }
 
-/// What weights leave: the root of the weighted mean square, or the largest vibration where that is to be the least.
+/// Residual of weights: the root of the weighted mean square, or the largest vibration if that is minimized.
 static double left_with(const whirl_balance *of, const whirl_correction *out, const double complex *amounts,
                         const size_t *index, size_t count) {
     double sum = 0.0, weights = 0.0, largest = 0.0;
@@ -279,7 +279,7 @@ static double left_with(const whirl_balance *of, const whirl_correction *out, co
     return of->least_max ? largest : sqrt(sum / weights);
 }
 
-/// Tells which unknowns act nearly as the others do, and the correction without the one of these that is missed least.
+/// Reports unknowns that act nearly alike, and the correction without the least significant of these.
 static whirl_status reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
     double significance[BALANCE_UNKNOWNS];
     whirl_status status = whirl_ok();

@@ -1,4 +1,4 @@
-// The best weights within limits: the least largest vibration, or the least squares, by Newton's method on a barrier.
+// Best weights within limits: least largest vibration, or least squares, by Newton's method on a barrier.
 #include "signal_parts.h"
 
 #include <float.h>
@@ -8,37 +8,37 @@
 
 #include "matrix.h"
 
-/// The search, in numbers of the order of 1: z holds real and imaginary parts of the unknowns and, where the largest
-/// row is to be the least, a bound t of all rows.
+/// State of the search, in numbers of the order of 1: z holds real and imaginary parts of the unknowns and, if the
+/// largest row is minimized, a bound t of all rows.
 typedef struct barrier {
-    size_t n, rows, planes, size; ///< unknowns, of the goal; numbers of z
-    bool bound;                   ///< t is one of them
+    size_t n, rows, planes, size; ///< unknowns, rows of the goal, planes; numbers of z
+    bool bound;                   ///< t is part of z
     double complex *effect;       ///< [rows][n]
     double complex *before;       ///< [rows]
-    double complex *share;        ///< [planes][n] of moments over their limits
+    double complex *share;        ///< [planes][n] moments over their limits
     double *z, *trial;            ///< [size]
     double *gradient, *hessian;   ///< [size], [size][size]
-    double sharpness;             ///< by which the goal counts beside the barrier
+    double sharpness;             ///< weight of the goal against the barrier
 } barrier;
 
-/// A row at z, of complex coefficients [n].
+/// Value of a row at z, of complex coefficients [n].
 static double complex row_at(const barrier *b, const double complex *of, double complex at_zero, const double *z) {
     for (size_t j = 0; j < b->n; j++) at_zero += of[j] * (z[2 * j] + z[2 * j + 1] * I);
     return at_zero;
 }
 
-/// The derivative of a row by number k of z.
+/// Derivative of a row by number k of z.
 static double complex slope_of(const double complex *of, size_t k) {
     return k % 2 ? of[k / 2] * I : of[k / 2];
 }
 
-/// -log(limit^2 - |u|^2), infinite outside of the limit.
+/// Barrier -log(limit^2 - |u|^2), infinite outside of the limit.
 static double wall(double complex u, double limit) {
     const double inside = limit - cabs(u);
     return inside > 0.0 ? -log(inside * (limit + cabs(u))) : (double)INFINITY;
 }
 
-/// What is minimized: sharpness times the goal, and a wall at every limit.
+/// Function to be minimized: sharpness times the goal, and a wall at every limit.
 static double barrier_value(const barrier *b, const double *z) {
     double goal = b->bound ? z[b->size - 1] : 0.0, walls = 0.0;
     for (size_t r = 0; r < b->rows; r++) {
@@ -92,10 +92,10 @@ static void find_derivatives(const barrier *b) {
         add_wall(b, b->share + p * b->n, row_at(b, b->share + p * b->n, 0.0, b->z), false);
 }
 
-/// A Newton step, halved until the value falls; false where nothing is left to gain.
+/// Takes a Newton step, halved until the value falls; false if no gain is left.
 static bool take_step(barrier *b) {
     enum { MAX_HALVINGS = 60 };
-    static const double near = 1e-9; // of the decrement, whose half is about what is left to gain
+    static const double near = 1e-9; // relative to the decrement, half of which is about the remaining gain
     const double value = barrier_value(b, b->z);
     double decrement = 0.0, part = 1.0, *step = b->gradient;
     find_derivatives(b);
@@ -112,8 +112,8 @@ static bool take_step(barrier *b) {
     return false;
 }
 
-/// Follows the minima as the goal counts more and more: the last one's is at most 2 (rows + planes)/sharpness above the
-/// least (Boyd and Vandenberghe 2004, sec. 11.2 and 11.6.2).
+/// Follows the minima as the goal's weight grows: the last one is at most 2 (rows + planes)/sharpness above the least
+/// value (Boyd and Vandenberghe 2004, sec. 11.2 and 11.6.2).
 static void follow(barrier *b) {
     enum { MAX_STEPS = 100 };
     static const double gap = 1e-12, growth = 8.0;
@@ -123,7 +123,7 @@ static void follow(barrier *b) {
         }
 }
 
-/// Fills in the goal in numbers of the order of 1; `scale` [n] are kg m of the unknowns. False where nothing vibrates.
+/// Scales the goal to numbers of the order of 1; `scale` [n] are kg m of the unknowns. False if nothing vibrates.
 static bool barrier_begin(const balance_goal *goal, barrier *b, double *scale) {
     const size_t n = goal->n;
     double largest = 0.0;

@@ -13,9 +13,9 @@ void balance_add(balance_normal *of, const double complex *a, double complex b, 
     }
 }
 
-/// Cholesky's pivots tell how much of each unknown the ones before leave.
+/// Cholesky's pivots are what the unknowns before leave of each unknown.
 static bool are_told_apart(size_t n, const double complex *matrix) {
-    static const double least = 1e-10; // of what remains of an unknown beside the others, in squares
+    static const double least = 1e-10; // share of an unknown that the others must leave, in squares
     double complex rest[BALANCE_UNKNOWNS * BALANCE_UNKNOWNS];
     memcpy(rest, matrix, n * n * sizeof *rest);
     for (size_t k = 0; k < n; k++) {

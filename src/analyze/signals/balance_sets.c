@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/// How weights in the planes excite the modes and, where these are kept, what they make of resultant and couple.
+/// Excitation of the modes by weights in the planes and, if these are kept, resultant and couple.
 typedef struct conditions {
     size_t count, planes;
     double complex row[WHIRL_MAX_PLANES][WHIRL_MAX_PLANES]; ///< [count][planes]
@@ -39,7 +39,8 @@ static whirl_status add_rigid(const whirl_balance *of, const whirl_balance_model
     return whirl_ok();
 }
 
-/// Of the shortest weights that excite mode n and meet all else with 0; its largest is 1. False where there are none.
+/// Finds the shortest weights that excite mode n and give 0 for all other conditions; the largest is 1. False without a
+/// solution.
 static bool find_set(const conditions *on, size_t n, double (*weights)[2]) {
     balance_normal equations = {.n = on->count};
     double complex largest = 0.0, own[WHIRL_MAX_PLANES];

@@ -1,5 +1,5 @@
-// Trial weights that a model proposes: by the usual tenth of the load on the bearing,
-// within what readings tell apart and what limits allow, where they reduce the vibration.
+// Trial weights from a model: the usual tenth of the bearing load, limited to what readings resolve and limits allow,
+// where they reduce the vibration.
 #include "signal_parts.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 static const double force_share = 0.1, least_change = 0.3, most_change = 1.0, clear = 5.0, gravity = 9.80665;
 
-/// A row as one unknown moves it.
+/// Effect of one unknown on a row.
 typedef struct view {
     double complex before, effect;
     double limit, repeatability;
@@ -25,7 +25,7 @@ static view look(const whirl_balance *of, const whirl_correction *out, size_t r,
     return seen;
 }
 
-/// The one weight that makes the vibration the least: where a trial weight is to go.
+/// Direction of a trial weight: that of the single weight that minimizes the vibration.
 static double complex direction_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     double complex sum = 0.0;
     for (size_t r = 0; r < out->row_count; r++) {
@@ -35,7 +35,7 @@ static double complex direction_of(const whirl_balance *of, const whirl_correcti
     return cabs(sum) > 0.0 ? sum / cabs(sum) : 1.0;
 }
 
-/// The plane whose bearing tells the force: that of the largest weight.
+/// Plane whose bearing gives the force: that of the largest weight.
 static size_t plane_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     size_t best = 0;
     if (of->mode_count == 0) return unknown;
@@ -44,7 +44,7 @@ static size_t plane_of(const whirl_balance *of, const whirl_correction *out, siz
     return best;
 }
 
-/// kg m by the load on the bearing at the largest speed of the rows; 0: not known.
+/// Weight, kg m, from the bearing load at the largest speed of the rows; 0: unknown.
 static double by_force(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
                        size_t unknown, whirl_balance_proposal *own) {
     own->bearing = plane_of(of, out, unknown);
@@ -55,7 +55,7 @@ static double by_force(const whirl_balance *of, const whirl_balance_model *model
     return own->load > 0.0 && own->speed > 0.0 ? force_share * own->load / (own->speed * own->speed) : 0.0;
 }
 
-/// The largest size of a weight that way up to which a row stays within its limit; infinite where it always does.
+/// Largest weight in that direction up to which a row stays within its limit; infinite without one.
 static double within(const view *seen, double complex way) {
     const double complex effect = seen->effect * way;
     const double b = creal(conj(seen->before) * effect), a = creal(effect * conj(effect));
@@ -64,8 +64,8 @@ static double within(const view *seen, double complex way) {
     return c > 0.0 ? 0.0 : (sqrt(b * b - a * c) - b) / a;
 }
 
-/// Bounds of its size, kg m, by what rows change: from which on it is clear, up to which it is no more than most_change
-/// of one; and by limits.
+/// Bounds of a trial weight, kg m: least for a clear change of the readings, most for a change by most_change, and by
+/// limits.
 typedef struct bounds {
     double least, most, limit;
     size_t least_row, most_row, limit_row;
@@ -87,7 +87,7 @@ static bounds find_bounds(const whirl_balance *of, const whirl_correction *out, 
     return found;
 }
 
-/// Whether something was read at the speed that an unknown is for.
+/// Returns true if there is a reading at the speed that an unknown is for.
 static bool was_read(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     for (size_t r = 0; r < out->row_count; r++)
         if (look(of, out, r, unknown).own) return true;

@@ -1,10 +1,9 @@
 // Lines between the bins of a spectrum.
-//
 // A peak of the transform gives a first guess. The transform is then evaluated half a bin to either side of the guess:
-// there the main lobe W of the window falls with slope 2/3 of ln W per 1/2 bin, so the ratio of the two values tells
-// how far off the guess is. What the other lines (and a line's own mirror image at the negative frequency) leak to
-// where one is measured is known in closed form and subtracted; a few rounds settle it. Side lobes need no care when
-// peaks are picked: at whole bins the transform of one sinusoid falls monotonically.
+// there the main lobe W of the window falls with slope 2/3 of ln W per 1/2 bin, so the ratio of the two values gives
+// the error of the guess. The leakage of the other lines (and of a line's own mirror image at the negative frequency)
+// is known in closed form and subtracted; a few rounds converge. Side lobes do not disturb the picking of peaks: at
+// whole bins the transform of one sinusoid falls monotonically.
 #include "signal_parts.h"
 
 #include <complex.h>
@@ -34,7 +33,7 @@ static turn turn_back(turn a, turn b) {
     return (turn){a.sine * b.cosine - a.cosine * b.sine, a.cosine * b.cosine + a.sine * b.sine};
 }
 
-/// A frequency as the window's transform needs it: a lobe lies at the sum or the difference of two.
+/// A frequency with the angles that the window's transform needs: a lobe lies at the sum or the difference of two.
 typedef struct frequency {
     double bin;
     turn whole, part; ///< pi bin, pi bin/count
@@ -61,11 +60,11 @@ typedef struct line_search {
 } line_search;
 
 /// Transform of the Hann window at a distance from its centre, where it is 1 (Harris 1978). That of the rectangular
-/// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins; the Hann window's is
-/// this one less half of its two neighbours, a bin away, in which sin(angle) and the phase return but for their signs.
+/// window is e^(-i angle (count - 1)/count) sin(angle)/(count sin(angle/count)), angle = pi bins. The Hann window's is
+/// this one less half of its two neighbours, a bin away, in which sin(angle) and the phase return except for their
+/// signs.
 static double complex hann_lobe(const line_search *search, turn whole, turn part) {
-    // At the bins 0, 1 and -1 both sides of a quotient are 0; nobody asks closer by, but at half the sampling
-    // frequency.
+    // At the bins 0, 1 and -1 both sides of a quotient are 0. Only frequencies at half the sampling rate come so close.
     const double least = 1e-12;
     const double before = turn_back(part, search->unit).sine, after = turn_on(part, search->unit).sine;
     if (fabs(part.sine) < least || fabs(before) < least || fabs(after) < least)
@@ -77,7 +76,7 @@ static double complex hann_lobe(const line_search *search, turn whole, turn part
     return high * ((even * phase.cosine - odd * phase.sine) + I * (even * phase.sine + odd * phase.cosine));
 }
 
-/// a times b; C's own product looks for infinities.
+/// Product of a and b; C's own product also handles infinities and is slower.
 static double complex times(double complex a, double complex b) {
     return (creal(a) * creal(b) - cimag(a) * cimag(b)) + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
 }
@@ -95,7 +94,7 @@ static void subtract(const line_search *search, wave_amplitudes *value, const si
     value->y -= times(line->a.y, there);
 }
 
-/// The transform at `bin` less what all lines but `own` leak there. Lines whose main lobes overlap that of `own` stay.
+/// Transform at `bin` without the leakage of all lines but `own`. Lines whose main lobes overlap that of `own` stay.
 static wave_amplitudes isolated(const line_search *search, size_t own, double bin) {
     const frequency at = frequency_of(bin, search->samples);
     wave_amplitudes value = wave_transform_at(search->wave, bin);
@@ -113,7 +112,7 @@ static double pair_power(wave_amplitudes value) {
     return creal(value.x * conj(value.x)) + creal(value.y * conj(value.y));
 }
 
-/// One round for one line: its frequency from the two sides of the lobe, then its amplitudes.
+/// Refines one line: its frequency from the two sides of the lobe, then its amplitudes.
 static void refine(line_search *search, size_t own) {
     sinusoid *line = &search->lines[own];
     const double above = pair_power(isolated(search, own, line->at.bin + 0.5));
@@ -126,7 +125,7 @@ static void refine(line_search *search, size_t own) {
     line->a = isolated(search, own, line->at.bin);
 }
 
-/// The largest local maxima of `power`, largest first.
+/// Finds the largest local maxima of `power`, largest first.
 static void pick_peaks(line_search *search, const double *power, size_t bins) {
     sinusoid *lines = search->lines;
     double largest = 0.0;

@@ -1,8 +1,7 @@
-// Signals by the angle of the shaft: sections and samples at equal angles between pulses.
-//
-// When the shaft is at an angle is a monotone cubic through the pulses (Fritsch and Carlson 1980, SIAM J. Numer. Anal.
-// 17, 238); what the signals are then is a polynomial through the samples around (Fyfe and Munck 1997, Mech. Syst.
-// Signal Process. 11, 187).
+// Resamples signals by the angle of the shaft: sections and samples at equal angles between pulses.
+// The instant of an angle is a monotone cubic through the pulses (Fritsch and Carlson 1980, SIAM J. Numer. Anal. 17,
+// 238); a signal at an instant is a polynomial through the samples around it (Fyfe and Munck 1997, Mech. Syst. Signal
+// Process. 11, 187).
 #include <math.h>
 
 #include "signal_parts.h"
@@ -11,8 +10,8 @@ static const double two_pi = 6.283185307179586476925;
 
 // ---------------------------------------------------------------- the angle
 
-/// Time a revolution takes at pulse k: the slope of the parabola through it and its neighbours, held where the cubics
-/// stay monotone however unlike the revolutions are.
+/// Duration of a revolution at pulse k: the slope of the parabola through it and its neighbours, limited so that the
+/// cubics stay monotone.
 static double slope_at(const double *instants, size_t pulses, size_t k) {
     if (pulses == 2) return instants[1] - instants[0];
     const size_t middle = k == 0 ? 1 : k == pulses - 1 ? pulses - 2 : k;
@@ -22,7 +21,7 @@ static double slope_at(const double *instants, size_t pulses, size_t k) {
     return fmin(fmax(slope, 0.0), 3.0 * least);
 }
 
-/// When the shaft has turned by a part from 0 to 1 of the revolution after pulse k.
+/// Instant at which the shaft has turned by a part (0 to 1) of the revolution after pulse k.
 static double instant_at(const double *instants, size_t pulses, size_t k, double part) {
     if (part == 0.0 || part == 1.0) return instants[k + (part == 1.0)];
     const double length = instants[k + 1] - instants[k], rest = 1.0 - part;
@@ -39,7 +38,7 @@ typedef struct stencil {
     double weights[WHIRL_SIGNALS_HIGHEST_ORDER + 1];
 } stencil;
 
-/// The last sample that is not after an instant.
+/// Returns the last sample that is not after an instant.
 static size_t sample_before(const double *time, size_t count, double instant) {
     size_t low = 0, high = count;
     while (high - low > 1) {
@@ -52,7 +51,7 @@ static size_t sample_before(const double *time, size_t count, double instant) {
     return low;
 }
 
-/// Lagrange's polynomial through the order + 1 samples around an instant, as many on either side where they are there.
+/// Lagrange's polynomial through the order + 1 samples around an instant, centred where possible.
 static stencil stencil_at(const double *time, size_t count, double instant, int order) {
     const size_t before = sample_before(time, count, instant), side = (size_t)order / 2;
     stencil s = {.first = before > side ? before - side : 0, .nodes = (size_t)order + 1};

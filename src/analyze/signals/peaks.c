@@ -1,4 +1,4 @@
-// Peaks of a response over the speed: amplification factors, and the margins that they ask for.
+// Peaks of a response over the speed: amplification factors, and the separation margins that they require.
 #include <math.h>
 
 #include "whirl/engine/analyze.h"
@@ -9,7 +9,7 @@ typedef struct curve {
     const double *x, *y;
 } curve;
 
-/// Between points i and i + 1, by the cubic through these and one to either side (the parabola at the ends).
+/// Value between points i and i + 1, by the cubic through these and one on either side (the parabola at the ends).
 static double between(const curve *c, size_t i, double at) {
     const size_t first = i > 0 ? i - 1 : 0, after = i + 3 < c->count ? i + 3 : c->count;
     double sum = 0.0;
@@ -24,7 +24,7 @@ static double between(const curve *c, size_t i, double at) {
 
 enum { HALVINGS = 60 };
 
-/// The place of the largest value between points i - 1 and i + 1, by thirds.
+/// Location of the largest value between points i - 1 and i + 1, by thirds.
 static double top_of(const curve *c, size_t i) {
     double low = c->x[i - 1], high = c->x[i + 1];
     for (int n = 0; n < HALVINGS; n++) {
@@ -39,7 +39,7 @@ static double top_of(const curve *c, size_t i) {
     return 0.5 * (low + high);
 }
 
-/// Where the response falls to `level` on a side (-1, 1) of peak i, before it rises again; NaN where it does not.
+/// Speed at which the response falls to `level` on a side (-1, 1) of peak i, before it rises again; NaN if it does not.
 static double side_of(const curve *c, size_t i, int side, double level) {
     size_t from = i;
     while ((side < 0 ? from > 0 : from + 1 < c->count) && c->y[from] > level) {
@@ -60,7 +60,7 @@ static double side_of(const curve *c, size_t i, int side, double level) {
     return 0.5 * (low + high);
 }
 
-/// rad by rad/s, by differences across peak i.
+/// Slope of the phase across peak i, rad per rad/s, by differences.
 static double phase_slope(const curve *c, const double *lags, size_t i) {
     const double degrees = remainder(lags[i + 1] - lags[i - 1], 360.0);
     return degrees / 180.0 * 3.14159265358979323846 / (c->x[i + 1] - c->x[i - 1]);
@@ -98,7 +98,7 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
     return found;
 }
 
-/// At a speed from the first point to the last.
+/// Value at a speed from the first point to the last.
 static double value_at(const curve *c, double at) {
     size_t i = 0;
     while (i + 2 < c->count && c->x[i + 1] < at) i++;
@@ -106,7 +106,7 @@ static double value_at(const curve *c, double at) {
 }
 
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high) {
-    static const double same = 1e-9; // as an end that was told in another unit than a point
+    static const double same = 1e-9; // an end may be given in another unit than a point
     const curve c = {count, speeds, amplitudes};
     if (count == 0 || low < speeds[0] * (1.0 - same) || high > speeds[count - 1] * (1.0 + same)) return NAN;
     double largest = fmax(value_at(&c, low), value_at(&c, high));

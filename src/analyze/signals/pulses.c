@@ -1,5 +1,5 @@
-// Amplitude and phase once a revolution. With x = Re(X e^(i tau)) and y likewise, x + iy is the circular motion
-// F e^(i tau) with the rotation and B e^(-i tau) against it, F = (X + iY)/2 and B = conj(X - iY)/2.
+// Amplitude and phase once a revolution. With x = Re(X e^(i tau)) and y likewise, x + iy is the sum of the forward
+// motion F e^(i tau) and the backward one B e^(-i tau), F = (X + iY)/2 and B = conj(X - iY)/2.
 #include <complex.h>
 #include <math.h>
 
@@ -10,7 +10,7 @@ static const double pi = 3.141592653589793238463;
 /// Degrees by which a sinusoid Re(z e^(i tau)) peaks after the mark, 0 <= ... < 360.
 static double lag_of(double complex z) {
     const double lag = -carg(z) * 180.0 / pi, turned = lag < 0.0 ? lag + 360.0 : lag;
-    return turned >= 360.0 - 1e-9 ? 0.0 : turned; // no lag but for rounding
+    return turned >= 360.0 - 1e-9 ? 0.0 : turned; // no lag within rounding
 }
 
 whirl_synchronous synchronous_none(void) {
@@ -21,13 +21,13 @@ whirl_synchronous synchronous_part(const wave_transform *wave, size_t samples_pe
     const size_t revolutions = wave_transform_count(wave) / samples_per_revolution;
     whirl_synchronous found = synchronous_none();
     if (samples_per_revolution < 3) {
-        for (int i = 0; i < 4; i++) found.amplitude[i] = NAN; // so few do not tell 1X from the mean
+        for (int i = 0; i < 4; i++) found.amplitude[i] = NAN; // too few to separate 1X from the mean
         return found;
     }
     const wave_amplitudes at = wave_transform_at(wave, (double)revolutions);
     const double complex step = cexp(-2.0 * pi * I / (double)samples_per_revolution);
     const double complex x = 2.0 * at.x * step, y = 2.0 * at.y * step;
-    // Backward, the motion stands at the angle -tau + arg B: it passes the x axis arg B after the mark.
+    // Backward, the motion is at the angle -tau + arg B: it passes the x axis arg B after the mark.
     const double complex parts[4] = {x, y, 0.5 * (x + I * y), 0.5 * (x - I * y)};
     for (int i = 0; i < 4; i++) {
         found.amplitude[i] = cabs(parts[i]);
@@ -37,7 +37,7 @@ whirl_synchronous synchronous_part(const wave_transform *wave, size_t samples_pe
 }
 
 // ---------------------------------------------------------------- pulses
-// Pulses of a keyphasor: when the shaft has turned once more.
+// Pulses of a keyphasor, one a turn of the shaft.
 
 static const double two_pi = 6.283185307179586476925;
 

@@ -3,12 +3,13 @@
 #include <math.h>
 #include <stdbool.h>
 
-/// Instruments mark what they could not measure by NaN, infinities or huge numbers, whose squares would overflow.
+/// Returns true for a valid number: instruments mark missing values by NaN, infinities or huge numbers, whose squares
+/// would overflow.
 static bool is_number(double value) {
     return fabs(value) <= 1e100;
 }
 
-/// That count x many numbers can be and are enough.
+/// Checks that count x many numbers fit memory and are enough.
 static whirl_status check_extent(const char *what, size_t count, size_t many, size_t fewest) {
     if (count < fewest)
         return whirl_fail(WHIRL_BAD_INPUT, "there are %zu %s, expected at least %zu", count, what, fewest);
@@ -41,7 +42,7 @@ whirl_status signal_check_points(const double *points, size_t count, size_t dime
     return whirl_ok();
 }
 
-/// That instants are numbers and grow; `what` one of them is.
+/// Checks that instants are numbers and grow; `what` names one of them.
 static whirl_status check_growth(const char *what, const double *instants, size_t count) {
     for (size_t i = 0; i < count; i++) {
         if (!is_number(instants[i]))
@@ -54,7 +55,7 @@ static whirl_status check_growth(const char *what, const double *instants, size_
 }
 
 whirl_status signal_check_time(const double *time, size_t count) {
-    const double longest = 10.0; // mean steps; polynomials through samples that are farther apart say nothing
+    const double longest = 10.0; // mean steps; polynomials through samples farther apart are meaningless
     whirl_status status = check_extent("samples", count, 1, 2);
     if (status.code == WHIRL_OK) status = check_growth("sample", time, count);
     if (status.code != WHIRL_OK) return status;

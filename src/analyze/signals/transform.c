@@ -1,18 +1,15 @@
 // The transform between bins, by Gaussian gridding (Greengard and Lee 2004, SIAM Review 46, 443).
-//
-// Between bins a transform is not the business of an FFT, but of interpolating in a longer one. The samples, n from
-// their middle, are multiplied by exp(+t n^2) and filled up with zeros to twice their number or more; in the transform
-// of these the factor is taken back by a convolution with the transform of exp(-t n^2), a Gaussian, of which the
-// nearest places suffice. The longer one may have any length: it has a power of two, so that a number of samples with
-// large prime factors costs no more than its neighbours.
+// The transform between bins is interpolated in a longer FFT. The samples, n from their middle, are multiplied by
+// exp(+t n^2) and padded with zeros to twice their number or more. In the transform of these the factor is undone by a
+// convolution with the transform of exp(-t n^2), a Gaussian, of which the nearest places suffice. The longer
+// transform's length is a power of two, so that a number of samples with large prime factors costs no more than its
+// neighbours.
 #include "signal_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum {
-    REACH = 16
-}; // places to either side: e^-36 is left out where twice the samples are transformed, less where more
+enum { REACH = 16 }; // places on either side: the rest is below e^-36 for twice the samples, less for more
 
 static const double pi = 3.141592653589793238463;
 
@@ -24,7 +21,7 @@ struct wave_transform {
     double *re, *im; ///< [size] of x + iy
 };
 
-/// exp(-2 pi i p/size) for p < size/2, each from one of half its index and one of a power of two.
+/// Fills in exp(-2 pi i p/size) for p < size/2, each from one of half its index and one of a power of two.
 static void fill_turns(size_t size, double *re, double *im) {
     re[0] = 1.0;
     im[0] = 0.0;
@@ -53,7 +50,8 @@ static void stage(size_t half, size_t stride, const double *turn_re, const doubl
     }
 }
 
-/// Stockham's transform of a power of two, which sorts as it goes. `work` has room for three times `size` numbers.
+/// Stockham's transform of a power of two, which sorts in place of a bit reversal. `work` has space for three times
+/// `size` numbers.
 static void transform_in_place(double *re, double *im, size_t size, double *work) {
     double *turn_re = work + 2 * size, *turn_im = turn_re + size / 2;
     double *from_re = re, *from_im = im, *to_re = work, *to_im = work + size;
@@ -68,7 +66,7 @@ static void transform_in_place(double *re, double *im, size_t size, double *work
     for (size_t i = 0; i < size; i++) re[i] = from_re[i], im[i] = from_im[i];
 }
 
-/// The samples around place 0, the later half from there on and the earlier half before it, that is at the end.
+/// Spreads the samples around place 0: the later half from there on, the earlier half at the end.
 static void spread(wave_transform *t, const double *x, const double *y, double widening) {
     const size_t middle = t->count / 2;
     for (size_t j = 0; j < t->count; j++) {
@@ -86,7 +84,7 @@ wave_transform *wave_transform_new(const double *x, const double *y, size_t coun
     double *work = malloc(3 * size * sizeof *work);
     if (t && work) {
         const double length = (double)size, share = 1.0 - (double)count / length;
-        // What is left out by the reach and what the Gaussian lets in from the next period are then equally small.
+        // The truncation by the reach and the Gaussian's aliases are then equally small.
         const double width = pi * REACH / sqrt(share);
         *t = (wave_transform){.count = count, .size = size, .narrowness = pi * pi / width};
         t->re = (double *)(t + 1);
@@ -111,7 +109,7 @@ size_t wave_transform_count(const wave_transform *transform) {
     return transform->count;
 }
 
-/// A whole number and a remainder from 0 to 1. Of large numbers the remainder is what counts, so it is kept apart.
+/// A whole number and a remainder from 0 to 1, stored apart so that large numbers keep an exact remainder.
 typedef struct position {
     size_t whole;
     double rest;
@@ -125,7 +123,7 @@ static position position_of(const wave_transform *t, double bin, size_t factor, 
     return (position){(turns * factor / t->count + (size_t)carry) % period, sum - carry};
 }
 
-/// The transform of x + iy about the middle of the samples, at a place between those of the grid.
+/// Transform of x + iy about the middle of the samples, at a place between those of the grid.
 static double complex interpolate(const wave_transform *t, size_t at, double d) {
     const size_t mask = t->size - 1;
     // e^(-c (d - m)^2) is e^(-c d^2) (e^(2 c d))^m e^(-c m^2).

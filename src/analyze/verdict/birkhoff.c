@@ -1,6 +1,6 @@
-// Weighted Birkhoff averages: the mean of an observable along the motion, weighted by a smooth bump. On a torus (and
-// on a periodic motion) it converges faster than any power of the number of points, in chaos only like its square root,
-// so that the agreement of two halves tells them apart (Das, Saiki, Sander, Yorke, "Quantitative quasiperiodicity",
+// Weighted Birkhoff averages: the mean of an observable along the motion, weighted by a smooth bump. On tori and
+// periodic motions it converges faster than any power of the number of points, in chaos only like its square root, so
+// that the agreement of two halves distinguishes them (Das, Saiki, Sander, Yorke, "Quantitative quasiperiodicity",
 // Nonlinearity 30 (2017) 4111; Das, Yorke, "Super convergence of ergodic averages for quasiperiodic orbits",
 // Nonlinearity 31 (2018) 491). A motion that still settles disagrees as well.
 #include <math.h>
@@ -45,7 +45,7 @@ static double variance(const section *all, size_t coordinate, double *mean) {
 static void compare_halves(const section *all, size_t coordinate, double size, comparison *sums) {
     double centre;
     const double spread = variance(all, coordinate, &centre);
-    if (!(sqrt(spread) > 1e-9 * size)) return; // nothing but rounding moves here
+    if (!(sqrt(spread) > 1e-9 * size)) return; // only rounding moves here
     const size_t half = all->count / 2;
     const moments early = weighted_moments(all, coordinate, 0, half, centre);
     const moments late = weighted_moments(all, coordinate, all->count - half, half, centre);

@@ -1,4 +1,4 @@
-// How far a verdict can be trusted: agreement between the pieces of evidence, and between two tolerances.
+// Confidence of a verdict: agreement between the pieces of evidence, and between two tolerances.
 #include "section.h"
 
 #include <limits.h>
@@ -6,57 +6,57 @@
 
 #include "analysis.h"
 
-/// What a motion still has to go, over its size, where it is taken for settled.
+/// Largest remaining distance to the limit, over its size, of a settled motion.
 static const double settled = 1e-6;
 
-/// Standard errors by which exponents must be clear of zero, and halves of a record may differ.
+/// Standard errors by which exponents must differ from zero, and by which halves of a record may differ.
 static const double clear_sigmas = 6.0, steady_sigmas = 4.0;
 
 /// Decimal digits to which averages agree on clear tori and in clear chaos; K of the 0-1 test.
 static const double regular_digits = 4.0, irregular_digits = 3.0, regular_walk = 0.2, random_walk = 0.8, middle = 0.5;
 
-/// Revolutions that show chaos, and the exponent that cannot be a slow departure from something else.
+/// Revolutions that establish chaos, and the exponent that excludes a slow departure from another motion.
 static const double enough_watched = 500.0, strong_exponent = 0.01;
 
-/// Exponents that differ by less are the same.
+/// Exponents that differ by less are equal.
 static const double least_difference = 1e-3;
 
-/// Most by which a run is advised to be lengthened at once, and by how much where nothing tells.
+/// Least and largest factor by which a longer run is advised, and the factor without evidence.
 static const double least_factor = 1.5, largest_factor = 100.0, usual_factor = 4.0;
 
 static bool is_clear(whirl_estimate exponent) {
     return fabs(exponent.value) > clear_sigmas * exponent.error;
 }
 
-/// What is left of the transient of a motion that returns, over its size, as the exponent would have it.
+/// Remaining transient of a motion that returns, over its size, by the exponent.
 static double left_to_go(const whirl_verdict *v, const evidence *e) {
     if (v->recurrence <= e->rounding) return 0.0;
     const double slowest = v->exponent.value + clear_sigmas * v->exponent.error;
     return slowest < 0.0 ? v->recurrence / -expm1(slowest * v->recurrence_period) : INFINITY;
 }
 
-/// Whether the motion, where its way to rest is seen, comes to rest more slowly than the exponent says.
+/// Returns true if the motion visibly settles more slowly than the exponent implies.
 static bool returns_contradict(const whirl_verdict *v, const evidence *e) {
     const multiplier m = multiplier_find(&e->points, v->period, e->size, e->rounding);
-    const double rate = log(hypot(m.real, m.imaginary)) / v->period; // NaN where it is not seen
+    const double rate = log(hypot(m.real, m.imaginary)) / v->period; // NaN if it is not visible
     return rate > v->exponent.value + 0.1 * fabs(v->exponent.value) + clear_sigmas * v->exponent.error;
 }
 
-/// By the returns and the exponent alone.
+/// Weighs returns and exponent alone.
 static whirl_confidence weigh_returns(const whirl_verdict *v, const evidence *e) {
     const bool clear = is_clear(v->exponent) && left_to_go(v, e) <= settled && !returns_contradict(v, e);
     return clear && e->returns.separation >= 100.0 * left_to_go(v, e) ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-/// Whether the motion is on the orbit that was found, which draws in what is so near, and that is P-k.
+/// Returns true if the motion is on the P-k orbit that was found, within its domain of attraction.
 static bool orbit_holds(const whirl_verdict *v, const evidence *e) {
     const double much = 100.0, at_rest = 10.0 * recurrence_tolerance, off = fmax(v->recurrence, v->orbit_distance);
     return v->orbit == WHIRL_ORBIT_STABLE && v->orbit_period == v->period && off <= at_rest &&
            e->returns.separation >= much * off && 1.0 - v->orbit_modulus > much * off;
 }
 
-/// A stable orbit where the motion is earns trust. One that is unstable, elsewhere or of another period takes it, and
-/// so does, by a step, that there is none.
+/// Weighs a periodic verdict. A stable orbit at the motion raises confidence. An unstable one, or one elsewhere or of
+/// another period, removes it; if no orbit was found, it drops by a step.
 static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e) {
     const whirl_confidence alone = v->settles ? WHIRL_FAIR : weigh_returns(v, e);
     switch (v->orbit) {
@@ -74,15 +74,15 @@ static whirl_confidence weigh_periodic(const whirl_verdict *v, const evidence *e
     return alone;
 }
 
-/// The exponent that a motion without a verdict settles by, where it is sharp; else NaN.
+/// Exponent by which a motion without a verdict settles, if it is sharp; else NaN.
 static double settling_exponent(const evidence *e) {
     if (e->growth_count == 0) return NAN;
     const whirl_estimate sharp = estimate_regular_mean(e->growth, e->growth_count, 1);
     return is_clear(sharp) && sharp.value < 0.0 ? sharp.value : NAN;
 }
 
-/// An equilibrium draws in all that is within a hundredth of what a revolution shortens; that a perturbation beside the
-/// motion dies out, too, excludes a small cycle there. (Rounding, and errors of steps, bound how fast it is seen to.)
+/// Weighs a verdict of rest. An equilibrium attracts all motion within a hundredth of what a revolution shortens; a
+/// decaying perturbed copy excludes a small cycle there. (Rounding and errors of steps limit the visible decay.)
 static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
     const double slowest = fmax(0.5 * v->exponent.value, -0.1), sharp = settling_exponent(e);
     const bool draws_in = -expm1(v->exponent.value) >= 100.0 * v->rest_distance;
@@ -90,7 +90,7 @@ static whirl_confidence weigh_rest(const whirl_verdict *v, const evidence *e) {
     return draws_in && dies_out ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-/// Whether there are signs that the motion comes to rest on a locked one.
+/// Returns true if the motion may be settling on a locked one.
 static bool slows_down(const whirl_verdict *v) {
     const double steady_trend = 0.95;
     return v->exponent.value < -v->exponent.error || v->recurrence_trend < steady_trend;
@@ -106,7 +106,7 @@ static whirl_confidence weigh_quasi_periodic(const whirl_verdict *v, const evide
     return regular && !may_lock ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-/// Whether perturbations grow alike in both halves.
+/// Returns true if perturbations grow alike in both halves.
 static bool grows_steadily(const evidence *e) {
     const size_t half = e->growth_count / 2;
     const whirl_estimate early = estimate_mean(e->growth, half), late = estimate_mean(e->growth + half, half);
@@ -141,8 +141,8 @@ static double bounded_factor(double factor) {
     return fmin(fmax(factor, least_factor), largest_factor);
 }
 
-/// How many times as long the run must be for what is left of the transient to shrink to a tenth of what counts as
-/// settled. It shrinks with the rate of the returns or with the exponent, whichever is slower.
+/// Factor for the run's length that reduces the remaining transient to a tenth of what counts as settled. It shrinks
+/// with the rate of the returns or with the exponent, whichever is slower.
 static double settling_factor(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
     const double by_returns = settling_rate(e);
     const double by_exponent = settling_exponent(e);
@@ -154,29 +154,28 @@ static double settling_factor(const whirl_verdict *v, const evidence *e, const w
     return bounded_factor(1.0 + needed / record->revolutions);
 }
 
-/// How many times as long a run must be that still has the size of its motion to go, at the rate of its section's map.
+/// Factor for the length of a run whose remaining distance is the size of its motion, at the rate of its section's map.
 static double slow_factor(const whirl_verdict *v, const whirl_record *record) {
     return bounded_factor(1.0 + log(1.0 / (0.1 * settled)) / -v->settling.value / record->revolutions);
 }
 
-/// A motion settles whose returns shrink, or whose perturbations die out.
+/// Returns true if the motion still settles: its returns shrink, or perturbations decay.
 static bool still_settles(const whirl_verdict *v, const evidence *e) {
     return v->recurrence_trend < 0.9 || v->recurrence <= recurrence_tolerance || !isnan(settling_exponent(e));
 }
 
-/// A torus shows once a drift has been round a few times.
+/// Factor for a slow drift: a torus is recognized after a few rounds.
 static double drift_factor(const whirl_verdict *v, const evidence *e) {
     return isnan(v->round) ? usual_factor : bounded_factor(enough_rounds * v->round / (double)e->points.count);
 }
 
-/// Errors of means shrink with the square root of the revolutions.
+/// Factor for the exponent: errors of means shrink with the square root of the revolutions.
 static double exponent_factor(whirl_estimate exponent) {
     const double short_of = clear_sigmas * exponent.error / fabs(exponent.value);
     return short_of > 1.0 ? bounded_factor(short_of * short_of) : usual_factor;
 }
 
-/// Whether the motion stays, to rounding, on one that perturbations leave, as a balanced rotor does that starts at
-/// rest.
+/// Returns true if the motion stays, to rounding, on an unstable one, as a balanced rotor that starts at rest does.
 static bool stays_on_unstable(const whirl_verdict *v, const evidence *e) {
     return v->recurrence <= e->rounding && v->exponent.value > 0.0 && is_clear(v->exponent);
 }
@@ -203,7 +202,7 @@ static whirl_confidence lesser(whirl_confidence a, whirl_confidence b) {
     return a < b ? a : b;
 }
 
-/// One tolerance alone earns no more than this.
+/// Limits the confidence of a single tolerance.
 static whirl_confidence unconfirmed(whirl_confidence agreement) {
     return lesser(agreement, WHIRL_FAIR);
 }
@@ -219,19 +218,19 @@ double verdict_least_life(const whirl_verdict *v) {
     return (v->revolutions + v->followed + v->survived) / chances;
 }
 
-/// Whether two exponents differ by more than their errors and a fifth.
+/// Returns true if two exponents differ by more than their errors and a fifth.
 static bool exponents_differ(whirl_estimate a, whirl_estimate b) {
     const double difference = fabs(a.value - b.value);
     return difference > clear_sigmas * hypot(a.error, b.error) &&
            difference > 0.2 * fmax(fabs(a.value), fabs(b.value)) + least_difference;
 }
 
-/// Whether two motions leave their bounds in about the same revolution.
+/// Returns true if two motions diverge in about the same revolution.
 static bool leave_alike(const whirl_verdict *a, const whirl_verdict *b) {
     return fabs(a->diverged_at - b->diverged_at) <= fmax(1.0, 0.1 * a->diverged_at);
 }
 
-/// The confidence of two verdicts of the same name. Exponents of chaos that differ are made by the steps; those of
+/// Confidence of two verdicts with the same regime. Different exponents of chaos are artefacts of the steps; those of
 /// periodic motions may belong to two that coexist.
 static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_verdict *b) {
     const whirl_confidence both = lesser(a->agreement, b->agreement);
@@ -241,7 +240,7 @@ static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_ver
     return a->curves == b->curves ? both : lesser(both, WHIRL_FAIR);
 }
 
-/// Whether nothing is known that chaos may end on, and copies of it went on for long.
+/// Returns true if no attractor is known on which chaos may end, and copies of it stayed chaotic for long.
 static bool lives_long(const whirl_verdict *v) {
     if (v->regime != WHIRL_CHAOTIC) return true;
     return v->sought && v->refuge == 0 && v->survived > 0.0 && v->ended == 0;
@@ -274,14 +273,14 @@ void whirl_verdict_confirm(whirl_verdict *verdict, const whirl_verdict *other) {
     }
 }
 
-/// What outweighs what among the ends of copies: coming to rest, being lost, not telling, going on.
+/// Rank of the ends of copies, highest first: settled, lost, undetermined, still chaotic.
 static int end_rank(whirl_regime regime) {
     static const int ranks[] = {[WHIRL_CHAOTIC] = 0,   [WHIRL_UNDETERMINED] = 1,   [WHIRL_NOT_JUDGED] = 1,
                                 [WHIRL_DIVERGING] = 2, [WHIRL_QUASI_PERIODIC] = 3, [WHIRL_PERIODIC] = 4};
     return ranks[regime];
 }
 
-/// What the copy was at its end: one that returns has come to rest, though its watch is still full of chaos.
+/// Verdict at a copy's end: a motion that returns has settled, even if its record is mostly chaotic.
 static whirl_verdict end_of(const whirl_verdict *later) {
     whirl_verdict end = *later;
     if (end.regime == WHIRL_UNDETERMINED && end.recurrence <= recurrence_tolerance) {

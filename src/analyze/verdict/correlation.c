@@ -1,5 +1,5 @@
-// Correlation of the points of the section: how much a point still says of one that comes `lag` revolutions later. It
-// dies out in chaos that mixes and comes back again and again on tori and periodic motions.
+// Correlation of the points of the section with those `lag` revolutions later. It decays in mixing chaos, and recurs on
+// tori and periodic motions.
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ correlation correlation_find(const section *all, double least) {
     for (size_t n = 0; n < points.count; n++)
         for (size_t i = 0; i < points.dimension; i++)
             mean[i] += points.points[n * points.dimension + i] / (double)points.count;
-    size_t last = 0; // lag that is still remembered
+    size_t last = 0; // last lag with a significant correlation
     const bool moves = spread(&points, mean) > least;
     found.late = moves ? 0.0 : NAN;
     for (size_t lag = 1; lag <= longest && moves; lag++) {

@@ -22,8 +22,8 @@ typedef struct tree {
     edge *edges;      ///< [count - 1], in the order in which they joined
     edge *longest;    ///< the same, longest first
     size_t *label;    ///< [count] curve of each point
-    double *distance; ///< [count] work: to the nearest point of the tree, -1 for points in it
-    size_t *nearest;  ///< [count] work: that point
+    double *distance; ///< [count] scratch: to the nearest point of the tree, -1 for points in it
+    size_t *nearest;  ///< [count] scratch: that point
 } tree;
 
 static tree *tree_new(size_t count) {
@@ -70,8 +70,8 @@ static void grow(tree *t, const section *points) {
     qsort(t->longest, t->count - 1, sizeof(edge), longer_first);
 }
 
-/// Labels the parts that are left when the `cuts` longest edges are cut. Edges joined in the order of their list, so
-/// the parent's label is always there.
+/// Labels the parts that remain when the `cuts` longest edges are cut. Edges joined in the order of their list, so the
+/// parent already has a label.
 static void label_parts(tree *t, size_t cuts) {
     size_t parts = 1;
     t->label[0] = 0;
@@ -83,7 +83,7 @@ static void label_parts(tree *t, size_t cuts) {
     }
 }
 
-/// Whether the points visit the `parts` parts in a fixed cyclic order, so that n and n + parts are on the same.
+/// Returns true if the points visit the `parts` parts in a fixed cyclic order, so that n and n + parts are on the same.
 static bool visited_in_turn(const tree *t, size_t parts) {
     for (size_t n = 0; n + parts < t->count; n++) {
         if (t->label[n] != t->label[n + parts]) return false;
@@ -135,10 +135,10 @@ static double reach(const tree *t, const section *points, size_t from) {
     return farthest;
 }
 
-/// Whether a part is one closed, well filled curve: nearly all of its points on one path whose ends are neighbours,
-/// and no gap on the path that a curve could leave by.
+/// Returns true if a part is one closed, well-filled curve: nearly all of its points on one path whose ends are
+/// neighbours, with no large gap.
 static bool is_closed(const tree *t, const section *points, const part_path *path, double longest_edge) {
-    const double least_on_path = 0.9;  // of the points; the rest are twigs where a curve passes close to itself
+    const double least_on_path = 0.9;  // of the points; the rest are twigs near close passes of the curve
     const double widest_closing = 3.0; // longest edges on the curves: gaps of a rotation differ by a small factor
     const double widest_gap = 0.35;    // of the curve's diameter
     if ((double)path->length < least_on_path * (double)path->size) return false;

@@ -1,9 +1,8 @@
-// Locks that a motion on closed curves has excluded. Near a lock on P-q the slow phase psi = 2 pi (q theta - p n) of a
+// Locks that a motion on closed curves excludes. Near a lock on P-q the slow phase psi = 2 pi (q theta - p n) of a
 // motion that goes round its curve by theta turns obeys psi' = delta + s sin psi (Adler 1946; further harmonics are
-// smaller by the powers of q that the curve is smooth by): locked for |delta| <= s, else a drift. A locked motion never
-// goes round by a whole turn of psi, and cannot go evenly: while psi moves by x radians about where it is fastest, for
-// delta = s, its speed s (1 + cos psi) changes by x^2/16. A drift that does more of the first or less of the second is
-// not locked.
+// smaller by powers of q for a smooth curve): locked for |delta| <= s, else drifting. A locked motion never completes a
+// turn of psi, and does not move evenly: while psi moves by x radians about its fastest point, for delta = s, its speed
+// s (1 + cos psi) changes by x^2/16. A drift that does more of the first or less of the second is not locked.
 #include <math.h>
 #include <stdbool.h>
 
@@ -20,8 +19,8 @@ int longest_lock(const section *all, int curves) {
     return third > SHORTEST_LIMIT ? third : SHORTEST_LIMIT;
 }
 
-/// Weighted mean square of the returns after q revolutions, `count` of them from `first` on: as the square of the speed
-/// of psi, whatever the curve, since the q places at which returns start lie evenly spread along it.
+/// Weighted mean square of the returns after q revolutions, `count` of them from `first` on. It measures the square of
+/// the speed of psi on any curve, since the q starting places of returns are spread evenly along it.
 static double mean_square_return(const section *points, size_t q, size_t first, size_t count) {
     double weights = 0.0, sum = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -32,9 +31,9 @@ static double mean_square_return(const section *points, size_t q, size_t first, 
     return sum / weights;
 }
 
-/// Whether returns after q revolutions go on more evenly than a lock allows, by `turns` of psi over all points. Three
-/// windows of half of the returns have their centres a quarter of them apart: speeds differ by (x/4)^2/4 there, and
-/// squares by twice that.
+/// Returns true if returns after q revolutions are more even than a lock allows, by `turns` of psi over all points.
+/// Three windows of half of the returns have their centres a quarter of them apart: speeds differ by (x/4)^2/4 there,
+/// and squares by twice that.
 static bool goes_evenly(const section *points, size_t q, double turns) {
     const double margin = 5.0;
     const size_t returns = points->count - q, half = returns / 2;
@@ -49,7 +48,7 @@ static bool goes_evenly(const section *points, size_t q, double turns) {
 }
 
 int locks_excluded(const section *all, const closed_curves *curves, double rotation) {
-    // The weighted mean of the speed, which the rotation number is, is at most 2.6 times the plain one.
+    // The weighted mean of the speed, the rotation number, is at most 2.6 times the plain mean.
     const double whole_turns = 3.0;
     const int limit = longest_lock(all, curves->count);
     const section points = section_tail(all, ROTATION_POINTS);

@@ -1,6 +1,6 @@
-// The main line beside whole orders: what is known of a motion that was watched for too short a time for its section to
-// tell what it is, as of machines whose own whirl comes round in a fraction of a revolution. Two halves of the record
-// say whether the line stays where it is and as large as it is. See docs/theory.md, "Lines".
+// The main spectral line off whole orders. It characterizes motions whose record is too short for the section, such as
+// self-excited whirl with a period of a fraction of a revolution. Two halves of the record show whether the line keeps
+// its place and size. See docs/theory.md, "Lines".
 #include <math.h>
 
 #include "analysis.h"
@@ -8,18 +8,18 @@
 
 enum { MIN_REVOLUTIONS = 32, MAX_STATIONS = 64, MAX_MULTIPLE = 8 };
 
-/// Bins within which a line counts as one of a whole order, or as standing still; and within which it is that of both
-/// halves.
+/// Bins within which a line counts as a whole order or as constant; and within which the lines of both halves are the
+/// same.
 static const double beside = 3.0, same_line = 1.0;
 
-/// Highest order that is looked at: those above belong to lines below.
+/// Highest order of the search: lines above are combinations of lower ones.
 static const double highest = 4.0;
 
 static double amplitude(const whirl_line *line) {
     return hypot(line->x, line->y);
 }
 
-/// The spectrum of a station over `count` samples from `first`; NULL where there is none.
+/// Makes the spectrum of a station over `count` samples from `first`; NULL without one.
 static whirl_spectrum *spectrum_part(const whirl_record *record, size_t station, size_t first, size_t count) {
     whirl_spectrum *spectrum = NULL;
     const double *x = record->waveform + 2 * station * record->sample_count + first, *y = x + record->sample_count;
@@ -45,7 +45,7 @@ static const whirl_line *nearest_line(const whirl_spectrum *spectrum, double ord
     return nearest && fabs(nearest->order - order) <= same_line * spectrum->resolution ? nearest : NULL;
 }
 
-/// Whether all lines that matter lie at sums of multiples of the order and of whole ones.
+/// Returns true if all significant lines are at sums of multiples of the order and of whole orders.
 static bool are_of_two(const whirl_spectrum *spectrum, double order) {
     const double matters = 0.01, bins = 0.2;
     for (size_t i = 0; i < spectrum->line_count; i++) {
@@ -61,7 +61,7 @@ static bool are_of_two(const whirl_spectrum *spectrum, double order) {
     return true;
 }
 
-/// The share of the samples' mean square that the lines do not have.
+/// Share of the samples' mean square that the lines leave unexplained.
 static double unexplained(const whirl_record *record, size_t station, const whirl_spectrum *spectrum) {
     const size_t count = record->sample_count;
     double squares = 0.0, lines = 0.0;

@@ -1,6 +1,6 @@
-// The largest Floquet multiplier of a periodic motion, from the way in which the section comes to rest: near it,
-// d(n) = z(n + k) - z(n) obeys d(n + k) = mu d(n) for a real multiplier, and d(n + 2k) = a d(n + k) - b d(n) for a pair
-// with the sum a and the product b.
+// The largest Floquet multiplier of a periodic motion, from how the section settles: near it, d(n) = z(n + k) - z(n)
+// obeys d(n + k) = mu d(n) for a real multiplier, and d(n + 2k) = a d(n + k) - b d(n) for a pair with the sum a and the
+// product b.
 #include <math.h>
 #include <stdbool.h>
 
@@ -28,7 +28,7 @@ static void add_return(const section *all, size_t n, size_t k, double square, pr
     sums->count++;
 }
 
-/// The last returns that are neither too large to be linear nor too small to be more than rounding.
+/// Collects the last returns that are small enough to be linear and large enough not to be rounding.
 static products collect(const section *all, size_t k, double size, double rounding) {
     const double most = 1e-2 * size, least = fmin(1e3 * rounding, 1e-4) * size;
     products sums = {0};
@@ -41,7 +41,7 @@ static products collect(const section *all, size_t k, double size, double roundi
 }
 
 multiplier multiplier_find(const section *all, int period, double size, double rounding) {
-    const double well_fit = 1e-4; // of the squares that are left unexplained
+    const double well_fit = 1e-4; // share of the squares that may stay unexplained
     const multiplier none = {NAN, NAN};
     if (period < 1) return none;
     const products s = collect(all, (size_t)period, size, rounding);

@@ -1,6 +1,5 @@
-// Recurrence: after how many revolutions the motion comes back to where it was, and how closely. Periods up to 64 are
-// compared by all returns of the window; longer ones, where three of them were watched, only if the last point
-// returned.
+// Recurrence: the number of revolutions after which the motion comes back, and how closely. Periods up to 64 are
+// compared by all returns of the window; longer ones, if three of them were recorded, only if the last point returned.
 #include <math.h>
 #include <stdbool.h>
 
@@ -13,7 +12,7 @@ static double return_distance(const section *all, size_t first, size_t count, si
     return largest;
 }
 
-/// How far the points of a would-be P-k are from being fewer: for k = p j the shortest return over j.
+/// Separation of the points of a supposed P-k from a shorter period: for k = p j the shortest return over j.
 static double divisor_distance(const section *all, size_t first, size_t count, size_t k) {
     double least = INFINITY;
     for (size_t j = 1; 2 * j <= k; j++) {
@@ -33,7 +32,7 @@ static double settling_trend(const section *all, size_t k, double size) {
 
 enum { MIN_RETURNS = 4 };
 
-/// The period up to 64 that returns within the tolerance, or best.
+/// Finds the period up to 64 that returns within the tolerance, or best.
 static void try_short_periods(const section *all, double size, double tolerance, recurrence *found) {
     for (size_t k = 1; k <= SHORT_PERIOD && k + MIN_RETURNS <= found->window; k++) {
         const double distance = return_distance(all, all->count - found->window, found->window, k) / size;
@@ -45,7 +44,7 @@ static void try_short_periods(const section *all, double size, double tolerance,
     }
 }
 
-/// A longer period that returns within the tolerance, where none up to 64 does.
+/// Finds a longer period that returns within the tolerance, if none up to 64 does.
 static void try_long_periods(const section *all, double size, double tolerance, recurrence *found) {
     for (size_t k = SHORT_PERIOD + 1; k <= WHIRL_MAX_PERIOD && 3 * k <= all->count; k++) {
         const size_t window = 3 * k > found->window ? 3 * k : found->window, last = all->count - 1;
@@ -61,7 +60,7 @@ static void try_long_periods(const section *all, double size, double tolerance, 
 }
 
 recurrence recurrence_find(const section *all, size_t record_count, double size, double tolerance) {
-    // Short records borrow from the revolutions watched before them, so that every period up to 64 is seen twice.
+    // Short records use the revolutions before them, so that every period up to 64 is seen twice.
     enum { SHORTEST_WINDOW = 2 * SHORT_PERIOD };
     size_t window = record_count > SHORTEST_WINDOW ? record_count : SHORTEST_WINDOW;
     if (window > all->count) window = all->count;
@@ -87,7 +86,7 @@ static double mean_return(const section *all, size_t k) {
 }
 
 double drift_round(const section *all, const recurrence *returns, double size) {
-    // A circle is 2 pi/sqrt 2 times as long as half the diagonal of its bounds; k branches divide the way among them.
+    // A circle is 2 pi/sqrt 2 times as long as half the diagonal of its bounds; k branches divide its length.
     const double way = 4.44, nearest = 0.1, evenness = 0.5, steady = 0.05;
     if (!(returns->distance > recurrence_tolerance && returns->distance < nearest)) return NAN;
     if (!(fabs(returns->trend - 1.0) < steady)) return NAN;

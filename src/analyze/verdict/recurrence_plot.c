@@ -1,16 +1,16 @@
-// Recurrence quantified: lines of the plot of all pairs of points that are near each other (Marwan, Romano, Thiel,
+// Recurrence quantification: lines of the plot of all pairs of points that are near each other (Marwan, Romano, Thiel,
 // Kurths, "Recurrence plots for the analysis of complex systems", Physics Reports 438 (2007) 237, section 3.5). The
-// plot itself is never stored: its diagonals and columns are walked one by one.
+// plot itself is never stored: its diagonals and columns are scanned one by one.
 #include <math.h>
 #include <stdbool.h>
 
 #include "section.h"
 #include "signal_parts.h"
 
-/// Lines that are met along the way.
+/// Statistics of the lines along a scan.
 typedef struct line_count {
-    size_t shortest, now;             ///< that counts; points of the line that is being walked
-    size_t recurring, lined, longest; ///< points that recur; of these in lines that count; of the longest line
+    size_t shortest, now;             ///< least length that counts; length of the present line
+    size_t recurring, lined, longest; ///< recurring points; those in lines that count; length of the longest line
 } line_count;
 
 static void end_line(line_count *lines) {
@@ -28,7 +28,7 @@ static void walk(line_count *lines, bool recurs) {
     lines->now++;
 }
 
-/// Diagonals above the main one: pieces of the motion that run beside each other. Those below are the same.
+/// Scans the diagonals above the main one: pieces of the motion that run in parallel. Those below are the same.
 static line_count diagonal_lines(const section *points, double radius, size_t shortest) {
     line_count lines = {.shortest = shortest};
     for (size_t apart = 1; apart < points->count; apart++) {
@@ -39,7 +39,7 @@ static line_count diagonal_lines(const section *points, double radius, size_t sh
     return lines;
 }
 
-/// Columns: stretches of time over which the motion stays near a point.
+/// Scans the columns: stretches of time over which the motion stays near a point.
 static line_count vertical_lines(const section *points, double radius, size_t shortest) {
     line_count lines = {.shortest = shortest};
     for (size_t n = 0; n < points->count; n++) {

@@ -1,7 +1,7 @@
 // Rotation numbers: how far a quasi-periodic motion goes round its closed curve from one visit to the next. The angle
-// about the curve's centre, in the plane of its two main axes, is averaged with the weights of birkhoff.c, which gives
-// it to many digits (Das, Saiki, Sander, Yorke, "Solving the Babylonian problem of quasiperiodic rotation rates",
-// Discrete Contin. Dyn. Syst. S 12 (2019) 2279).
+// about the curve's centre, in the plane of its two main axes, is averaged with the weights of birkhoff.c, which
+// converges to many digits (Das, Saiki, Sander, Yorke, "Solving the Babylonian problem of quasiperiodic rotation
+// rates", Discrete Contin. Dyn. Syst. S 12 (2019) 2279).
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -21,8 +21,8 @@ typedef struct cloud {
     double *axes[2];   ///< [dimension] main axes, unit vectors
     double *across[2]; ///< [count] along the axes, mean square 1
     double *turns;     ///< [count] from each point to the next, in 0 .. 1
-    double *sorted;    ///< [count] work
-    size_t ordered;    ///< last points that are put into order: an error of the number grows with their age
+    double *sorted;    ///< [count] scratch
+    size_t ordered;    ///< last points that are sorted: the effect of the number's error grows with their age
 } cloud;
 
 static cloud *cloud_new(const section *all, size_t curves) {
@@ -60,7 +60,7 @@ static void scale_to(double *values, size_t count, double square) {
     for (size_t i = 0; i < count; i++) values[i] *= factor;
 }
 
-/// The axis of largest spread, by power iteration, square to axis 0 for the second.
+/// Finds the axis of largest spread by power iteration, orthogonal to axis 0 for the second.
 static void find_axis(cloud *c, int which) {
     enum { ITERATIONS = 40 };
     const size_t d = c->dimension;
@@ -99,8 +99,8 @@ static int ascending(const void *a, const void *b) {
     return (first > second) - (first < second);
 }
 
-/// Turns are known up to whole ones; as a function of the place on the curve they are continuous. Moves those that lie
-/// past the widest gap among them down by one turn. False where there is no clear gap.
+/// Makes turns continuous along the curve (they are known modulo 1): moves those past the widest gap down by one turn.
+/// False without a clear gap.
 static bool lift_turns(cloud *c) {
     const double least_gap = 0.02;
     const size_t count = c->count > 1 ? c->count - 1 : 1;
@@ -135,8 +135,8 @@ static double median_of(double *values, size_t count) {
     return values[count / 2];
 }
 
-/// Whether points lie where their two neighbours on the curve, `sorted` by place, would have them: closer and closer as
-/// points fill a curve, but not on a torus of more frequencies or in a band, however thin. Uses up `across`.
+/// Returns true if points lie where their two neighbours on the curve, `sorted` by place, predict them: ever closer as
+/// points fill a curve, but not on a torus of more frequencies or in a band, however thin. Overwrites `across`.
 static bool is_smooth(cloud *c, double number, double reach) {
     const double least = 0.02, by_bend = 0.6; // of the distance of the neighbours; a curve of some bends has reach/8
     const size_t d = c->dimension;
@@ -158,8 +158,8 @@ static bool is_smooth(cloud *c, double number, double reach) {
     return off <= fmax(least, by_bend * chord / reach) * chord;
 }
 
-/// Whether the points, put into the order in which a rotation by `number` meets them, go round a curve: then the way
-/// from each to the next is short. This holds for the right number alone, whatever the projection did to the curve.
+/// Returns true if the points, sorted as a rotation by `number` meets them, go round a curve: then the steps from each
+/// to the next are short. This is true only for the right number, however the projection distorts the curve.
 static bool goes_round(cloud *c, double number) {
     const double longest_way = 20.0; // times the greatest distance from the centre, for the whole curve
     const size_t d = c->dimension;

@@ -49,7 +49,7 @@ static void multiply(size_t n, const double *a, bool transposed, const double *b
         }
 }
 
-/// Adds (power)' p power to p; whether that changed it, and it is a number still.
+/// Adds (power)' p power to p; returns true if that changed it. *finite: the sum is a number.
 static bool add_further(size_t n, const double *power, double *p, double *room, bool *finite) {
     double most = 0.0, added = 0.0;
     multiply(n, p, false, power, room);

@@ -1,8 +1,8 @@
-// The linear map that a slow section follows. Close to an orbit of one revolution the way from each point of the
-// section to the next obeys d(n + 1) = M d(n), whatever modes are on their way out together. M is fitted by least
-// squares in the few directions that d has (dynamic mode decomposition: Schmid, J. Fluid Mech. 656 (2010) 5; Tu et al.,
-// J. Comput. Dyn. 1 (2014) 391). Its largest multiplier tells how fast the motion settles, long before it returns;
-// halves of the section tell whether it is one map. See docs/theory.md, "Slow motions".
+// The linear map that a slow section follows. Close to an orbit of one revolution the step from each point of the
+// section to the next obeys d(n + 1) = M d(n), whatever modes are decaying together. M is fitted by least squares in
+// the few directions of d (dynamic mode decomposition: Schmid, J. Fluid Mech. 656 (2010) 5; Tu et al., J. Comput. Dyn.
+// 1 (2014) 391). Its largest multiplier gives the settling rate long before the motion returns; halves of the section
+// show whether it is one map. See docs/theory.md, "Slow motions".
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,19 +15,19 @@ enum { MAX_DIRECTIONS = 10, MAX_DIMENSION = 128, MIN_A_DIRECTION = 6 };
 /// Directions smaller than this part of the largest one, or than so many roundings, are noise.
 static const double least_direction = 1e-5, least_roundings = 1e3;
 
-/// What was fitted to some points.
+/// Fit of the map to some points.
 typedef struct fit {
-    double rate;     ///< natural logarithm of the largest multiplier's modulus; NaN where there is no map
-    double residual; ///< what is left unexplained over what there is, root of squares
+    double rate;     ///< natural logarithm of the largest multiplier's modulus; NaN without a map
+    double residual; ///< unexplained part of the steps, root of squares
 } fit;
 
-/// The way from point n to the next one, along coordinate i.
+/// The step from point n to the next one, along coordinate i.
 static double step_along(const section *all, size_t n, size_t i) {
     return all->points[(n + 1) * all->dimension + i] - all->points[n * all->dimension + i];
 }
 
-/// The main directions of the steps, unit vectors [count][dimension] into `axes`, their sizes into `sizes`. `room` has
-/// 2 dimension^2 + dimension numbers.
+/// Finds the main directions of the steps: unit vectors [count][dimension] into `axes`, their sizes into `sizes`.
+/// `room` has 2 dimension^2 + dimension numbers.
 static size_t main_directions(const section *all, double least, double *axes, double *sizes, double *room) {
     const size_t d = all->dimension, steps = all->count - 1;
     double *square = room, *vectors = room + d * d, *values = vectors + d * d;
@@ -47,7 +47,7 @@ static size_t main_directions(const section *all, double least, double *axes, do
     return count;
 }
 
-/// Step n in the main directions, each over its size: out [count].
+/// Projects step n on the main directions, each over its size: out [count].
 static void project(const section *all, size_t n, size_t count, const double *axes, const double *sizes, double *out) {
     for (size_t k = 0; k < count; k++) {
         out[k] = 0.0;
@@ -56,7 +56,8 @@ static void project(const section *all, size_t n, size_t count, const double *ax
     }
 }
 
-/// The map from step to step by least squares, and the larger share that is left of any step; map [count][count].
+/// Fits the map from step to step by least squares, map [count][count]. Returns the larger unexplained share of any
+/// step.
 static double fit_map(const section *all, size_t count, const double *axes, const double *sizes, double *map) {
     double square[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0}, product[MAX_DIRECTIONS * MAX_DIRECTIONS] = {0};
     double now[MAX_DIRECTIONS], next[MAX_DIRECTIONS], left = 0.0, whole = 0.0;
@@ -113,8 +114,8 @@ settling_map settling_map_find(const section *all, double size, double rounding)
     if (!(residual <= well_fit)) return found;
     const double apart = fabs(second.rate - first.rate), scatter = residual / sqrt((double)half);
     found.rate = (whirl_estimate){whole.rate, fmax(0.5 * apart, 0.1 * scatter)};
-    // Rates that belong to an amplitude A: ds/dt over s^2 is 0 for a linear map, 1/2 where the way to go obeys
-    // x' = -x^2, at least 2 on the way to a circle in Hopf's normal form.
+    // Rates over an amplitude A: ds/dt over s^2 is 0 for a linear map, 1/2 for x' = -x^2, at least 2 on the way to a
+    // circle in Hopf's normal form.
     found.bend = (second.rate - first.rate) / (whole.rate * whole.rate * (double)half);
     found.bend_error = 0.1 * scatter / (whole.rate * whole.rate * (double)half);
     return found;

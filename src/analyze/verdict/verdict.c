@@ -1,4 +1,4 @@
-// Verdicts: what regime the evidence supports. Where pieces of evidence contradict each other, or a motion has not
+// Verdicts: the regime that the evidence supports. If pieces of evidence contradict each other, or a motion has not
 // settled, the answer is "undetermined". See docs/theory.md, "Verdicts".
 #include <math.h>
 #include <stdbool.h>
@@ -10,30 +10,30 @@
 /// Standard errors by which an exponent must differ from zero.
 static const double sigmas = 3.0;
 
-/// Where no perturbation was followed, returns must be as good as rounding allows.
+/// Return distance that is required without a followed perturbation: near rounding.
 static const double blind_tolerance = 1e-9;
 
-/// How closely the averages of a quasi-periodic motion must agree, and those of chaos may, in decimal digits.
+/// Decimal digits to which the averages of a quasi-periodic motion must agree, and those of chaos may.
 static const double regular_digits = 2.5, irregular_digits = 6.0;
 
-/// Exponents of this size and below are not told from zero; how well the exponent of a torus must be known to be zero.
+/// Exponents of this size and below count as zero; largest error of a torus's zero exponent.
 static const double least_exponent = 2e-3, neutral_error = 1e-2;
 
-/// A quasi-periodic exponent is zero within its error and this, to which a perturbation of finite size is followed.
+/// Resolution of a quasi-periodic exponent, limited by the finite size of the perturbation.
 static const double neutral_rounding = 3e-7;
 
-/// K of the 0-1 test of motions that do not walk at random.
+/// Largest K of the 0-1 test of regular motions.
 static const double regular_walk = 0.2;
 
-/// A bound orbit may change its size by this factor between the halves of the section, unless it grows or settles.
+/// Largest change of size between the halves of the section for a steady motion.
 static const double steady_factor = 1.6;
 
 static bool is_negative(whirl_estimate exponent) {
     return exponent.value + sigmas * exponent.error < 0.0;
 }
 
-/// The exponent of a motion that returns: over all watched revolutions or, where the motion settled late, over those
-/// whose returns were compared.
+/// Exponent of a motion that returns: over all recorded revolutions or, if the motion settled late, over those whose
+/// returns were compared.
 static whirl_estimate returning_exponent(const evidence *e) {
     if (e->growth_count == 0 || e->returns.period == 0) return (whirl_estimate){NAN, NAN};
     const size_t period = (size_t)e->returns.period;
@@ -43,28 +43,26 @@ static whirl_estimate returning_exponent(const evidence *e) {
     return estimate_regular_mean(e->growth + before, e->returns.window, period);
 }
 
-/// Whether perturbations die out alike in both halves, and by so much in all that those of a drift that slows down
-/// would not: where the distance to a lock that is almost there shrinks as x' = -a x^2, their rate r = 2 a x falls by
-/// 1/(1 + r t/2).
+/// Returns true if perturbations decay alike in both halves, and by more in all than in a drift that slows down: where
+/// the distance to a nearby lock shrinks as x' = -a x^2, their rate r = 2 a x falls by 1/(1 + r t/2).
 static bool dies_out_evenly(const evidence *e, size_t period) {
     const double share = 0.2, folds = 2.0;
     const size_t half = e->growth_count / 2;
     if (half < 2 * period) return false;
     const whirl_estimate early = estimate_regular_mean(e->growth, half, period),
                          late = estimate_regular_mean(e->growth + e->growth_count - half, half, period);
-    // No share of their errors, which are large where a rate changes.
+    // The halves' errors are not used: they are large where a rate changes.
     return is_negative(early) && is_negative(late) && fabs(early.value - late.value) <= share * fabs(late.value) &&
            -late.value * (double)e->growth_count >= folds;
 }
 
-/// P-k: the motion returns, perturbations die out, and the k points stand clearly further apart than they still have to
-/// go. The last tells a period from a slow spiral that is seen stroboscopically: with multipliers r e^(+-i 2 pi p/k)
-/// it returns after k revolutions to within 1 - r^k of its distance to the limit.
-///
-/// A motion that does not return as well yet is P-k, too, where a map that shortens all distances by so much cannot
-/// lead it further than this part of its size (Banach's fixed point), over which the map is the same: it shortens them
-/// alike in both halves of what was watched. That is asked, too, of one that returns and has far to go: past a lock
-/// that is almost there, drifts slow down as if they settled, and distances shorten less and less.
+/// Returns true for P-k: the motion returns, perturbations decay, and the k points are clearly further apart than their
+/// remaining distance to the limit. The last condition excludes a slow spiral seen stroboscopically: with multipliers r
+/// e^(+-i 2 pi p/k) it returns after k revolutions to within 1 - r^k of its distance to the limit.
+/// A motion that does not return as well yet is P-k, too, if a map that shortens all distances by so much cannot lead
+/// it further than this part of its size (Banach's fixed point), over which the map is the same: it shortens them alike
+/// in both halves of the record. This is also required of a motion that returns and has far to go: drifts past a nearby
+/// lock slow down as if they settled, but shorten distances less and less.
 static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     const double nearest = 1e-4;
     if (e->growth_count == 0) return e->returns.distance <= blind_tolerance;
@@ -77,24 +75,24 @@ static bool is_periodic(const evidence *e, whirl_estimate exponent) {
     return left_to_go <= nearest && e->returns.separation > 100.0 * left_to_go && evenly;
 }
 
-/// Whether perturbations still grow, or at least do not clearly die out, in the last revolutions: a motion that was
-/// chaotic and then fell onto a periodic one is not chaotic.
+/// Returns true if perturbations still grow, or at least do not clearly decay, in the last revolutions: a motion that
+/// was chaotic and then settled on a periodic one is not chaotic.
 static bool grows_to_the_end(const evidence *e) {
     const size_t window = e->returns.window < e->growth_count ? e->returns.window : e->growth_count;
     const whirl_estimate late = estimate_mean(e->growth + e->growth_count - window, window);
     return late.value + late.error > 0.0;
 }
 
-/// Whether a motion may grow away from one that it was close to, by a factor that a start can explain: it walks at
-/// random no more than regular motions do.
+/// Returns true if the motion may grow away from a nearby one, by a factor that a start can explain, while it is as
+/// regular as regular motions are.
 static bool may_be_leaving(const evidence *e) {
     const double most_folds = 10.0;
     return e->exponent.value * (double)e->points.count < most_folds &&
            zero_one_test(&e->points, e->size) <= regular_walk;
 }
 
-/// Chaos: perturbations grow, faster than a slow departure from some other motion would explain over the watched
-/// revolutions, and the motion is steady but not regular.
+/// Returns true for chaos: perturbations grow, faster than a slow departure from some other motion would explain over
+/// the recorded revolutions, and the motion is steady but not regular.
 static bool is_chaotic(const evidence *e) {
     const double least = fmax(least_exponent, 2.0 / (double)e->points.count);
     return e->growth_count > 0 && e->exponent.value > fmax(least, sigmas * e->exponent.error) &&
@@ -102,13 +100,13 @@ static bool is_chaotic(const evidence *e) {
            fabs(log(e->averages.spread)) < log(steady_factor) && grows_to_the_end(e) && !may_be_leaving(e);
 }
 
-/// A sharp exponent of zero.
+/// Returns true for a sharp exponent of zero.
 static bool is_neutral(whirl_estimate exponent) {
     return fabs(exponent.value) <= sigmas * exponent.error + neutral_rounding && exponent.error <= neutral_error;
 }
 
-/// Quasi-periodic, up to the curves: the motion is regular but never returns, and perturbations neither grow nor die
-/// out; where a phase forces it that fits no revolution they may die out.
+/// Returns true if the motion is quasi-periodic, without regard to curves: regular but never returning, with
+/// perturbations that neither grow nor decay; if a phase forces it that fits no revolution they may decay.
 static bool may_be_quasi_periodic(const evidence *e) {
     if (e->growth_count == 0) return false;
     const whirl_estimate exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -116,13 +114,13 @@ static bool may_be_quasi_periodic(const evidence *e) {
            e->returns.distance > recurrence_tolerance;
 }
 
-/// Revolutions once round the curve of what drifts along one: perturbations neither grow nor die out for certain.
+/// Revolutions per round of a drift along a curve: perturbations certainly neither grow nor decay.
 static double slow_round(const evidence *e, double chaos) {
     const bool neutral = fabs(e->exponent.value) <= fmax(sigmas * e->exponent.error, least_exponent);
     return neutral && chaos <= regular_walk ? drift_round(&e->points, &e->returns, e->size) : (double)NAN;
 }
 
-/// What the returns of the section tell, as part of a verdict.
+/// Starts a verdict from the returns of the section.
 static whirl_verdict verdict_on(const evidence *e, whirl_regime regime, whirl_estimate exponent) {
     return (whirl_verdict){.regime = regime,
                            .exponent = exponent,
@@ -150,8 +148,8 @@ static whirl_verdict open_verdict(const evidence *e) {
     return v;
 }
 
-/// P-1 where the motion still has far to go, but the section follows a linear map that leads there. What the
-/// perturbation says must not contradict it.
+/// Gives P-1 to a motion far from its limit whose section follows a linear map that leads there, unless the
+/// perturbation contradicts it.
 static whirl_verdict slow_verdict(const evidence *e, whirl_verdict open) {
     const settling_map map = settling_map_find(&e->points, e->size, e->rounding);
     const bool grows = e->growth_count > 0 && e->exponent.value > sigmas * e->exponent.error + least_exponent;
@@ -163,10 +161,10 @@ static whirl_verdict slow_verdict(const evidence *e, whirl_verdict open) {
     return open;
 }
 
-/// What the spectrum says of a motion whose section does not tell what it is: quasi-periodic where one line and the
-/// shaft's make up all of it, as they are from half to half, and perturbations do not grow; else it stays open.
+/// Judges a motion by its spectrum if the section is inconclusive: quasi-periodic if one line and the shaft's make up
+/// all of it, equally in both halves, and perturbations do not grow; else undetermined.
 static whirl_verdict line_verdict(const evidence *e, const whirl_record *record, whirl_verdict open) {
-    const double clear = 0.01; // of where it was: nearer it may come to rest on a lock
+    const double clear = 0.01; // nearer returns may settle on a lock
     const main_line line = main_line_find(record);
     const bool grows = e->growth_count > 0 && e->exponent.value > fmax(least_exponent, sigmas * e->exponent.error);
     open.line = line.order;
@@ -186,8 +184,8 @@ static whirl_verdict periodic_verdict(const evidence *e, whirl_estimate exponent
     return v;
 }
 
-/// Rest: the equilibrium draws in what is so near, and no perturbation beside the motion says otherwise. (Steps
-/// that do not carry perturbations may carry the motion no better.)
+/// Returns true at rest: the equilibrium attracts the motion, and no perturbed copy contradicts it. (Steps that do not
+/// resolve perturbations may not resolve the motion either.)
 static bool is_at_rest(const evidence *e, const whirl_record_rest *rest) {
     const bool grows = e->growth_count > 0 && e->exponent.value > sigmas * e->exponent.error;
     return rest->found && !e->exponents_failed && !grows && -expm1(rest->growth) > 10.0 * rest->distance;
@@ -203,19 +201,19 @@ static whirl_verdict resting_verdict(const evidence *e, const whirl_record_rest 
     return v;
 }
 
-/// Whether averages over both halves agree as they do on smooth tori alone, of whatever dimension, nothing slows down,
-/// and the motion stays clear of where it was: what all but returns may do so, or drift past a lock.
+/// Returns true if averages over both halves agree as only on smooth tori, of any dimension, nothing slows down, and
+/// the motion stays clear of its earlier points: motions that almost return may do so, or drift past a lock.
 static bool is_smooth(const whirl_verdict *v) {
     const double digits = 8.0, trend = 0.1, clear = 0.01;
     return v->regularity >= digits && v->chaos <= regular_walk && v->recurrence > clear &&
            fabs(log(v->recurrence_trend)) <= trend;
 }
 
-/// What a phase forces that fits no revolution, and perturbations die out, is a torus of at least that phase and the
-/// shaft's. Else closed curves are looked for; without them it stays open, but for a torus of three frequencies: its
-/// section is a surface, and two exponents are zero, or averages agree as on nothing else. What goes round a single
-/// curve that is not smooth may be such a torus, unless a second exponent is clearly below zero: then it is not
-/// counted. Several that are visited in turn are.
+/// Judges a regular motion. If a phase forces it that fits no revolution, and perturbations decay, it is a torus of at
+/// least that phase and the shaft's. Else closed curves are searched; without them it is undetermined, except for a
+/// torus of three frequencies: its section is a surface, and two exponents are zero, or averages agree as on nothing
+/// else. A motion round a single curve that is not smooth may be such a torus, unless a second exponent is clearly
+/// negative: then its frequencies are not counted. Several curves visited in turn are.
 static whirl_verdict regular_verdict(const evidence *e) {
     whirl_verdict verdict = open_verdict(e);
     verdict.exponent = estimate_regular_mean(e->growth, e->growth_count, 1);
@@ -252,14 +250,15 @@ static whirl_verdict chaotic_verdict(const evidence *e) {
     return verdict;
 }
 
-/// Steps that do not carry perturbations may carry the motion no better.
+/// Notes failed exponents: steps that do not resolve perturbations may not resolve the motion either.
 static void distrust(whirl_verdict *verdict) {
     verdict->exponents_failed = true;
     verdict->agreement = verdict->confidence = WHIRL_LOW;
     verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
 }
 
-/// What a search for the orbit says; returns of a motion that was set upon it are no better than it closes.
+/// Takes the result of an orbit search; returns of a motion that was put on the orbit are no better than the orbit
+/// closes.
 static void take_orbit(whirl_verdict *verdict, const whirl_record_orbit *orbit) {
     const bool found = orbit->multiplier_count > 0;
     verdict->orbit = orbit->search;
@@ -297,8 +296,8 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     return verdict;
 }
 
-/// A method with fixed steps that are far too long throws a motion out at once; only what takes longer to leave has
-/// shown that the machine does it.
+/// Weighs a divergence. A method with fixed steps that are far too long diverges at once; a later divergence is the
+/// machine's.
 static whirl_confidence weigh_diverged(const whirl_record *record) {
     const double at_once = 2.0;
     return record->diverged_at > at_once ? WHIRL_HIGH : WHIRL_FAIR;

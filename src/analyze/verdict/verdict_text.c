@@ -64,7 +64,7 @@ void whirl_verdict_name(const whirl_verdict *verdict, char *text, size_t size) {
     snprintf(text, size, "%s", whirl_regime_name(verdict->regime));
 }
 
-/// The error is not told below what the printed digits show.
+/// Writes the exponent; its error is no smaller than the printed digits.
 static void exponent_text(const whirl_verdict *v, char *text, size_t size) {
     const whirl_estimate exponent = v->exponent;
     if (v->exponents_failed) {
@@ -77,13 +77,14 @@ static void exponent_text(const whirl_verdict *v, char *text, size_t size) {
     }
 }
 
-/// Up to which period no return was found.
+/// Writes the period up to which no return was found.
 static void unreturned_text(const whirl_verdict *v, char *text, size_t size) {
     snprintf(text, size, "does not return within %d revolutions%s", v->longest_period,
              v->longest_period < WHIRL_MAX_PERIOD ? " (longer periods need three of them watched)" : "");
 }
 
-/// Times of escape are distributed exponentially: what lasted n revolutions excludes, at 95 %, mean times below n/3.
+/// Explains a chaotic verdict. Escape times are exponential: a life of n revolutions excludes, at 95 %, mean lives
+/// below n/3.
 static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     char refuge[128] = "", lasting[128] = "";
     const double least = verdict_least_life(v);
@@ -101,7 +102,7 @@ static void chaotic_reason(const whirl_verdict *v, const char *exponent, char *t
              exponent, v->regularity, v->chaos <= 0.2 ? ", but the 0-1 test does not see chaos" : "", refuge, lasting);
 }
 
-/// Why it is open: where it stands, in the order in which verdicts are tried.
+/// Explains an undetermined verdict: the first failed condition, in the order of the verdicts.
 static void undetermined_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     char unreturned[96];
     unreturned_text(v, unreturned, sizeof unreturned);
@@ -145,7 +146,7 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
                  "to %.1f digits, %s",
                  unreturned, v->regularity, exponent);
     } else {
-        char averages[64] = "", chaos[32] = ""; // which are not known of few points
+        char averages[64] = "", chaos[32] = ""; // unknown for few points
         if (!isnan(v->regularity))
             snprintf(averages, sizeof averages, "averages of two halves agree to %.1f digits, ", v->regularity);
         if (!isnan(v->chaos)) snprintf(chaos, sizeof chaos, "0-1 test %.2f, ", v->chaos);
@@ -154,15 +155,15 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     }
 }
 
-/// By how much the amplitude changes in a hundred revolutions.
+/// Change of the amplitude in a hundred revolutions, percent.
 static double change_in_hundred(double rate) {
     return 100.0 * fabs(expm1(100.0 * rate));
 }
 
-/// The main line of a motion beside whole orders, and how it changes.
+/// Writes the main line of a motion off whole orders, and how it changes.
 static void line_text(const whirl_verdict *v, char *text, size_t size) {
     char trend[96] = "";
-    if (fabs(v->line_trend) >= 1e-6) // what is less is rounding, or noise of the spectrum
+    if (fabs(v->line_trend) >= 1e-6) // less is rounding, or noise of the spectrum
         snprintf(trend, sizeof trend, ", which %s by %.2g %% in 100 revolutions",
                  v->line_trend > 0.0 ? "grows" : "falls", change_in_hundred(v->line_trend));
     snprintf(text, size, "a line at %.4g X has %.2g of the motion's size%s", v->line, v->line_share, trend);
@@ -194,7 +195,7 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
              v->recurrence, what, v->regularity, exponent);
 }
 
-/// What Newton's method says of a motion that returns.
+/// Writes the result of Newton's method for a motion that returns.
 static void orbit_text(const whirl_verdict *v, char *text, size_t size) {
     switch (v->orbit) {
     case WHIRL_ORBIT_STABLE:
@@ -241,7 +242,7 @@ static void slow_reason(const whirl_verdict *v, const char *exponent, char *text
              orbit);
 }
 
-/// Adds to the reason of an open verdict what is known all the same: how its way changes, and its main line.
+/// Adds known facts to the reason of an undetermined verdict: how its settling changes, and its main line.
 static void known_text(const whirl_verdict *v, char *text, size_t size) {
     char line[200];
     if (fabs(v->settling.value) > 6.0 * v->settling.error) {
@@ -290,7 +291,7 @@ static void regime_reason(const whirl_verdict *v, const char *exponent, char *te
     known_text(v, text, size);
 }
 
-/// The regime in a word, with the period where there is one: what is known of another motion than the verdict's own.
+/// Names a regime, with the period if it has one, for a motion other than the verdict's own.
 static void name_kind(whirl_regime regime, int period, char name[WHIRL_NAME_SIZE]) {
     const whirl_verdict there = {.regime = regime, .period = period};
     if (regime == WHIRL_PERIODIC)
@@ -299,7 +300,7 @@ static void name_kind(whirl_regime regime, int period, char name[WHIRL_NAME_SIZE
         snprintf(name, WHIRL_NAME_SIZE, "%s", whirl_regime_name(regime));
 }
 
-/// What the second tolerance has against it.
+/// Writes how the second tolerance contradicts.
 static void contradiction(const whirl_verdict *v, char *text, size_t size) {
     char other[WHIRL_NAME_SIZE];
     name_kind(v->other_regime, v->other_period, other);
@@ -309,7 +310,7 @@ static void contradiction(const whirl_verdict *v, char *text, size_t size) {
         snprintf(text, size, "; at the second tolerance the evidence is weaker or another");
 }
 
-/// What became of copies of a chaotic motion that were followed beyond its end.
+/// Writes the results of copies of a chaotic motion that continued it.
 static void later_text(const whirl_verdict *v, char *text, size_t size) {
     char name[WHIRL_NAME_SIZE];
     name_kind(v->later_regime, v->later_period, name);

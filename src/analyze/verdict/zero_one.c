@@ -1,7 +1,7 @@
 // The 0-1 test for chaos: the section drives p(n+1) = p(n) + u(n) cos(c n), q(n+1) = q(n) + u(n) sin(c n). For a
-// regular motion (p, q) stays bounded, for a chaotic one it walks at random, so that its mean square displacement grows
-// with the lag. K is the correlation of displacement and lag: near 0 for regular motion, near 1 in chaos. At resonance
-// of c with a line of the motion it is 1 as well; the median over many c leaves those out (Gottwald, Melbourne, "On the
+// regular motion (p, q) stays bounded, for a chaotic one it diffuses, so that its mean square displacement grows with
+// the lag. K is the correlation of displacement and lag: near 0 for regular motion, near 1 in chaos. At resonance of c
+// with a line of the motion it is 1 as well; the median over many c excludes those (Gottwald, Melbourne, "On the
 // implementation of the 0-1 test for chaos", SIAM J. Appl. Dyn. Syst. 8 (2009) 129).
 #include <math.h>
 #include <stdbool.h>
@@ -12,8 +12,8 @@ enum { MAX_POINTS = 4000, FREQUENCIES = 25, MAX_LAGS = 50 };
 
 static const double pi = 3.141592653589793238463;
 
-/// One observable of the section, mean 0 and mean square 1: a sum of its coordinates, each by its own spread and with
-/// a weight of its own, so that no symmetry of the motion hides. False where nothing but rounding moves.
+/// One observable of the section, mean 0 and mean square 1: a sum of its coordinates, each scaled by its spread and
+/// with a weight of its own, so that no symmetry of the motion hides. False if only rounding moves.
 static bool observe(const section *points, double size, double *u) {
     double squares = 0.0;
     for (size_t n = 0; n < points->count; n++) u[n] = 0.0;

@@ -6,8 +6,8 @@
 struct alike {
     const whirl_table *table;
     bool basin;
-    int *labels;  ///< [count] of regime and period; 0: not looked at yet
-    motion *held; ///< that of point `of`, which is compared with several others; or NULL
+    int *labels;  ///< [count] regime and period of a point; 0: not read yet
+    motion *held; ///< cached motion of point `of`, which is compared with several others; or NULL
     size_t of;
 };
 
@@ -40,7 +40,7 @@ static int label_of(const alike *labels, size_t point) {
     return *label;
 }
 
-/// Reads the motion of a point, unless it is held already.
+/// Returns the motion of a point and caches it.
 static const motion *hold(alike *labels, size_t point) {
     if (labels->held && labels->of == point) return labels->held;
     free(labels->held);

@@ -1,5 +1,4 @@
-// Attractors of points with one machine: which of them came to rest on the same motion. A motion without a verdict is
-// not told.
+// Groups the points of one machine by the attractor they settled on. Motions without a verdict belong to no group.
 #include "attractors.h"
 
 #include <math.h>
@@ -11,7 +10,8 @@ static int by_points(const void *left, const void *right) {
     return (a->first > b->first) - (a->first < b->first);
 }
 
-/// Adds a point to the attractor that it came to rest on, or to a new one; its index, MAX_ATTRACTORS for none.
+/// Adds a point to the attractor that it settled on, or to a new one. Sets *which to its index, or to MAX_ATTRACTORS
+/// without one.
 static whirl_status join(const whirl_table *table, size_t point, told_apart *told, size_t *which) {
     *which = MAX_ATTRACTORS;
     const whirl_regime regime = whirl_table_verdict(table, point).regime;
@@ -31,7 +31,7 @@ static whirl_status join(const whirl_table *table, size_t point, told_apart *tol
     return whirl_ok();
 }
 
-/// The standard error of a share is that of as many starts drawn at random.
+/// Computes the shares of all attractors. Their standard errors assume starts that are drawn at random.
 static void take_shares(told_apart *told) {
     for (size_t k = 0; k < told->count; k++) {
         const double share = told->done > 0 ? (double)told->found[k].points / (double)told->done : 0.0;
@@ -60,7 +60,7 @@ void attractors_free(told_apart *told) {
     told->count = 0;
 }
 
-/// Points of a refined table count as many as they stand for.
+/// Weighs points of a refined table by the grid points that each represents.
 static whirl_status weigh(const whirl_table *table, const size_t *of, told_apart *told) {
     const size_t grid = whirl_table_grid(table);
     size_t *cover = calloc(grid + 1, sizeof *cover);

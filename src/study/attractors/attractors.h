@@ -1,4 +1,4 @@
-/// Telling the attractors of one machine apart.
+/// Attractors of one machine: which points settled on the same motion.
 #ifndef STUDY_ATTRACTORS_H
 #define STUDY_ATTRACTORS_H
 
@@ -9,73 +9,72 @@
 #include <stddef.h>
 
 // ---------------------------------------------------------------- motion
-// What motions are known by when they are compared: sections of periodic ones, and where all of them go.
+// Data by which motions are compared: the section of a periodic orbit, and the bounds of every motion.
 
-/// A copy: it lasts, whatever point of its table is asked for next.
+/// A copy of the table's numbers; later reads of the table do not change it.
 typedef struct motion {
     whirl_regime regime;
     int period;
     size_t stations;
-    size_t rows;     ///< of the section, one a revolution of the orbit; 0 where it is not periodic or has none
-    bool placed;     ///< where it goes is known
-    bool compared;   ///< the table has what tells where motions go
+    size_t
+        rows; ///< rows of the section, one a revolution of the orbit; 0 if the motion is not periodic or has no section
+    bool placed;     ///< bounds are known
+    bool compared;   ///< the table has the fields that the comparison needs
     double *section; ///< [rows][stations][2]
     double *bounds;  ///< [stations][BOUNDS]
 } motion;
 
-/// The motion of a point; NULL without memory. Freed by free.
+/// Reads the motion of a point. NULL without memory. Freed by free.
 motion *motion_read(const whirl_table *table, size_t point);
 
-/// Whether two motions of one machine are the same attractor.
+/// Returns true if two motions of one machine are the same attractor.
 bool motion_is_same(const motion *a, const motion *b);
 
-/// How far two motions are from each other, over the extent of the larger one: the largest distance of a point of one
-/// section from the nearest one of the other where both are periodic, else the largest difference of means and bounds.
-/// Infinite where they cannot be compared, and for two orbits neither of whose periods is a multiple of the other.
+/// Distance of two motions over the extent of the larger one. Both periodic: the largest distance of a section point
+/// from the nearest one of the other. Otherwise: the largest difference of means and bounds. Infinite if they cannot be
+/// compared, or if neither orbit's period is a multiple of the other's.
 double motion_distance(const motion *a, const motion *b);
 
 enum { MAX_ATTRACTORS = 64 };
 
-/// Attractors in the order in which the points come to them, with a motion on each.
+/// Attractors of a set of points, in order of first appearance, with one motion of each.
 typedef struct told_apart {
-    size_t done; ///< points that are done, without those from neighbours, which count nowhere here
+    size_t done; ///< finished points, without starts from neighbours, which no share counts
     size_t count;
     whirl_attractor found[MAX_ATTRACTORS];
     motion *motions[MAX_ATTRACTORS];
 } told_apart;
 
-/// Tells those of `count` points (NULL: the first ones) apart. Writes the index of its attractor to of[point],
-/// MAX_ATTRACTORS where it has none. WHIRL_NO_MEMORY. Freed by attractors_free, after a failure too.
+/// Assigns `count` points (NULL: the first ones) to attractors. Writes the index of its attractor to of[point],
+/// MAX_ATTRACTORS if it has none. WHIRL_NO_MEMORY. Freed by attractors_free, after a failure too.
 whirl_status attractors_tell(const whirl_table *table, const size_t *points, size_t count, size_t *of,
                              told_apart *told);
 void attractors_free(told_apart *told);
 
 // ---------------------------------------------------------------- alike
-// Whether points of a table show the same motion.
+// Comparison of points of a table.
 
-/// What is remembered of points that were looked at.
+/// A cache of the motions that were read.
 typedef struct alike alike;
 
-/// Of a table that lives longer; NULL without memory. Freed by alike_free, which takes NULL.
+/// Makes a comparison for a table, which must outlive it. NULL without memory. Freed by alike_free, which takes NULL.
 alike *alike_new(const whirl_table *table);
 void alike_free(alike *labels);
 
-/// Whether two points that are done have one regime and period and, in a basin, one attractor. A verdict that is
-/// undetermined or of low confidence is like no other. What stands in their blocks must not change any more.
+/// Returns true if two finished points have one regime and period and, in a basin, one attractor. A verdict that is
+/// undetermined or of low confidence equals no other. The blocks of both points must be final.
 bool alike_are(alike *labels, size_t a, size_t b);
 
 // ---------------------------------------------------------------- neighbours
-// Starts from neighbours: every place of a study goes on from where motions of its neighbours ended, on attractors
-// that none of its own have come to, round after round.
-//
-// What a round does follows from the blocks alone, and every such start has a slot of its own: threads, journals and
-// interruptions change no bit.
+// Starts from neighbours: each place of a study is started from the ends of its neighbours' motions on attractors that
+// none of its own starts reached, round after round. What a round does follows from the blocks alone, and every such
+// start has its own slot: threads, journals and interruptions change no bit.
 
-/// Makes the rounds of all batches that have them, once all their points are there, and confirmed where they are.
-/// Stops are the tracker's. WHIRL_NO_MEMORY.
+/// Runs the rounds of all batches that ask for them, after all points are computed and confirmed. The tracker reports
+/// stops. WHIRL_NO_MEMORY.
 whirl_status neighbours_work(study_run *run);
 
-/// Leaves in the tables the starts that were asked for. WHIRL_NO_MEMORY.
+/// Removes from the tables the slots of starts that were never used. WHIRL_NO_MEMORY.
 whirl_status neighbours_end(study_run *run);
 
 /// Frees the origins.

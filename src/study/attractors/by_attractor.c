@@ -1,4 +1,4 @@
-// Results in which every attractor stands once, for those who show them.
+// Views of results with one point for each attractor of a place.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,7 @@ static int by_number(const void *left, const void *right) {
     return (a->place > b->place) - (a->place < b->place);
 }
 
-/// Leaves of every place the attractor that most starts lead to; the items are sorted by place.
+/// Keeps, of every place, the attractor that most starts lead to. Items are sorted by place.
 static size_t keep_largest(whirl_coexisting *items, size_t count) {
     size_t kept = 0;
     for (size_t k = 0; k < count; k++) {
@@ -28,7 +28,7 @@ static size_t keep_largest(whirl_coexisting *items, size_t count) {
     return kept;
 }
 
-/// Takes the columns of the source for the chosen points.
+/// Copies the source's columns for the chosen points.
 static bool take_columns(whirl_table *view) {
     const whirl_table *source = view->source;
     view->chosen = calloc(view->count + 1, sizeof *view->chosen);
@@ -49,7 +49,7 @@ static bool take_columns(whirl_table *view) {
     return true;
 }
 
-/// Begins a view of a table: everything but the arrays, which a view has of its own or takes from its source.
+/// Begins a view of a table: copies everything but the arrays.
 static void begin_view(const whirl_table *table, whirl_table *view) {
     *view = *table;
     view->starts = view->neighbours = view->places = 0;
@@ -82,7 +82,7 @@ static whirl_status view_table(const whirl_table *source, whirl_table *view) {
     return finish_view(view);
 }
 
-/// Views a table of a view: the same points of the same source, in arrays of its own.
+/// Makes a view of a view: the same points of the same source, in arrays of its own.
 static whirl_status view_again(const whirl_table *before, whirl_table *view) {
     begin_view(before, view);
     view->attractors = malloc((view->count + 1) * sizeof *view->attractors);

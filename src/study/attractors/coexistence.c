@@ -1,6 +1,5 @@
-// Attractors that exist side by side, at every place of a study that has several starts a place, and how they go on
-// from place to place. Each has a number along the study: neighbours have one number where each is the nearest of the
-// other, and the motion has changed by less than half of its extent.
+// Coexisting attractors of studies with several starts a place, numbered along the study: attractors of neighbouring
+// places share a number if each is the other's nearest and the motion has changed by less than half its extent.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,28 +7,28 @@
 #include "attractors.h"
 #include "bounds.h"
 
-/// Motions that are further from each other, over their extent, do not go on as one another.
+/// Largest distance, over their extent, of motions that share a number.
 static const double farthest = 0.5;
 
-/// While they are found.
+/// State of the search for coexisting attractors.
 typedef struct search {
     const whirl_table *table;
     size_t places;
-    size_t *points;     ///< [table->count] by place, then by start
-    size_t *first;      ///< [places + 1] of them, of every place
-    size_t *of;         ///< [table->count] index of its attractor in its place
-    size_t *begins;     ///< [places + 1] of the attractors of every place
-    size_t count, room; ///< attractors of all places
+    size_t *points;     ///< [table->count] points, sorted by place, then by start
+    size_t *first;      ///< [places + 1] index in `points` of each place's first point
+    size_t *of;         ///< [table->count] index of the point's attractor in its place
+    size_t *begins;     ///< [places + 1] index of each place's first attractor
+    size_t count, room; ///< attractors of all places, and capacity
     whirl_coexisting *items;
     motion **motions; ///< [count]
-    size_t *parent;   ///< [count] attractors with one number hang together
-    size_t *next;     ///< [count] rings of these
-    size_t *sizes;    ///< [count] of the rings, at their roots
+    size_t *parent;   ///< [count] union-find forest of attractors with one number
+    size_t *next;     ///< [count] next attractor with the same number (a ring)
+    size_t *sizes;    ///< [count] sizes of the rings, at their roots
 } search;
 
 // ---------------------------------------------------------------- places
 
-/// Counts the points of every place, and lists them.
+/// Counts and lists the points of every place.
 static bool list_points(search *s) {
     const whirl_table *table = s->table;
     s->points = calloc(table->count + 1, sizeof *s->points);
@@ -43,7 +42,7 @@ static bool list_points(search *s) {
     return true;
 }
 
-/// Room for as many attractors as a place may have.
+/// Grows the arrays by as many attractors as a place may have.
 static bool make_room(search *s) {
     if (s->count + MAX_ATTRACTORS <= s->room) return true;
     const size_t room = 2 * s->room + MAX_ATTRACTORS;
@@ -77,7 +76,7 @@ static whirl_status tell_place(search *s, size_t place) {
 
 // ---------------------------------------------------------------- neighbours
 
-/// Two attractors at neighbouring places, each the nearest of the other.
+/// Two attractors at neighbouring places, each the other's nearest.
 typedef struct pair {
     size_t a, b;
     double distance;
@@ -88,7 +87,7 @@ typedef struct pairs {
     size_t count, room;
 } pairs;
 
-/// The nearest to an attractor among those of a place; the count of all where there is none near enough.
+/// Returns a place's attractor nearest to `of`, or s->count if none is near enough.
 static size_t nearest(const search *s, size_t of, size_t place, double *distance) {
     size_t found = s->count;
     *distance = farthest;
@@ -122,7 +121,7 @@ static bool pair_places(const search *s, size_t place, size_t other, pairs *all)
     return true;
 }
 
-/// The next place along an axis at which any attractor is told; `places` where there is none.
+/// Returns the next place along an axis that has an attractor, or `places`.
 static size_t next_place(const search *s, size_t place, const map_axis *axis) {
     for (size_t at = place / axis->step % axis->count + 1; at < axis->count; at++) {
         place += axis->step;
@@ -131,7 +130,8 @@ static size_t next_place(const search *s, size_t place, const map_axis *axis) {
     return s->places;
 }
 
-/// Along the sweep; along all axes of a map. Places at which no motion has a verdict are passed over.
+/// Pairs the attractors of places that are neighbours along the sweep, or along all axes of a map. Places without any
+/// verdict are skipped.
 static bool pair_neighbours(const search *s, pairs *all) {
     map_axis axes[MAP_AXES];
     const size_t count = map_axes_of(s->table, axes);
@@ -157,8 +157,8 @@ static size_t root_of(search *s, size_t k) {
     return k;
 }
 
-/// Whether a place has attractors of both. Around a cusp the surface of attractors over two parameters folds over:
-/// there two of one place would come to have one number.
+/// Returns true if both groups have an attractor at one place. Around a cusp the sheet of attractors over two
+/// parameters folds, so joining them would give two attractors of one place the same number.
 static bool share_a_place(search *s, size_t small, size_t large) {
     size_t k = small;
     do {
@@ -186,7 +186,7 @@ static void join(search *s, const pair *one) {
     s->next[b] = after;
 }
 
-/// The closest neighbours first.
+/// Joins pairs, closest first.
 static whirl_status join_neighbours(search *s) {
     pairs all = {.items = NULL};
     s->parent = calloc(3 * (s->count + 1), sizeof *s->parent);
@@ -203,10 +203,10 @@ static whirl_status join_neighbours(search *s) {
                   : whirl_fail(WHIRL_NO_MEMORY, "no memory to compare the attractors of %zu places", s->places);
 }
 
-/// What numbers are given by.
+/// Sort key of a number: how many starts lead there.
 typedef struct weight {
     size_t root, starts;
-    bool there; ///< there may be no start that leads to it, but those from neighbours
+    bool there; ///< reached by a start other than those from neighbours
 } weight;
 
 static int by_starts(const void *left, const void *right) {
@@ -216,13 +216,13 @@ static int by_starts(const void *left, const void *right) {
     return (a->root > b->root) - (a->root < b->root);
 }
 
-/// From 1, by all starts that led there; `most` is how many there are.
+/// Numbers the groups from 1, the one with most starts first. *most is how many there are.
 static whirl_status give_numbers(search *s, size_t *most) {
     weight *weights = calloc(s->count + 1, sizeof *weights);
     size_t *numbers = calloc(s->count + 1, sizeof *numbers);
     *most = 0;
     if (weights && numbers) {
-        // A root may be any of its attractors: the first one stands for all.
+        // The first attractor of a group represents it, whichever one is its root.
         for (size_t k = s->count; k-- > 0;) weights[root_of(s, k)].root = k;
         for (size_t k = 0; k < s->count; k++) {
             weights[root_of(s, k)].starts += s->items[k].starts;

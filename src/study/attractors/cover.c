@@ -1,17 +1,17 @@
-// What the points of a map stand for: where it was refined, most of its grid was not computed.
+// Grid points that each computed point of a refined map represents; the rest of the grid was not computed.
 #include <math.h>
 #include <stdlib.h>
 
 #include "passes.h"
 
-/// Half-open, so that every point of the grid is of one square; the last column and row are of those that end there.
+/// End of a half-open range, so that every grid point belongs to one square. The last column and row belong to the
+/// squares that end there.
 static size_t end_of(size_t begin, double width, size_t points) {
     const double end = (double)begin + width;
     return end + 1.0 < (double)points ? (size_t)end : points;
 }
 
-/// Lessens *left, the points of the grid that squares can stand for besides: more there are not in a file that is
-/// sound.
+/// Counts the grid points of a square and subtracts them from *left. A sound file never runs out of them.
 static void cover_square(const whirl_table *table, size_t point, double width, size_t *left, size_t *cover) {
     const size_t slot = whirl_table_slot(table, point), columns = table->row, rows = whirl_table_rows(table);
     const size_t right = end_of(slot % columns, width, columns), top = end_of(slot / columns, width, rows);

@@ -5,13 +5,13 @@
 
 #include "bounds.h"
 
-/// Sections of one orbit differ by less than this share of its largest displacement; the bounds and means of a motion
-/// that is not periodic, from record to record, by less than this share of its extent.
+/// Sections of one orbit differ by less than this share of its largest displacement. Bounds and means of one aperiodic
+/// motion differ between records by less than the second share of its extent.
 static const double one_orbit = 1e-3, one_cloud = 0.2;
 
 // ---------------------------------------------------------------- reading
 
-/// The last rows of the section: those of one period.
+/// Reads the last period of the section.
 static void read_section(const whirl_table *table, size_t point, const whirl_field *field, motion *m) {
     for (size_t s = 0; s < m->stations; s++) {
         const double *from = whirl_table_field(table, point, field->name, s);
@@ -42,7 +42,7 @@ motion *motion_read(const whirl_table *table, size_t point) {
 
 // ---------------------------------------------------------------- orbits
 
-/// The largest difference of a station's place between row i of one section and row k of the other.
+/// Largest difference of a station's coordinate between row i of one section and row k of the other.
 static double row_distance(const motion *a, size_t i, const motion *b, size_t k) {
     const size_t columns = 2 * a->stations;
     double away = 0.0;
@@ -60,14 +60,14 @@ static double largest_place(const motion *m) {
     return size;
 }
 
-/// Whether an orbit may change into the other one where it loses its stability: its period stays or is multiplied.
+/// Returns true if one orbit may bifurcate into the other: equal periods, or one a multiple of the other.
 static bool may_be_one_branch(const motion *a, const motion *b) {
     if (a->rows == 0 || b->rows == 0) return true;
     return a->rows % b->rows == 0 || b->rows % a->rows == 0;
 }
 
-/// Whether the sections of two orbits agree, whichever revolution they begin with. A motion that has not quite come to
-/// an orbit may seem to have a multiple of its period.
+/// Returns true if the sections of two orbits agree for some shift by whole revolutions. A motion that is still
+/// converging may show a multiple of its period.
 static bool are_one_orbit(const motion *a, const motion *b) {
     const double size = fmax(largest_place(a), largest_place(b));
     const size_t rows = a->rows > b->rows ? a->rows : b->rows;
@@ -79,7 +79,7 @@ static bool are_one_orbit(const motion *a, const motion *b) {
     return false;
 }
 
-/// The largest distance of a row of one section from the nearest one of the other.
+/// Largest distance of a row of one section from the nearest row of the other.
 static double farthest_row(const motion *a, const motion *b) {
     double farthest = 0.0;
     for (size_t i = 0; i < a->rows; i++) {
@@ -98,7 +98,7 @@ static double bounds_distance(const motion *a, const motion *b) {
     return away;
 }
 
-/// From the least to the largest x, and y, of any station.
+/// Largest width of any station's box, in x or y.
 static double extent(const motion *m) {
     double size = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++)
@@ -106,7 +106,7 @@ static double extent(const motion *m) {
     return size;
 }
 
-/// The same, or a hundredth of the largest displacement of a motion that hardly moves.
+/// Extent, or a hundredth of the largest displacement if that is larger.
 static double size_of(const motion *m) {
     double far = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++) far = fmax(far, fabs(m->bounds[i]));

@@ -1,6 +1,6 @@
-// Attractors that random starts miss, for their basins are small, are found where they are large and followed from
-// there, as a carried sweep follows one: every place starts from the ends of its neighbours' motions on attractors that
-// it lacks.
+// Starts from neighbours. Attractors with small basins, which random starts miss, are found where their basins are
+// large and followed from there: each place starts from the ends of its neighbours' motions on attractors that it
+// lacks.
 #include "attractors.h"
 
 #include <math.h>
@@ -8,19 +8,19 @@
 
 #include "bounds.h"
 
-/// What is known of the attractors before a round.
+/// Attractors known before a round.
 typedef struct survey {
     const whirl_table *table;
-    size_t *origins;    ///< [count] of study_run
+    size_t *origins;    ///< [count] origins of starts (study_run)
     const double *ends; ///< [count][dimension]
     size_t dimension;
     whirl_coexistence found;
-    size_t *first; ///< [places + 1] of found.items, of every place
+    size_t *first; ///< [places + 1] index in found.items of each place's first attractor
 } survey;
 
 // ---------------------------------------------------------------- what a place lacks
 
-/// Those beside a place: along a sweep, or along all axes of a map.
+/// Lists the neighbours of a place, along a sweep or all axes of a map.
 static size_t list_beside(const whirl_table *table, size_t place, size_t beside[2 * MAP_AXES]) {
     map_axis axes[MAP_AXES];
     const size_t count_axes = map_axes_of(table, axes);
@@ -39,12 +39,12 @@ static bool has_number(const survey *s, size_t place, size_t number) {
     return false;
 }
 
-/// The origin of a start of a place from a neighbour, by its number from 0.
+/// Origin of a place's start number `number` (from 0) from a neighbour.
 static size_t *origin_at(const survey *s, size_t place, size_t number) {
     return &s->origins[(s->table->starts + number) * s->table->places + place];
 }
 
-/// How many starts from neighbours a place has been asked for.
+/// Counts the starts from neighbours that a place was given.
 static size_t count_asked(const survey *s, size_t place) {
     size_t asked = 0;
     for (; asked < WHIRL_MAX_NEIGHBOUR_STARTS; asked++)
@@ -52,21 +52,21 @@ static size_t count_asked(const survey *s, size_t place) {
     return asked;
 }
 
-/// Whether the place has begun from that point before.
+/// Returns true if the place was already started from that point.
 static bool was_tried(const survey *s, size_t place, size_t point) {
     for (size_t k = 0; k < count_asked(s, place); k++)
         if (*origin_at(s, place, k) == point + 1) return true;
     return false;
 }
 
-/// Whether one of the starts from `before` on, those of this round, is from an attractor of that number.
+/// Returns true if a start of this round (from `before` on) comes from the attractor with that number.
 static bool is_asked(const survey *s, size_t place, size_t before, size_t number) {
     for (size_t k = before; k < count_asked(s, place); k++)
         if (s->found.labels[*origin_at(s, place, k) - 1] == number) return true;
     return false;
 }
 
-/// Asks for starts of a place: one for every attractor of its neighbours that it lacks.
+/// Requests starts of a place: one for every attractor of its neighbours that it lacks.
 static void ask_place(const survey *s, size_t place) {
     size_t beside[2 * MAP_AXES];
     const size_t count = list_beside(s->table, place, beside), before = count_asked(s, place);
@@ -102,7 +102,7 @@ static void survey_free(survey *s) {
     free(s->first);
 }
 
-/// The starts that all places ask for, as a pass; its slots are to be freed.
+/// Makes a pass of all requested starts. Its slots are to be freed.
 static whirl_status plan_round(const study_run *run, size_t batch, pass *p) {
     const whirl_table *table = &run->result->tables[batch];
     const size_t room = table->places * WHIRL_MAX_NEIGHBOUR_STARTS;
@@ -117,7 +117,7 @@ static whirl_status plan_round(const study_run *run, size_t batch, pass *p) {
     return status;
 }
 
-/// A round's motions and, where verdicts are confirmed, those at the second tolerance.
+/// Computes a round's motions and, if verdicts are confirmed, those at the second tolerance.
 static whirl_status work_round(study_run *run, int round, const pass *p) {
     const bool confirmed = run->study->batches[p->batch].confirm;
     const pass again = pass_confirming(p);
@@ -132,7 +132,7 @@ static whirl_status work_round(study_run *run, int round, const pass *p) {
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
 }
 
-/// Until no place lacks an attractor that it has not been started from, or there are no more rounds.
+/// Runs rounds until no place has an untried attractor, or the limit of rounds is reached.
 static whirl_status work(study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
     whirl_status status = whirl_ok();

@@ -1,4 +1,4 @@
-// Several starts of every point: how they are spread, and what is noted of them in the blocks.
+// Several starts of every point: how they are spread, and their fields in the blocks.
 #include "passes.h"
 
 double whirl_halton(size_t index, size_t coordinate) {

@@ -1,5 +1,5 @@
-// The points of a batch, which may lie in a plane of two parameters, or several such planes over a third. Those of a
-// map stand in the blocks: files, CSV and JSON have them as they have all fields.
+// Parameter values of a batch's points, which may form a plane of two parameters, or several planes over a third. Maps
+// store them in the blocks, so that files, CSV and JSON have them as fields.
 #include <math.h>
 #include <stdlib.h>
 
@@ -11,7 +11,7 @@ whirl_status whirl_study_machine(const whirl_study *study, const whirl_batch *ba
     whirl_placed *placed;
     const size_t index = batch->starts > 1 ? point % batch->count : point;
     const double value = batch->values ? batch->values[index] : (double)NAN;
-    // Motions from neighbours begin from a state of their own.
+    // Starts from neighbours have a state of their own.
     if (batch->starts > 1) own.start = point / batch->count < batch->starts ? point / batch->count : 0;
     if (batch->second_values) own.second_value = batch->second_values[index];
     if (batch->third_values) own.third_value = batch->third_values[index];
@@ -50,5 +50,5 @@ void map_note(const whirl_batch *batch, size_t point, const whirl_layout *layout
     const whirl_field *width = whirl_layout_field(layout, WHIRL_FIELD_MAP_WIDTH);
     if (field && batch->second_values) block[field->offset] = batch->second_values[point];
     if (third && batch->third_values) block[third->offset] = batch->third_values[point];
-    if (width) block[width->offset] = 1.0; // what it stands for besides is known in the end
+    if (width) block[width->offset] = 1.0; // a refined map's final widths are noted at the end
 }

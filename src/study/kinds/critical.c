@@ -1,5 +1,5 @@
-// Critical speeds and thresholds of stability between two points: modes are followed from one machine to the next, and
-// what changes sign is closed in on.
+// Critical speeds and stability thresholds between two points: follows modes from one machine to the next and closes in
+// on sign changes.
 #include "kinds.h"
 
 #include <math.h>
@@ -43,7 +43,7 @@ void resting_free(resting_machine *r) {
     *r = (resting_machine){.modes = NULL};
 }
 
-/// Whether eigenvalues are equal: shapes of several of one frequency are any mixture of each other.
+/// Returns true if eigenvalues are equal: shapes of a multiple eigenvalue are arbitrary mixtures of each other.
 static bool is_equal(const whirl_mode *a, const whirl_mode *b, double scale) {
     return hypot(scale * a->real - b->real, scale * a->imaginary - b->imaginary) <= 1e-6 * hypot(b->real, b->imaginary);
 }
@@ -52,7 +52,7 @@ static whirl_status no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
 }
 
-/// whirl_modes_match of two machines; *partner is to be freed, after a failure too.
+/// Matches the modes of two machines (whirl_modes_match). *partner is to be freed, after a failure too.
 static whirl_status match(const resting_machine *from, const resting_machine *to, size_t **partner, double *unlike) {
     *partner = malloc((from->modes->count + 1) * sizeof **partner);
     if (!*partner) return no_memory();
@@ -62,7 +62,7 @@ static whirl_status match(const resting_machine *from, const resting_machine *to
 whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     const size_t count = from->modes->count;
     const double scale = from->machine.clock / to->machine.clock;
-    if (from->modes->period > 0.0 || to->modes->period > 0.0) return whirl_ok(); // frequencies fold
+    if (from->modes->period > 0.0 || to->modes->period > 0.0) return whirl_ok(); // Floquet frequencies fold
     size_t *partner = NULL;
     double *unlike = malloc((count + 1) * sizeof *unlike);
     to->before = calloc(to->modes->count + 1, sizeof *to->before);
@@ -76,22 +76,21 @@ whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     return status;
 }
 
-/// A search between two values, for where a mode meets the speed or, without a mode, where the machine loses or regains
-/// its stability.
+/// A search between two values for a mode's critical speed or, without a mode, for the stability threshold.
 typedef struct search {
     const whirl_study *study;
     const whirl_batch *batch;
-    const resting_machine *from; ///< whose mode is followed
+    const resting_machine *from; ///< machine with the mode to follow
     size_t mode;                 ///< SIZE_MAX: stability
-    whirl_critical at;           ///< at the last value tried
+    whirl_critical at;           ///< result at the last value tried
 } search;
 
-/// How far the machine is from the threshold, 1/s.
+/// Growth rate of the machine's least stable mode, 1/s.
 static double growth_of(const resting_machine *r) {
     return r->machine.clock * r->modes->growth;
 }
 
-/// The mode that decides stability; SIZE_MAX where none that swings does. A growth of nothing but rounding is 0.
+/// Returns the oscillating mode that decides stability, SIZE_MAX without one. A growth within rounding counts as 0.
 static size_t deciding(const whirl_modes *modes) {
     const double rounding = 1e-9;
     for (size_t i = 0; i < modes->count; i++) {
@@ -115,7 +114,7 @@ static void describe(search *s, const resting_machine *r, size_t mode) {
     s->at.direction = own->direction;
 }
 
-/// The function whose zero is looked for, of a machine, and NaN where the mode is lost.
+/// Evaluates the function whose zero is searched; NaN if the mode is lost.
 static whirl_status measure(search *s, const resting_machine *r, double *result) {
     size_t mode = deciding(r->modes);
     *result = growth_of(r);
@@ -140,8 +139,8 @@ static whirl_status measure_at(search *s, double value, double *result) {
     return status;
 }
 
-/// Closes in on the zero between a and b, where fa and fb have different signs. False where the mode is lost on the
-/// way, or jumps.
+/// Closes in on the zero between a and b, where fa and fb have different signs. *found is false if the mode is lost on
+/// the way, or jumps.
 static whirl_status close_in(search *s, double a, double fa, double b, double fb, bool *found) {
     enum { MAX_STEPS = 100 };
     const double jump = 1e-3 * fmax(fabs(fa), fabs(fb));
@@ -158,7 +157,7 @@ static whirl_status close_in(search *s, double a, double fa, double b, double fb
             *found = fabs(fc) <= jump;
             return status;
         }
-        // Both ends so near the zero that rounding is all that is left.
+        // Both ends are so near the zero that only rounding is left.
         if (fabs(fc) <= 1e-13 * (fabs(s->at.frequency) + fabs(s->at.speed)) && s->mode != SIZE_MAX) {
             *found = true;
             return status;
@@ -178,8 +177,8 @@ static int by_value(const void *a, const void *b) {
     return p->direction < q->direction ? -1 : p->direction > q->direction;
 }
 
-/// Overdamped modes have no critical speed. *lost: whether a mode that meets the speed could not be followed to where
-/// it does.
+/// Locates critical speeds; overdamped modes have none. *lost: a mode that crosses the speed could not be followed to
+/// the crossing.
 static whirl_status locate_speeds(search *s, const resting_machine *to, const size_t *partner, whirl_critical *found,
                                   size_t most, size_t *count, bool *lost) {
     const resting_machine *from = s->from;
@@ -224,7 +223,7 @@ static whirl_status locate(search *s, const resting_machine *to, whirl_critical 
                            bool *lost) {
     const whirl_modes *from = s->from->modes;
     whirl_status status = whirl_ok();
-    // Frequencies of Floquet's theory are known but for whole multiples of the speed: each would meet it.
+    // Floquet frequencies are known up to multiples of the speed: each mode would cross it.
     if (from->period == 0.0 && to->modes->period == 0.0) {
         size_t *partner;
         status = match(s->from, to, &partner, NULL);
@@ -234,7 +233,7 @@ static whirl_status locate(search *s, const resting_machine *to, whirl_critical 
     return status.code == WHIRL_OK ? locate_threshold(s, to, found, most, count, lost) : status;
 }
 
-/// In halves where modes change too much to be followed in one piece.
+/// Locates in halves if modes change too much to be matched in one piece.
 static whirl_status locate_in_halves(search *s, const resting_machine *to, int depth, whirl_critical *found,
                                      size_t most, size_t *count) {
     const size_t before = *count;

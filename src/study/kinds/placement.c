@@ -1,4 +1,4 @@
-// Unbalances by rule (API 617): where they stand and how large they are, once for all points of a batch.
+// Places unbalances by rule (API 617): station and size, once for all points of a batch.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,12 +6,12 @@
 #include "whirl/engine/linear.h"
 #include "whirl/engine/study.h"
 
-/// The machine that unbalances are placed on.
+/// A machine on which unbalances are placed.
 typedef struct placing {
     const whirl_study *study;
-    whirl_batch batch; ///< without a parameter
+    whirl_batch batch; ///< copy without a parameter
     const whirl_record_options *options;
-    double factor;         ///< kg m a kg
+    double factor;         ///< kg m per kg
     whirl_machine machine; ///< with statics
     whirl_placed *placed;  ///< [probe_count]
     size_t count;
@@ -34,8 +34,8 @@ static whirl_status at_speed(const void *context, double speed, whirl_variant va
     return machine_of(&own, speed, value, variant, machine);
 }
 
-/// N/m: the mean over all bearings of sqrt(kxx kyy), or of what is above 0 of these. They are told station by station,
-/// housings too, which are left out.
+/// Mean stiffness of all bearings, N/m: of sqrt(kxx kyy), or of the positive one. Reports come station by station;
+/// housings are left out.
 static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     const size_t probes = p->machine.system->probe_count;
     const whirl_resting point = {.system = p->machine.system,
@@ -62,7 +62,7 @@ static whirl_status bearing_stiffness(const placing *p, double *stiffness) {
     return status;
 }
 
-/// Index of the forward one that is asked for, or the count.
+/// Index of the forward critical speed with that number, or the count.
 static size_t find_forward(const whirl_critical_speeds *of, int number) {
     size_t i = 0;
     for (int seen = 0; i < of->count; i++) {
@@ -99,7 +99,7 @@ static whirl_status place_at_antinodes(placing *p) {
     return status;
 }
 
-/// kg that hang over at a station beyond the outer bearing of its shaft; NaN where that is not where it stands.
+/// Overhung mass at a station, kg, outside the outer bearing of its shaft; NaN for other stations.
 static double overhang(const placing *p, size_t station) {
     const whirl_probe *probes = p->machine.system->probes;
     double left = NAN, right = NAN, first = INFINITY, last = -INFINITY;
@@ -130,7 +130,7 @@ static whirl_status place_at_station(placing *p) {
 
 whirl_status whirl_study_place(const whirl_study *study, whirl_batch *batch, whirl_placed **placed) {
     const whirl_record_options *options = &batch->record;
-    static const double rpm = 0.104719755119659774, rule = 2.0 * 6350.0e-6; // kg m rpm a kg
+    static const double rpm = 0.104719755119659774, rule = 2.0 * 6350.0e-6; // kg m rpm per kg
     placing p = {.study = study, .batch = *batch, .options = options};
     *placed = NULL;
     if (batch->placed || (options->antinodes_of == 0 && !*options->placed_at)) return whirl_ok();

@@ -10,11 +10,11 @@ struct refined_map {
     const whirl_table *table;
     squares plane;
     unsigned char *asked; ///< [slots] points of the run's share, computed or to be
-    unsigned char *late;  ///< [slots] those of them that shares did not ask for; NULL before all these are gathered
-    double *widths;       ///< [slots] of squares that are not divided, at their first corners; of other points 1
-    unsigned char *known; ///< [slots] those of them that were done when squares were looked at last
+    unsigned char *late;  ///< [slots] those of `asked` that no share requested; NULL before all shares are gathered
+    double *widths;       ///< [slots] widths of undivided squares, at their first corners; 1 for other points
+    unsigned char *known; ///< [slots] points of `asked` that were done when squares were last divided
     alike *labels;
-    unsigned char *own; ///< [first squares] 1 for those of the run's share, or that were dealt to it
+    unsigned char *own; ///< [first squares] 1 for those of the run's share, or dealt to it
 };
 
 static squares plane_of(const whirl_batch *batch) {
@@ -44,7 +44,7 @@ static bool differ(const void *context, size_t a, size_t b) {
     return !alike_are(map->labels, a, b);
 }
 
-/// What all own first squares need, as far as known points tell.
+/// Collects the points that all own first squares need.
 static whirl_status ask_all(const refined_map *map, unsigned char *asked) {
     const size_t count = squares_count(&map->plane);
     for (size_t i = 0; i < count; i++)
@@ -53,7 +53,7 @@ static whirl_status ask_all(const refined_map *map, unsigned char *asked) {
     return whirl_ok();
 }
 
-/// The first squares of the run's share; where they are dealt out, none yet.
+/// Marks the first squares of the run's share; none yet if they are dealt out.
 static void share_squares(const study_run *run, refined_map *map) {
     const whirl_share *share = &run->share;
     const size_t count = squares_count(&map->plane);
@@ -106,7 +106,7 @@ whirl_status refined_maps_new(study_run *run) {
 
 // ---------------------------------------------------------------- rounds
 
-/// A pass over the points of one list that are not in another (NULL: none is).
+/// Makes a pass of the points in one list that are not in another (NULL: empty).
 static whirl_status take_points(const refined_map *map, const unsigned char *points, const unsigned char *without,
                                 pass *p) {
     p->count = 0;
@@ -131,7 +131,7 @@ whirl_status refined_late_pass(const study_run *run, pass *p) {
     return map->late ? take_points(map, map->late, NULL, p) : whirl_ok();
 }
 
-/// What is known has made squares ask for these points.
+/// Plans the points that squares request because of newly known ones.
 static whirl_status plan_round(refined_map *map, pass *p) {
     unsigned char *asked = calloc(map->table->count, 1);
     if (!asked) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
@@ -155,7 +155,7 @@ static whirl_status refine(study_run *run, size_t batch) {
         pass p = {.batch = batch, .integrate = own->integrate, .record = own->record};
         p.anew = run->refined[batch]->late != NULL;
         status = plan_round(run->refined[batch], &p);
-        // A run that shall end has these before it still: without them it would seem to be done.
+        // Counts them also when the run must end: the study would otherwise seem complete.
         if (status.code == WHIRL_OK) tracker_add(&run->tracker, (double)p.count * pass_revolutions(run, &p), p.count);
         more = p.count > 0 && !atomic_load(&run->tracker.halt);
         if (status.code == WHIRL_OK && more) status = passes_work(run, &p, 1);
@@ -164,7 +164,7 @@ static whirl_status refine(study_run *run, size_t batch) {
     return status;
 }
 
-/// After what first squares have asked for alone, in shares: what they ask for together.
+/// Computes what first squares request together, after they have requested alone in shares.
 static whirl_status refine_together(study_run *run, size_t batch) {
     refined_map *map = run->refined[batch];
     map->plane.alone = false;
@@ -172,7 +172,7 @@ static whirl_status refine_together(study_run *run, size_t batch) {
     return map->late ? refine(run, batch) : whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
 }
 
-/// Takes first squares as they are dealt out, until none is left or the run shall end.
+/// Works on first squares as they are dealt out, until none is left or the run must end.
 static whirl_status refine_dealt(study_run *run, size_t batch) {
     refined_map *map = run->refined[batch];
     const whirl_dealer *dealer = run->dealer;
@@ -186,13 +186,13 @@ static whirl_status refine_dealt(study_run *run, size_t batch) {
     return status;
 }
 
-/// Whether all points that were gathered are there.
+/// Returns true if all gathered points are known.
 static bool has_gathered(const study_run *run) {
     const whirl_progress *progress = &run->tracker.progress;
     return run->gathering && progress->points_done == progress->points_total;
 }
 
-/// The widths follow from the points as they are now: what is done to them later changes no square.
+/// Notes the widths, which follow from the present points; later changes of points change no square.
 static whirl_status note_widths(refined_map *map) {
     const size_t count = squares_count(&map->plane);
     for (size_t slot = 0; slot < map->table->count; slot++) map->widths[slot] = 1.0;

@@ -8,20 +8,20 @@
 
 #include "passes.h"
 
-/// Points that one thread, or one share, takes at a time: neighbours share the modes of the point between them.
+/// Points of a thread's, or a share's, piece: neighbours in it share the modes of the point between them.
 enum { RESTING_PIECE = 8 };
 
-/// A thread at a piece.
+/// A thread that works at pieces.
 typedef struct worker {
     study_run *run;
     const pass *pass;
-    const whirl_batch *batch; ///< with what was placed
+    const whirl_batch *batch; ///< with the placed unbalances
     whirl_table *table;
     bool has_modes;
-    resting_machine before; ///< the point before, where it is known
+    resting_machine before; ///< the point before, if it is known
     whirl_critical *found;  ///< [most]
     size_t most, count;
-    double *block; ///< of a point whose block is left with the keeper
+    double *block; ///< block of a point whose block stays in the journal
 } worker;
 
 static double *block_of(const worker *w, size_t slot) {
@@ -47,8 +47,8 @@ static whirl_status keep(const worker *w, size_t slot) {
     return status.code == WHIRL_OK ? keeper_tend(w->run->keeper) : status;
 }
 
-/// What lies between the point before and this one, which is the next point's before; nothing where the machine rests
-/// nowhere on the way.
+/// Locates critical speeds between the point before and this one, which becomes the next point's before. Does nothing
+/// if the equilibrium is lost in between.
 static whirl_status locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
@@ -107,13 +107,13 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                  .placed = w->batch->placed};
     whirl_status status =
         whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
-    // A machine that could not be made for it has told already where.
+    // A machine that could not be built has already named its place.
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)
         status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
     return status;
 }
 
-/// A point without an answer: how far the place of rest could be followed.
+/// Fills a point without an answer: notes how far the equilibrium could be followed.
 static whirl_status leave_unfound(worker *w, size_t slot) {
     whirl_machine machine;
     const whirl_status status =
@@ -132,7 +132,7 @@ static whirl_status compute(worker *w, size_t slot) {
     if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
     if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
     if (status.code == WHIRL_NUMERICAL_FAILURE) status = leave_unfound(w, slot);
-    if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // what was computed since a stop means nothing
+    if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // a point computed after a stop is discarded
         resting_free(&own);
         return whirl_ok();
     }
@@ -159,7 +159,7 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
     return status;
 }
 
-/// A piece after the other, until none is left.
+/// Works at pieces until none is left.
 static whirl_status work_at_pieces(worker *w, deal *pieces) {
     whirl_status status = whirl_ok();
     while (status.code == WHIRL_OK && !atomic_load(&w->run->tracker.halt)) {
@@ -168,7 +168,7 @@ static whirl_status work_at_pieces(worker *w, deal *pieces) {
 #pragma omp critical(whirl_resting)
         taken = deal_take(pieces, &piece);
         if (!taken) break;
-        // Slots of a share, and those that are dealt out, come in the same pieces.
+        // Slots of a share, or dealt slots, come in the same pieces.
         const size_t first = piece * RESTING_PIECE, after = first + RESTING_PIECE;
         status = work_at(w, first, after < w->pass->count ? after : w->pass->count);
     }

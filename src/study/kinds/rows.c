@@ -23,7 +23,7 @@ whirl_status rows_trace(const rows *r, size_t row, whirl_trace *trace) {
     return whirl_block_trace(&r->table->layout, rows_block(r, row), r->table->values[row], &r->pass->record, trace);
 }
 
-/// What both kinds of rows have.
+/// Returns a field that rows of branches and of tori have in common.
 static double common_field(const rows *r, size_t row, const char *quantity) {
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s/%s", r->analysis, quantity);
@@ -40,7 +40,7 @@ bool rows_are_one(const rows *r, size_t row, size_t other) {
 
 size_t rows_depth(const rows *r, size_t row) {
     size_t depth = 0, parent = (size_t)*rows_field(r, row, WHIRL_FIELD_TRACE_PARENT);
-    // Parents stand before their children.
+    // Parents come before their children.
     for (size_t i = row; i-- > 0 && parent > 0;)
         if (number_of(r, i) == parent) {
             depth++;
@@ -60,7 +60,7 @@ whirl_family rows_family(const rows *r) {
 
 // ---------------------------------------------------------------- what a keeper knows
 
-/// What is kept of a row: its block, and the value of its parameter in place of a state.
+/// Journal entry of a row: its block, with the value of its parameter in place of a state.
 static kept_point kept_at(const rows *r, size_t row) {
     return (kept_point){.batch = r->pass->batch,
                         .slot = row,
@@ -81,7 +81,7 @@ static whirl_status keep_row(const rows *r, size_t row) {
     return keeper_keep(r->run->keeper, &point);
 }
 
-/// Whether nothing of the rows was looked for yet. Of curves and tori there may be none where there are branches.
+/// Returns true if none of the rows was searched yet. Curves and tori may be absent where there are branches.
 static bool are_missing(const rows *r) {
     const whirl_table *branches = whirl_result_role(r->run->result, WHIRL_ROLE_BRANCHES);
     return branches && branches != r->table ? branches->planned > 0 : r->recalled == 0;
@@ -102,7 +102,7 @@ whirl_status rows_open(rows *r, study_run *run, const pass *p) {
 }
 
 bool rows_recall(rows *r, size_t count) {
-    // What is after all that is known was not looked for, or not to its end.
+    // Branches after the known ones were not searched, or not to their end.
     if (r->count >= r->recalled || number_of(r, r->recalled - 1) < r->next + count - 1) {
         r->recalled = r->count;
         return false;
@@ -174,7 +174,7 @@ bool rows_found(void *context, const whirl_branch_point *point) {
 }
 
 // ---------------------------------------------------------------- torus_rows
-// Branches of tori as the rows of a table.
+// Branches of tori as rows of a table.
 
 static void find_largest_line(const whirl_table *table, whirl_tori *own) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_TORUS_AMPLITUDE);

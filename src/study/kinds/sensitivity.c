@@ -1,4 +1,4 @@
-// Derivatives by a parameter: extrapolated differences of machines beside it, and the motion with its sensitivity.
+// Derivatives by a parameter: extrapolated differences of neighbouring machines, and the motion with its sensitivity.
 #include "whirl/engine/sensitivity.h"
 
 #include <float.h>
@@ -12,8 +12,8 @@ enum { LEVELS = 7, MACHINES = 1 + 2 * LEVELS, MAX_HALVINGS = 40 };
 
 struct whirl_sensitivity {
     double reach;
-    whirl_machine machines[MACHINES]; ///< at the value, then above it and below, from the largest h on
-    whirl_system joint;               ///< of (x, s)
+    whirl_machine machines[MACHINES]; ///< at the value, then above and below it, from the largest h on
+    whirl_system joint;               ///< system of (x, s)
     double *slopes;                   ///< [MACHINES][dimension] workspace
     double *sides;                    ///< [switch_count] workspace
 };
@@ -93,7 +93,7 @@ static void slope_on_sides(const whirl_system *system, double t, const double *f
         system->rhs(system->model, t, forcing, x, slope);
 }
 
-/// The slope of machine `index` at the part of its period that t is of that of the first.
+/// Slope of machine `index` at the phase of its period that t has in the first one's.
 static void slope_of(const whirl_sensitivity *s, size_t index, double t, const double *x, const double *sides) {
     const whirl_system *system = system_of(s, index);
     const double longer = system->period / system_of(s, 0)->period;
@@ -103,8 +103,7 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
     for (size_t i = 0; i < system->dimension; i++) slope[i] *= longer;
 }
 
-/// The derivative of component i and what it may be off by: the entry of Neville's table that its neighbours differ
-/// least from.
+/// Derivative of component i and its error: the entry of Neville's table that differs least from its neighbours.
 static double extrapolate(const whirl_sensitivity *s, size_t i, double *error) {
     const size_t n = system_of(s, 0)->dimension;
     double table[LEVELS][LEVELS], best = 0.0;

@@ -2,12 +2,12 @@
 
 #include <stdlib.h>
 
-/// One square, with edges that may be cut off by the plane's.
+/// A square, whose edges the plane's may cut off.
 typedef struct square {
     size_t x, y, width;
 } square;
 
-/// A first square and the points that it has asked for.
+/// A first square and the points that it has requested.
 typedef struct tile {
     const squares *plane;
     square all;
@@ -60,7 +60,7 @@ static size_t point_at(const tile *t, size_t x, size_t y) {
     return y * t->plane->columns + x;
 }
 
-/// Asks for a point; whether that is new.
+/// Requests a point; returns true if that is new.
 static bool ask(const tile *t, size_t x, size_t y) {
     unsigned char *asked = asked_at(t, x, y);
     const bool is_new = !*asked;
@@ -83,7 +83,7 @@ static bool knows_corners(const tile *t, square q) {
            known[point_at(t, x, y)];
 }
 
-/// Whether a point is known and differs from the first corner.
+/// Returns true if a point is known and differs from the first corner.
 static bool differs_at(const tile *t, square q, size_t x, size_t y) {
     const squares *s = t->plane;
     const size_t corner = point_at(t, q.x, q.y), point = point_at(t, x, y);
@@ -91,7 +91,7 @@ static bool differs_at(const tile *t, square q, size_t x, size_t y) {
            s->differ(s->context, corner, point);
 }
 
-/// Whether points on the edges differ; within a square that is not divided none is known.
+/// Returns true if points on the edges differ. Inside an undivided square none is known.
 static bool differs(const tile *t, square q) {
     const size_t right = right_of(t->plane, q), top = top_of(t->plane, q);
     for (size_t x = q.x; x <= right; x++)
@@ -107,7 +107,7 @@ static bool is_divided(const tile *t, square q) {
     return q.width > 1 && knows_corners(t, q) && differs(t, q);
 }
 
-/// The halves along both axes, as far as the plane goes.
+/// Divides a square along both axes, as far as the plane goes.
 static size_t divide(const squares *s, square q, square parts[4]) {
     const size_t half = q.width / 2;
     const size_t columns = q.x + half < right_of(s, q) ? 2 : 1, rows = q.y + half < top_of(s, q) ? 2 : 1;
@@ -117,7 +117,7 @@ static size_t divide(const squares *s, square q, square parts[4]) {
     return count;
 }
 
-/// Asks for what a square needs; whether any of it is new.
+/// Requests the points that a square needs; returns true if any of them is new.
 static bool visit(const tile *t, square q) {
     square parts[4];
     bool is_new = false;
@@ -128,13 +128,13 @@ static bool visit(const tile *t, square q) {
     return is_new;
 }
 
-/// All that known points tell of a first square. `asked` is to be freed, NULL without memory.
+/// Makes a first square and requests all that its known points imply. `asked` is to be freed, NULL without memory.
 static tile open_tile(const squares *s, size_t index) {
     const size_t side = s->width + 1;
     tile t = {.plane = s, .all = first_square(s, index), .asked = calloc(side * side, 1)};
     if (!t.asked) return t;
     ask_corners(&t, t.all);
-    // What is asked for on an edge is news for the square beside it.
+    // A point requested on an edge is news for the neighbouring square.
     while (visit(&t, t.all)) {
     }
     return t;

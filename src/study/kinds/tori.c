@@ -1,4 +1,4 @@
-// Tori that begin at the Neimark-Sacker points of branches, whose batch stands before theirs.
+// Tori that begin at the Neimark-Sacker points of branches. The branches' batch comes before theirs.
 #include "kinds.h"
 
 #include <math.h>
@@ -16,18 +16,18 @@ typedef struct tori {
     const whirl_table *branches;
     size_t *points; ///< [count] rows of the branches at which tori begin
     size_t count;
-    bool ended; ///< one was stopped, or the table is full: no more are added
+    bool ended; ///< a leg was stopped, or the table is full: no more are added
     first_error error;
 } tori;
 
-/// The branch of tori that begins at one point.
+/// A branch of tori that begins at one Neimark-Sacker point.
 typedef struct leg {
-    size_t which; ///< of tori.points
+    size_t which; ///< index in tori.points
     whirl_trace start;
     whirl_torus_branch *found;
     whirl_torus_view **views; ///< [found->count]
-    double end;               ///< where nothing was found
-    bool stopped;             ///< on the way: then what was found means nothing
+    double end;               ///< reason if nothing was found
+    bool stopped;             ///< it was stopped on the way: what was found is discarded
     first_error error;
 } leg;
 
@@ -68,7 +68,7 @@ static whirl_torus_branch_options options_of(rows *r) {
     return options;
 }
 
-/// The first torus, as far from its orbit as one is found.
+/// Finds the first torus, as far from its orbit as one converges.
 static whirl_status begin(const whirl_family *family, const whirl_branch_point *point,
                           const whirl_torus_branch_options *options, whirl_torus **torus, double *value) {
     static const double steps[] = {0.005, 0.02, 0.001};
@@ -82,7 +82,7 @@ static whirl_status begin(const whirl_family *family, const whirl_branch_point *
 
 // ---------------------------------------------------------------- tori that are known
 
-/// Distance of a row's closed curve, by its mean, from where one of an orbit's revolutions begins.
+/// Distance of a row's closed curve, by its mean, from the start of one of an orbit's revolutions.
 static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit) {
     const size_t d = orbit->dimension, apart = orbit->segment_count / orbit->revolutions;
     const size_t count = (size_t)*rows_field(r, row, WHIRL_FIELD_TORUS_NODE_COUNT);
@@ -101,7 +101,7 @@ static double distance_from(const rows *r, size_t row, const whirl_orbit *orbit)
     return nearest;
 }
 
-/// Whether the tori that end at a row shrink to the orbit of a Neimark-Sacker point.
+/// Returns true if the tori that end at a row shrink to the orbit of a Neimark-Sacker point.
 static bool shrinks_to(const rows *r, size_t row, const whirl_branch_point *point) {
     const double near = 0.01 * fabs(r->batch->bounds[1] - r->batch->bounds[0]), near_turn = 0.05;
     const double angle = two_pi * *rows_field(r, row, WHIRL_FIELD_TORUS_ROTATION);
@@ -112,7 +112,7 @@ static bool shrinks_to(const rows *r, size_t row, const whirl_branch_point *poin
            distance_from(r, row, point->orbit) <= 2.0 * *rows_field(r, row, WHIRL_FIELD_TORUS_RADIUS);
 }
 
-/// Whether a torus is known that comes from elsewhere and ends there.
+/// Returns true if a known branch of tori, begun elsewhere, ends at that point.
 static bool is_taken(const rows *r, const whirl_branch_point *point) {
     bool taken = false;
     for (size_t row = 0; row < r->count && !taken; row++) taken = shrinks_to(r, row, point);
@@ -143,7 +143,7 @@ static whirl_status look(const whirl_family *family, const whirl_torus_branch_op
     return status;
 }
 
-/// Where none is found, or none that can be followed, the leg says so in its end.
+/// Follows a branch of tori. If none is found or can be followed, the leg's end says why.
 static whirl_status follow(tori *all, leg *one) {
     const whirl_family family = rows_family(&all->rows);
     const whirl_torus_branch_options options = options_of(&all->rows);
@@ -164,7 +164,7 @@ static whirl_status follow(tori *all, leg *one) {
     return status.code == WHIRL_OK ? look(&family, &options, one) : status;
 }
 
-/// The leg from one of the points; nothing where another one ends there, or a stop was asked for.
+/// Computes the leg of one point, unless another one ends there or a stop was requested.
 static void work_at(tori *all, leg *one) {
     bool needed;
     whirl_status status = whirl_table_trace(all->branches, all->points[one->which], &one->start);
@@ -211,7 +211,7 @@ static whirl_status add_rows(tori *all, const leg *one) {
     return status.code == WHIRL_OK ? rows_keep(r, first, true) : status;
 }
 
-/// Adds a leg whose place in the order has come, unless one before it ends where it begins.
+/// Adds a leg when its turn has come, unless an earlier one ends where it begins.
 static void add(tori *all, const leg *one) {
 #pragma omp critical(whirl_tori)
     if (all->error.code == WHIRL_OK && !all->ended) {
@@ -225,7 +225,7 @@ static void add(tori *all, const leg *one) {
     }
 }
 
-/// Points side by side, rows in their order.
+/// Follows tori from all points in parallel; their rows keep the order of the points.
 static void trace_tori(tori *all) {
     while (all->rows.next <= all->count && rows_recall(&all->rows, 1)) all->rows.next++;
     const size_t first = all->rows.next - 1, end = all->count;
@@ -248,7 +248,7 @@ static whirl_status work(study_run *run, const pass *p) {
         trace_tori(&all);
         status = first_error_status(&all.error);
     }
-    if (wanted) rows_go_on(&all.rows); // a stop until now is seen
+    if (wanted) rows_go_on(&all.rows); // notices a stop
     rows_close(&all.rows);
     free(all.points);
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);

@@ -1,5 +1,5 @@
-// Branches of orbits, and curves of their special points over two parameters: the table then has as many points as were
-// found.
+// Branches of orbits, and curves of their special points over two parameters. The table ends with as many points as
+// were found.
 #include "kinds.h"
 
 #include <math.h>
@@ -10,13 +10,13 @@
 #include "rows.h"
 #include "settled.h"
 
-/// A branch that is to be followed from an orbit on.
+/// A branch to be followed from an orbit.
 typedef struct leg {
     whirl_orbit *orbit;
     double value;
     int direction;
-    whirl_branch *branch; ///< what was found
-    first_error error;    ///< why nothing was
+    whirl_branch *branch; ///< the branch that was found
+    first_error error;    ///< the reason if none was
 } leg;
 
 enum { MAX_LEGS = 2 };
@@ -39,8 +39,8 @@ static void free_legs(leg legs[MAX_LEGS]) {
 
 // ---------------------------------------------------------------- branches that are there
 
-/// The node of an orbit between two rows of one branch, at a value between theirs. Orbits near a pitchfork at which the
-/// branch ends go with the root of the distance from it.
+/// Interpolates the orbit's node at a value between two rows of one branch. Near a pitchfork at which the branch ends,
+/// orbits vary with the square root of the distance from it.
 static void between(const rows *r, size_t row, double value, double *x) {
     const double *a = rows_nodes(r, row), *b = rows_nodes(r, row + 1), from = r->table->values[row];
     double share = (value - from) / (r->table->values[row + 1] - from);
@@ -48,7 +48,7 @@ static void between(const rows *r, size_t row, double value, double *x) {
     for (size_t i = 0; i < r->run->dimension; i++) x[i] = a[i] + share * (b[i] - a[i]);
 }
 
-/// Searches from x, at a value, for an orbit of the kind of another one.
+/// Searches from x, at a value, for an orbit of the same kind as `like`.
 static whirl_status search_from(const rows *r, const whirl_system *system, const double *x, const whirl_orbit *like,
                                 whirl_orbit **found) {
     const whirl_branch_options options = settled_options(r->batch, 1);
@@ -57,9 +57,9 @@ static whirl_status search_from(const rows *r, const whirl_system *system, const
     return whirl_orbit_find(system, x, like->revolutions, &options.orbit, found);
 }
 
-/// Whether a search from x, at a value, finds the given orbit, whichever of its revolutions that begins with. Near a
-/// crossing, whose orbit is `crossing` (or NULL), orbits are hardly determined and count as one within a tenth of the
-/// distance from there.
+/// Returns true if a search from x, at a value, finds the given orbit, at any of its revolutions. Near a crossing,
+/// whose orbit is `crossing` (or NULL), orbits are ill-conditioned and count as one within a tenth of the distance from
+/// there.
 static bool leads_to(const rows *r, double value, const double *x, const whirl_orbit *orbit,
                      const whirl_orbit *crossing) {
     whirl_machine machine;
@@ -75,7 +75,7 @@ static bool leads_to(const rows *r, double value, const double *x, const whirl_o
     return same;
 }
 
-/// Whether the value is passed from a row to the next one, along one branch of orbits of as many revolutions.
+/// Returns true if the value lies between a row and the next one on one branch of orbits with as many revolutions.
 static bool passes(const rows *r, size_t row, double value, const whirl_orbit *orbit) {
     const double *values = r->table->values + row;
     return rows_are_one(r, row, row + 1) &&
@@ -83,8 +83,8 @@ static bool passes(const rows *r, size_t row, double value, const whirl_orbit *o
            (values[0] <= value) != (values[1] <= value);
 }
 
-/// Whether the orbit of a value lies on a branch that is known: at some of its rows the same orbit is found from there.
-/// Orbits with a time of their own begin anywhere along themselves and are not compared.
+/// Returns true if the orbit lies on a known branch: a search from some of its rows finds the same orbit. Orbits with a
+/// free period begin at an arbitrary phase and are not compared.
 static bool is_known(const rows *r, const whirl_orbit *orbit, double value, const whirl_orbit *crossing) {
     double *x = calloc(orbit->dimension + 1, sizeof *x);
     const bool compared = orbit->revolutions > 0 || orbit->period == 0.0;
@@ -98,8 +98,8 @@ static bool is_known(const rows *r, const whirl_orbit *orbit, double value, cons
     return known;
 }
 
-/// Whether the branch of a row that ended at a doubling ended at that one: within its last step, where the middle of
-/// its last orbit leads to that orbit.
+/// Returns true if a row's branch, which ended at a doubling, ended at this one: within its last step, and the middle
+/// of its last orbit leads to that orbit.
 static bool ended_there(const rows *r, size_t row, const whirl_branch_point *doubling, double *x) {
     const size_t k = doubling->orbit->revolutions, d = doubling->orbit->dimension;
     const double *nodes = rows_nodes(r, row), *later = nodes + k * (size_t)r->batch->record.trace.segments * d;
@@ -112,7 +112,7 @@ static bool ended_there(const rows *r, size_t row, const whirl_branch_point *dou
     return leads_to(r, doubling->value, x, doubling->orbit, NULL);
 }
 
-/// Whether a branch that is known ends at a doubling, and so is the one that begins there.
+/// Returns true if a known branch ends at a doubling, and therefore is the one that begins there.
 static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
     double *x = calloc(doubling->orbit->dimension + 1, sizeof *x);
     bool taken = false;
@@ -124,7 +124,7 @@ static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
 
 // ---------------------------------------------------------------- following
 
-/// Whether there can be rows of so many more branches.
+/// Returns true if the table has space for so many more branches.
 static bool has_room(const rows *r, size_t count) {
     return r->room - r->count >= 2 * count;
 }
@@ -142,8 +142,8 @@ static void follow(rows *r, size_t count, leg legs[MAX_LEGS]) {
     }
 }
 
-/// Adds the points of the branches that were found; legs that could not be followed are left out. Behind one that was
-/// stopped nothing is added: it would be kept as if that one had not been found.
+/// Adds the points of the branches that were found, without legs that could not be followed. Nothing is added after a
+/// stopped leg: the journal would keep it as if that leg did not exist.
 static whirl_status add_found(rows *r, size_t count, size_t parent, const leg legs[MAX_LEGS]) {
     const bool going = rows_go_on(r);
     whirl_status status = whirl_ok();
@@ -160,7 +160,7 @@ static whirl_status add_found(rows *r, size_t count, size_t parent, const leg le
 
 // ---------------------------------------------------------------- where branches begin
 
-/// Where a motion settles, once for each leg.
+/// Finds the orbit on which a motion settles, one copy for each leg.
 static whirl_status settle(const rows *r, size_t count, leg legs[MAX_LEGS]) {
     whirl_status status = settled_orbit(r->run->study, r->batch, legs[0].value, &legs[0].orbit);
     for (size_t i = 1; i < count && status.code == WHIRL_OK; i++) {
@@ -170,17 +170,17 @@ static whirl_status settle(const rows *r, size_t count, leg legs[MAX_LEGS]) {
     return status;
 }
 
-/// Follows a branch in both directions, which has to succeed.
+/// Follows a branch in both directions, which both have to succeed.
 static whirl_status follow_both(rows *r, size_t count, leg legs[MAX_LEGS]) {
     follow(r, count, legs);
-    // A branch that closes is all there is: the other direction leads along the same one.
+    // A closed branch is complete: the other direction runs along the same one.
     if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
     for (size_t i = 0; i < count; i++)
         if (!legs[i].branch && rows_go_on(r)) return first_error_status(&legs[i].error);
     return add_found(r, count, 0, legs);
 }
 
-/// In both directions, but at a bound of the parameter.
+/// Begins a branch and follows it in both directions, or in one at a bound of the parameter.
 static whirl_status begin_at(rows *r, double value) {
     const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
     const double high = fmax(r->batch->bounds[0], r->batch->bounds[1]);
@@ -198,7 +198,7 @@ static whirl_status begin_at(rows *r, double value) {
     return status;
 }
 
-/// The orbits on both sides of a crossing, or on the one side of what begins at a doubling or Hopf point.
+/// Finds the orbits on both sides of a crossing, or the one that begins at a doubling or Hopf point.
 static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
     const whirl_branch_options options = settled_options(r->batch, 1);
     const whirl_family family = rows_family(r);
@@ -208,7 +208,7 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MAX
     if (point->special == WHIRL_DOUBLING && is_taken(r, point)) return 0;
     for (size_t side = 0; side < sides; side++) {
         leg *one = &legs[count];
-        // So near that nothing else happens between, and yet another orbit.
+        // The step is small enough to meet no other event, and large enough for another orbit.
         const double step = (side == 0 ? 0.05 : -0.05) * options.step;
         const whirl_status status = whirl_branch_switch(&family, point, step, &options, &one->orbit, &one->value);
         if (status.code != WHIRL_OK) continue;
@@ -224,8 +224,8 @@ static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MAX
     return count;
 }
 
-/// The symmetric branch of a pitchfork at which the branch of a row ends, in both directions: from beside the
-/// pitchfork, where there is that one alone, so that one of them passes it.
+/// Finds the symmetric branch of a pitchfork at which a row's branch ends, in both directions: starts at a value next
+/// to the pitchfork, where the symmetric orbit is unique.
 static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
     const double aside = 1e-3 * span_of(r), before = r->table->values[row - 1];
     const double low = fmin(r->batch->bounds[0], r->batch->bounds[1]);
@@ -267,7 +267,7 @@ static whirl_status follow_others(rows *r, const whirl_trace *at) {
     return status;
 }
 
-/// The branches that begin at a row.
+/// Follows the branches that begin at a row.
 static whirl_status begin_along(rows *r) {
     whirl_trace trace;
     whirl_status status = rows_trace(r, r->at, &trace);
@@ -301,7 +301,7 @@ static whirl_status machine_in_plane(const void *context, double value, double s
     return r->run->study->machine(r->run->study->family, &batch, value, machine);
 }
 
-/// Whether a curve of that kind, which is known, goes through the value of the first parameter.
+/// Returns true if a known curve of that kind passes through the value of the first parameter.
 static bool is_on_curve(const rows *r, const whirl_branch_point *point) {
     const double near = 5e-3 * span_of(r), second = r->batch->second_value;
     for (size_t row = 0; row + 1 < r->count; row++) {
@@ -331,7 +331,7 @@ static void follow_curve(rows *r, const whirl_branch_point *start, leg legs[MAX_
     }
 }
 
-/// The curve through a special point; none where it cannot be followed.
+/// Follows the curve through a special point; adds none if it cannot be followed.
 static whirl_status trace_curve(rows *r, const whirl_trace *start) {
     leg legs[MAX_LEGS] = {{.orbit = NULL}, {.orbit = NULL}};
     whirl_status status = whirl_ok();
@@ -344,7 +344,7 @@ static whirl_status trace_curve(rows *r, const whirl_trace *start) {
     return status;
 }
 
-/// Through the special points of the branches, which the table before has.
+/// Follows the curves through the special points of the branches in the table before.
 static whirl_status trace_curves(rows *r) {
     const whirl_table *branches = r->table - 1;
     whirl_status status = whirl_ok();
@@ -365,7 +365,7 @@ static whirl_status work(study_run *run, const pass *p) {
     rows r;
     whirl_status status = rows_open(&r, run, p);
     if (status.code == WHIRL_OK && !r.left_out) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
-    if (status.code == WHIRL_OK && !r.left_out) rows_go_on(&r); // a stop until now is seen
+    if (status.code == WHIRL_OK && !r.left_out) rows_go_on(&r); // notices a stop
     rows_close(&r);
     if (status.code != WHIRL_OK && status.code != WHIRL_STOPPED) tracker_fail(&run->tracker, &status);
     return whirl_ok();

@@ -1,4 +1,4 @@
-/// Where the motion of a point goes, to compare points by.
+/// Bounds of a point's motion, by which points are compared.
 #ifndef STUDY_BOUNDS_H
 #define STUDY_BOUNDS_H
 
@@ -11,7 +11,7 @@ enum {
     BOUNDS = 6 ///< mean, least and largest x and y of a station
 };
 
-/// Reads bounds [stations][BOUNDS]; false where the table lacks any, or one is no finite number.
+/// Reads bounds [stations][BOUNDS]; false if the table lacks any, or one is not finite.
 bool bounds_read(const whirl_table *table, size_t point, size_t stations, double *bounds);
 
 // ---------------------------------------------------------------- axes
@@ -20,11 +20,11 @@ bool bounds_read(const whirl_table *table, size_t point, size_t stations, double
 enum { MAP_AXES = 3 }; ///< at most
 
 typedef struct map_axis {
-    size_t count; ///< of places along it
-    size_t step;  ///< from one to the next
+    size_t count; ///< places along it
+    size_t step;  ///< difference of the indices of neighbours
 } map_axis;
 
-/// Those of a table: one of a sweep, two of a map, three where it has planes. How many.
+/// Lists the axes of a table: one of a sweep, two of a map, three with planes. Returns how many.
 size_t map_axes_of(const whirl_table *table, map_axis axes[MAP_AXES]);
 
 #endif

@@ -1,4 +1,4 @@
-// Why motions of a table are undetermined, and what would tell them.
+// Why motions of a table are undetermined, and what would decide them.
 #include <math.h>
 #include <stdio.h>
 
@@ -23,7 +23,7 @@ size_t whirl_table_doubts(const whirl_table *table, whirl_doubt doubts[WHIRL_REM
 }
 
 // ---------------------------------------------------------------- ranges
-// Points of a table that left the range of a law, or rest against a contact.
+// Describes the points of a table that left the range of a law, or rest against a contact.
 
 const char *whirl_result_law_range(const whirl_result *result, size_t index) {
     char name[WHIRL_NAME_SIZE];

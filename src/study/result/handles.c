@@ -94,7 +94,7 @@ whirl_status whirl_result_show_in(whirl_result *result, const char *units) {
 
 static whirl_shown_units shown(const whirl_result *result) {
     whirl_shown_units units = {0};
-    whirl_result_shown_units(result, NULL, &units); // which nothing asked for cannot be wrong
+    whirl_result_shown_units(result, NULL, &units); // no units were requested, so this cannot fail
     return units;
 }
 
@@ -239,7 +239,7 @@ void whirl_table_words(const whirl_table *table, size_t point, char *name, char 
     whirl_verdict_reason(&verdict, reason, size);
 }
 
-/// Of a basin, in which all starts are one place.
+/// Numbers the attractors of a basin, in which all starts belong to one place.
 static whirl_status number_basin(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
     size_t *labels = numbers ? numbers : malloc((table->count + 1) * sizeof *labels), count;
     whirl_attractor found[MAX_ATTRACTORS];
@@ -254,7 +254,7 @@ static whirl_status number_basin(const whirl_table *table, size_t *numbers, doub
     return status;
 }
 
-/// Of a table with several starts a place.
+/// Numbers the attractors of a table with several starts a place.
 static whirl_status number_places(const whirl_table *table, size_t *numbers, double *shares, double *errors) {
     whirl_coexistence found;
     const whirl_status status = whirl_table_coexistence(table, &found);
@@ -293,7 +293,7 @@ const whirl_member *whirl_table_options(const whirl_table *table, size_t group, 
     return groups[group].members;
 }
 
-/// The member with a name that stands `*index` such members on; *index is what is left where there are fewer.
+/// Finds occurrence `*index` of a member with a name; *index is reduced by the occurrences that were passed.
 static const whirl_member *named_member(const whirl_member *member, size_t *index) {
     for (; member->part; member++)
         if (member->name && (*index)-- == 0) return member;

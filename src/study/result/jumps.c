@@ -1,7 +1,6 @@
-// Jumps along a sweep. Where a motion depends on the parameter continuously, neighbouring points differ about as much
-// as the points around them do. Where one pair differs far more and yet has one regime, the sweep has changed from one
-// motion to another that exists beside it, or the motion itself has changed suddenly (a crisis); the numbers of the
-// sweep do not tell which.
+// Jumps along a sweep. Where a motion depends continuously on the parameter, neighbouring points differ about as much
+// as the points around them do. If one pair differs far more and yet has one regime, the sweep has moved to a
+// coexisting motion, or the motion has changed suddenly (a crisis). The sweep alone does not decide which.
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -9,21 +8,22 @@
 #include "bounds.h"
 
 enum {
-    SIDE = 4, ///< steps looked at on either side of one
-    LEAST = 4 ///< without so many steps around it nothing is said of one
+    SIDE = 4, ///< steps on either side that one is compared with
+    LEAST = 4 ///< fewer steps on both sides together: no verdict
 };
 
-/// A jump changes more than this share of the motion's size, and this many times as much as the steps around it. Near a
-/// fold the steps of a continuous branch grow as square roots do, the last to 4 times the median of the 4 before it.
+/// A jump changes more than this share of the motion's size, and this many times the change of the steps around it.
+/// Near a fold the steps of a continuous branch grow as square roots do: the last one to 4 times the median of the 4
+/// before it.
 static const double MIN_CHANGE = 0.03, MIN_RATIO = 8.0;
 
-/// From one point to the next.
+/// Change from one point to the next.
 typedef struct step {
-    double change;  ///< over the motion's size; NaN where the two are not neighbours of one regime
-    size_t station; ///< that changes most
+    double change;  ///< relative to the motion's size; NaN unless both points have one regime
+    size_t station; ///< station with the largest change
 } step;
 
-/// The larger side of the motion's box, or a hundredth of the displacement where it hardly moves.
+/// The longer side of the motion's box, or a hundredth of the displacement if that is larger.
 static double size_of(const double *bounds) {
     const double box = fmax(bounds[4] - bounds[2], bounds[5] - bounds[3]);
     double far = 0.0;
@@ -47,7 +47,7 @@ static bool same_regime(const whirl_verdict *a, const whirl_verdict *b) {
     return known && a->regime == b->regime && a->period == b->period;
 }
 
-/// All steps of a table [count - 1]; `bounds` is scratch for two points.
+/// Computes all steps of a table [count - 1]; `bounds` is scratch for two points.
 static void find_steps(const whirl_table *table, size_t stations, double *bounds, step *steps) {
     double *before = bounds, *after = bounds + BOUNDS * stations;
     whirl_verdict last = {.regime = WHIRL_UNDETERMINED};
@@ -73,7 +73,7 @@ static int by_size(const void *left, const void *right) {
     return (a > b) - (a < b);
 }
 
-/// The median of up to SIDE steps on either side, as far as the regime goes; NaN where they are too few.
+/// Median of up to SIDE steps on either side within the regime; NaN if they are too few.
 static double usual_change(const step *steps, size_t count, size_t at) {
     double around[2 * SIDE];
     size_t found = 0;

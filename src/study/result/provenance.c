@@ -1,4 +1,4 @@
-// Where a result comes from: the build of the library and the machine that it ran on.
+// Provenance of a result: the build of the library and the machine that it ran on.
 #include "build.h"
 #include "isa.h"
 
@@ -8,7 +8,7 @@
 #include <string.h>
 #include <sys/utsname.h>
 
-// "model name" of the first processor as Linux tells it.
+// Reads "model name" of the first processor from Linux's /proc/cpuinfo.
 static void processor_model(char *text, size_t size) {
     snprintf(text, size, "unknown");
     FILE *stream = fopen("/proc/cpuinfo", "r");

@@ -1,4 +1,4 @@
-// Results in memory: what all layers above read.
+// Results in memory, which all layers above read.
 #include "whirl/engine/result.h"
 
 #include "kept.h"
@@ -169,7 +169,7 @@ whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_tra
                  : whirl_fail(WHIRL_BAD_INPUT, "point %zu of the %s is not there", point + 1, table->name);
 }
 
-// Copies what fits and ends it. A command line and the names of a host may hold anything.
+// Copies what fits and terminates it. Command lines and host names are arbitrary text.
 static void copy_text(char *target, size_t size, const char *source) {
     const size_t length = strnlen(source, size - 1);
     memcpy(target, source, length);
@@ -183,7 +183,7 @@ const char *whirl_result_fact(const whirl_result *result, const char *name) {
     return "";
 }
 
-/// "warning 1", "warning 2", ...
+/// Returns the fact "warning 1", "warning 2", ...
 static const char *numbered(const whirl_result *result, const char *word, size_t index) {
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s %zu", word, index + 1);

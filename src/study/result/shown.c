@@ -1,4 +1,4 @@
-// In which units numbers are shown: see whirl/engine/shown.h.
+// Units in which numbers are shown: see whirl/engine/shown.h.
 #include "whirl/engine/shown.h"
 
 #include <math.h>
@@ -11,8 +11,8 @@ static bool near(double a, double b) {
     return fabs(a - b) <= 1e-12 * fabs(b);
 }
 
-/// Whether a parameter is the length scale of a table's points: where it varies it is that of every one, where another
-/// one varies it must follow from that one if the scale does.
+/// Returns true if a parameter is the length scale of a table's points. If the parameter varies along the table, its
+/// values must equal the scales; if the scale varies with another one, the parameter must be an expression of that.
 static bool is_scale_of(const whirl_result *result, const whirl_table *table, const whirl_parameter *candidate) {
     const bool expression = candidate->text[strspn(candidate->text, " \t")] == '=';
     if (strcmp(table->parameter, candidate->name) != 0) return !table->length_scales || expression;
@@ -21,7 +21,7 @@ static bool is_scale_of(const whirl_result *result, const whirl_table *table, co
     return true;
 }
 
-/// The parameter that is the length scale, or NULL.
+/// Returns the parameter that is the length scale, or NULL.
 static const whirl_parameter *scale_parameter(const whirl_result *result) {
     for (size_t i = 0; i < result->parameter_count; i++) {
         const whirl_parameter *candidate = &result->parameters[i];
@@ -67,18 +67,18 @@ static void choose_length(whirl_shown_units *units, const unit_word *word) {
     }
 }
 
-/// The unit that a word chooses; of size 0 where none does.
+/// Returns the unit that a word names, of size 0 if none.
 static whirl_unit chosen(const unit_word *word) {
     whirl_unit unit = {.size = word ? word->size : 0.0};
     if (word) snprintf(unit.name, sizeof unit.name, "%s", word->shown);
     return unit;
 }
 
-/// How documents show quantities: the unit where nobody chooses another, and of which kind a choice counts.
+/// Units of quantities in documents by default, and the kind of choice that overrides them.
 static const struct {
     const char *name;
     double size;
-    unit_kind kind; ///< UNIT_KINDS: it is shown so always
+    unit_kind kind; ///< UNIT_KINDS: always shown so
 } shown_quantities[WHIRL_QUANTITIES] = {
     [WHIRL_QUANTITY_NUMBER] = {"", 1.0, UNIT_KINDS},
     [WHIRL_QUANTITY_PERCENT] = {"%", 1.0, UNIT_KINDS},
@@ -140,9 +140,9 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
     unit_choice choice, own;
     const whirl_status status = unit_choice_read(asked ? asked : "", &choice);
     if (status.code != WHIRL_OK) return status;
-    // A file may say anything; what is no choice chooses nothing.
+    // A file may contain anything; an invalid choice is ignored.
     if (unit_choice_read(whirl_result_fact(result, "units"), &own).code != WHIRL_OK) own = (unit_choice){0};
-    // A system that is asked for is all of it: words of the case do not stand beside it.
+    // A requested system replaces the case's words entirely.
     const bool whole = choice.of[UNIT_SYSTEM] != NULL;
     for (int kind = 0; kind < UNIT_KINDS && !whole; kind++)
         if (!choice.of[kind]) choice.of[kind] = own.of[kind];

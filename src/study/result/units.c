@@ -1,4 +1,4 @@
-// Units for people: a case that says 6000 rpm and 0.2 mm is answered in rpm and mm, whatever a result holds in SI.
+// Units for people: a case in rpm and mm is answered in rpm and mm, whatever unit a result stores.
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,8 +13,8 @@ static const whirl_parameter *find_parameter(const whirl_result *result, const c
     return NULL;
 }
 
-/// The unit behind the number of "6000 rpm" and how large it is, known from the value in SI. False where the text is no
-/// number with a unit, or where zero says nothing of its size.
+/// Reads the unit after the number of "6000 rpm" and finds its size from the value in SI. False if the text is no
+/// number with a unit, or if the value is zero.
 static bool unit_as_written(const whirl_parameter *parameter, whirl_unit *unit) {
     char *end;
     const double number = strtod(parameter->text, &end);
@@ -23,7 +23,7 @@ static bool unit_as_written(const whirl_parameter *parameter, whirl_unit *unit) 
     size_t length = strlen(end);
     while (length > 0 && end[length - 1] == ' ') length--;
     const double size = parameter->value / number;
-    // Temperatures have zeros of their own, which no factor tells.
+    // Temperature scales have an offset, which a factor cannot express.
     if (length == 0 || length >= sizeof unit->name || !(size > 0.0) || !isfinite(size)) return false;
     if (strcmp(parameter->unit, "K") == 0) return false;
     memcpy(unit->name, end, length);
@@ -32,7 +32,7 @@ static bool unit_as_written(const whirl_parameter *parameter, whirl_unit *unit) 
     return true;
 }
 
-/// The unit in which a sweep writes the parameter, from the fact "unit of gap": "mm = 0.001 m".
+/// Reads the unit in which a sweep writes the parameter, from the fact "unit of gap": "mm = 0.001 m".
 static bool unit_of_sweep(const whirl_result *result, const char *name, whirl_unit *unit) {
     char fact[WHIRL_NAME_SIZE + 8];
     snprintf(fact, sizeof fact, "unit of %s", name);
@@ -47,7 +47,7 @@ static bool unit_of_sweep(const whirl_result *result, const char *name, whirl_un
 
 static bool find_unit(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit);
 
-/// The unit of the first parameter of the same kind in an expression, "= 1.5*c".
+/// Finds the unit of the first parameter of the same kind in an expression, "= 1.5*c".
 static bool unit_of_names(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit) {
     const char *at = parameter->text + strspn(parameter->text, " \t");
     if (*at != '=') return false;
@@ -64,7 +64,8 @@ static bool unit_of_names(const whirl_result *result, const whirl_parameter *par
     return false;
 }
 
-/// False where no unit is written. Expressions are followed `depth` deep: a file may hold circles.
+/// Finds the unit of a parameter; false if none is written. Expressions are followed `depth` deep: a file may contain
+/// cycles.
 static bool find_unit(const whirl_result *result, const whirl_parameter *parameter, int depth, whirl_unit *unit) {
     return unit_of_sweep(result, parameter->name, unit) || unit_as_written(parameter, unit) ||
            (depth > 0 && unit_of_names(result, parameter, depth, unit));

@@ -1,4 +1,4 @@
-// Verification: the points of a study by two methods at three tolerances each, set beside each other.
+// Verification: computes the points of a study by two methods at three tolerances each, and compares them.
 #include "whirl/engine/verify.h"
 
 #include <math.h>
@@ -7,11 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// A tolerance is this much smaller than the one of the level before, a step half as long (its error, of order 4, a
-/// sixteenth).
+/// From level to level, tolerances shrink by the first ratio and steps by the second (RK4's error, of order 4, by the
+/// third).
 static const double tolerance_ratio = 10.0, step_ratio = 2.0, step_error_ratio = 16.0;
 
-/// Differences of states between which an order can be seen: below is rounding, above another motion.
+/// State differences from which an order can be estimated: smaller ones are rounding, larger ones another motion.
 static const double least_difference = 1e-13, largest_difference = 0.1;
 
 // ---------------------------------------------------------------- methods
@@ -40,7 +40,7 @@ static void set_levels(whirl_integrate_options levels[WHIRL_VERIFY_LEVELS]) {
 
 // ---------------------------------------------------------------- verdicts
 
-/// The points by one method, a batch a level.
+/// Computes the points by one method, with a batch for each level.
 static whirl_status run_levels(const whirl_study *study, const whirl_integrate_options levels[WHIRL_VERIFY_LEVELS],
                                const whirl_run_options *run, whirl_result **result) {
     whirl_study all = {.batch_count = WHIRL_VERIFY_LEVELS, .machine = study->machine, .family = study->family};
@@ -114,8 +114,7 @@ static void take_verdicts(whirl_verification *v, whirl_result *const results[WHI
     }
 }
 
-/// To the error of an exponent belongs by how much the next tolerance's differs, to that of the last one the one
-/// before's.
+/// Adds to an exponent's error its difference from the next tolerance's, for the last one from the one before.
 static void compare_exponents(whirl_verification *v) {
     for (size_t point = 0; point < v->count; point++)
         for (int m = 0; m < WHIRL_VERIFY_METHODS; m++)
@@ -130,7 +129,7 @@ static void compare_exponents(whirl_verification *v) {
 
 // ---------------------------------------------------------------- states
 
-/// The state after the revolutions, all NaN where the motion left its bounds.
+/// State after the revolutions, all NaN if the motion left its bounds.
 static whirl_status state_after(const whirl_machine *machine, const whirl_integrate_options *how,
                                 const whirl_stop *stop, int revolutions, double *x) {
     whirl_integrate_options options = *how;
@@ -158,7 +157,7 @@ static double distance(const double *a, const double *b, size_t dimension) {
     return largest;
 }
 
-/// From the differences of three levels, each with `ratio` times smaller steps or tolerances.
+/// Observed order from three levels, each with `ratio` times smaller steps or tolerances.
 static double observed_order(const double *states, size_t dimension, double ratio) {
     const double first = distance(states, states + dimension, dimension);
     const double second = distance(states + dimension, states + 2 * dimension, dimension);

@@ -1,4 +1,4 @@
-// Journal bearings by themselves over load and speed: points that know nothing of one another, on all threads.
+// Journal bearings alone, over load and speed: independent points, on all threads.
 #include "whirl/engine/bearing_table.h"
 
 #include <math.h>
@@ -79,8 +79,8 @@ bool whirl_bearing_pad_idle(const whirl_bearing_point *point, size_t pad) {
 
 // ---------------------------------------------------------------- a point
 
-/// A rigid rotor whirls above that mass a bearing: K - m w^2 + i w C has no inverse at one real w (Lund 1965).
-/// Matrices are xx, xy, yx, yy.
+/// Critical mass of a rigid rotor, per bearing: K - m w^2 + i w C is singular at one real w (Lund 1965). Matrices are
+/// xx, xy, yx, yy.
 static void find_critical_mass(const double *k, const double *c, double speed, double *mass, double *whirl) {
     const double together = (k[0] * c[3] + k[3] * c[0] - k[1] * c[2] - k[2] * c[1]) / (c[0] + c[3]);
     const double square = ((together - k[0]) * (together - k[3]) - k[1] * k[2]) / (c[0] * c[3] - c[1] * c[2]);
@@ -101,13 +101,13 @@ static void scale(const double *from, double unit, double *to) {
     for (int i = 0; i < 4; i++) to[i] = unit * from[i];
 }
 
-/// mu Omega R L (R/c)^2.
+/// Unit of force, mu Omega R L (R/c)^2.
 static double unit_of(const whirl_bearing *of, const whirl_bearing_point *point) {
     const double share = of->radius / of->pad_clearance;
     return point->viscosity * point->speed * of->radius * of->length * share * share;
 }
 
-/// The pads without dimensions, at a point's speed and viscosity.
+/// Dimensionless pads at a point's speed and viscosity.
 static whirl_pads pads_of(const whirl_bearing *of, const whirl_bearing_point *point) {
     const double c = of->pad_clearance, unit = unit_of(of, point), speed = point->speed, share = of->radius / c;
     whirl_pads pads = of->pads;
@@ -135,7 +135,7 @@ static double power_of(const whirl_bearing *of, const whirl_bearing_point *point
            state->drag;
 }
 
-/// By how much the leaving oil would warm, took it all of the power.
+/// Temperature rise of the leaving oil if it absorbs all of the power.
 static double heating_of(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads_state *state) {
     return power_of(of, point, state) / (of->density * of->specific_heat * flow_of(of, point, state));
 }
@@ -151,7 +151,7 @@ void whirl_bearing_reduced(const whirl_bearing *of, const whirl_bearing_point *p
     scale(d[0], unit / (c * speed), out[1][0]);
 }
 
-/// What is told of a state without dimensions.
+/// Converts a dimensionless state to SI in the point.
 static void give_dimensions(const whirl_bearing *of, whirl_bearing_point *point) {
     const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
     const whirl_pads_state *state = &point->state;
@@ -193,8 +193,8 @@ static void warm(const whirl_bearing *of, double temperature, whirl_bearing_poin
         of->density * mineral_oil_viscosity(of->oil_temperatures, of->oil_viscosities, of->oil_count, temperature);
 }
 
-/// By how much a film of a temperature is warmer than its heat makes it: the mean of the oil that comes in and of that
-/// which leaves. Infinite where no place carries the load: it is too hot.
+/// Excess of `temperature` over the film temperature that its heat makes, the mean of the inflow's and the
+/// outflow's temperatures. Infinite if no equilibrium carries the load: too hot.
 static whirl_status surplus(const whirl_bearing *of, double temperature, bool coarse, whirl_bearing_point *point,
                             double *out) {
     warm(of, temperature, point);
@@ -208,8 +208,8 @@ static whirl_status surplus(const whirl_bearing *of, double temperature, bool co
     return whirl_ok();
 }
 
-/// The temperature of the film, to a thousandth of a kelvin: between that of the oil that comes in and the one that
-/// this would make it, on a mesh half as fine; then by that mesh's slope on the fine one.
+/// Film temperature, to a thousandth of a kelvin: between the inlet's and the one that the film would have at the
+/// inlet's. Solves on a mesh half as fine, then corrects on the fine one by that mesh's slope.
 static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
     static const double hottest = 473.15, enough = 1e-3;
     double value, slope = 1.0, at = of->temperature;
@@ -278,7 +278,7 @@ static void begin(const whirl_bearing *of, size_t i, whirl_bearing_point *point)
 
 // ---------------------------------------------------------------- all of them
 
-/// Who is told of how far it is.
+/// Reports progress to the caller.
 typedef struct teller {
     const whirl_bearing_options *options;
     whirl_progress progress;
@@ -290,7 +290,7 @@ static void tell(teller *to) {
     to->progress.points_done++;
     to->progress.revolutions_done = (double)to->progress.points_done;
     if (!to->options || !to->options->progress || now < 1.0 || now - to->told < 0.2)
-        return; // of a short table nothing is told
+        return; // short tables report no progress
     to->told = to->progress.seconds = now;
     to->options->progress(to->options->context, &to->progress);
 }

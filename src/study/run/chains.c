@@ -1,4 +1,4 @@
-// Points come from chains, go through a recorder, and end as blocks of numbers in their slots.
+// Carries the points of chains through a recorder; they end as blocks of numbers in their slots.
 #include "chains.h"
 
 #include <math.h>
@@ -11,8 +11,8 @@
 
 // ---------------------------------------------------------------- making
 
-/// What is taken from motions beside the points: verdicts and, at the second tolerance, the exponents that were asked
-/// for.
+/// Analyses of a pass whose verdicts are compared with those of the points: the regime and, at the second tolerance,
+/// the requested exponents.
 static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
     static const char *const names[] = {"regime", "lyapunov", "exponents"};
     const size_t count = p->confirming ? sizeof names / sizeof *names : 1;
@@ -21,7 +21,7 @@ static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
     return set & batch->analyses;
 }
 
-/// The layout of what is taken from them.
+/// Makes the layout of these analyses.
 static whirl_status make_other_layout(chains *c) {
     whirl_batch first = *c->batch;
     whirl_machine machine;
@@ -34,8 +34,8 @@ static whirl_status make_other_layout(chains *c) {
     return status;
 }
 
-/// The next chain that is dealt out, from malloc; NULL where there is none, or *no_memory. There are as many at a time
-/// as threads have points under way.
+/// Takes the next dealt chain, from malloc; NULL if there is none, or if *no_memory. There are as many at a time as
+/// threads have points under way.
 static chain *begin_chain(chains *c, bool *no_memory) {
     const pass *p = c->pass;
     size_t index;
@@ -73,27 +73,27 @@ void chains_free(chains *c) {
 
 // ---------------------------------------------------------------- a thread's work
 
-/// A thread at a pass.
+/// A thread that works at a pass.
 typedef struct worker {
     chains *chains;
-    whirl_machine first;  ///< whose structure the machines of the recorder at work have
-    chain *unlike;        ///< whose machine has another structure, and waits for a recorder of its own; or NULL
+    whirl_machine first;  ///< its structure is that of all machines in the recorder
+    chain *unlike;        ///< a chain whose machine has another structure, waiting for a recorder of its own; or NULL
     size_t under_way;     ///< points
-    double *end;          ///< [dimension] of a point
+    double *end;          ///< [dimension] end of a point's motion
     double *other;        ///< [other.size] a verdict at the second tolerance
-    double *block;        ///< [layout.size] of a point whose block is left with the keeper
-    whirl_status status;  ///< the first error of `next`
-    double pending, last; ///< revolutions not yet told to the tracker, and when it was last told
-    size_t number;        ///< of the thread
-    double save_at;       ///< when motions under way are saved next
+    double *block;        ///< [layout.size] block of a point whose block stays in the journal
+    whirl_status status;  ///< first error of `next`
+    double pending, last; ///< revolutions not yet reported to the tracker, and the time of the last report
+    size_t number;        ///< number of the thread
+    double save_at;       ///< time at which motions under way are saved next
     size_t finished;      ///< points
 } worker;
 
 /// Seconds after which a motion is saved, and saved again.
 static const double save_interval = 5.0;
 
-/// The next chain, unless this thread already has its share of what is left and under way: towards the end no thread
-/// shall be at work with full lanes while another has none.
+/// Takes the next chain, unless this thread already has its share of the remaining points: otherwise some threads would
+/// end with full lanes while others are idle.
 static chain *take_ready(worker *w) {
     chains *c = w->chains;
     const size_t threads = (size_t)c->deal.threads;
@@ -111,7 +111,7 @@ static chain *take_ready(worker *w) {
     return taken;
 }
 
-/// After a point: others may go on with its chain, unless that goes no further.
+/// Releases a chain after a point: other threads may continue it, unless it has ended.
 static void leave(chains *c, chain *link, bool ended) {
     const bool over = ended || link->done == link->length;
 #pragma omp critical(whirl_chains)
@@ -133,14 +133,14 @@ static void release(chain *link) {
     link->start = NULL;
 }
 
-/// Of a chain that nobody goes on with.
+/// Frees a chain that nobody continues.
 static void drop(chain *link) {
     release(link);
     free(link);
 }
 
-/// Where a point starts from that goes on from another one's end: a carried one from the one before it, NULL where
-/// there is none or it diverged; one from a neighbour from the motion there.
+/// Start of a point that continues another one's motion. A carried point: the end of the point before it, NULL without
+/// one or if that diverged. A start from a neighbour: the end of the motion there.
 static const double *carried_start(const chains *c, size_t slot) {
     const size_t origin = pass_origin(c->run, c->pass->batch, slot);
     if (origin != slot) return c->ends + origin * c->run->dimension;
@@ -152,13 +152,13 @@ static const double *carried_start(const chains *c, size_t slot) {
     return isnan(end[0]) ? NULL : end;
 }
 
-/// Where the block of a point is made.
+/// Memory for the block of a point.
 static double *block_of(const worker *w, size_t slot) {
     const whirl_table *table = w->chains->table;
     return table->blocks ? table->blocks + slot * table->layout.size : w->block;
 }
 
-/// Two copies of a point may end at the same time.
+/// Notes a second verdict. Two copies of a point may end at the same time.
 static void set_beside(const worker *w, size_t slot) {
     const chains *c = w->chains;
     const whirl_layout *layout = &c->table->layout;
@@ -176,12 +176,12 @@ static void set_beside(const worker *w, size_t slot) {
     }
 }
 
-/// After a point was computed or recalled: what its pass is about stands in w->end or in w->other.
+/// Finishes a point that was computed or recalled: w->end or w->other has the pass's result.
 static void finish_point(worker *w, chain *link) {
     chains *c = w->chains;
     const size_t slot = current_slot(link);
     if (pass_is_beside(c->pass)) {
-        // The point itself may be another run's, which has its block.
+        // Another run may have computed the point itself, and has its block.
         if (c->table->done[slot]) set_beside(w, slot);
     } else {
         if (c->ends && c->pass->round == 0)
@@ -200,8 +200,7 @@ static size_t keeper_number(const chains *c) {
     return pass_number(c->run, c->pass);
 }
 
-/// What is kept of a point: its block, or what is taken from a motion beside it; and states where carried points need
-/// them.
+/// Journal entry of a point: its block or its second verdict; and states if carried points need them.
 static kept_point kept_at(const worker *w, size_t slot) {
     const chains *c = w->chains;
     const bool beside = pass_is_beside(c->pass);
@@ -213,7 +212,7 @@ static kept_point kept_at(const worker *w, size_t slot) {
                         .dimension = beside || c->pass->round > 0 ? 0 : c->run->dimension};
 }
 
-/// Takes the next point of a chain from the keeper, where that knows it.
+/// Recalls the next point of a chain from the journal, if it is there.
 static bool recall(worker *w, chain *link) {
     chains *c = w->chains;
     const kept_point point = kept_at(w, current_slot(link));
@@ -225,7 +224,7 @@ static bool recall(worker *w, chain *link) {
 
 // ---------------------------------------------------------------- points that are computed
 
-/// A chain with a point to be computed, or NULL.
+/// Takes a chain with a point that must be computed, or NULL.
 static chain *take_unknown(worker *w) {
     for (;;) {
         chain *link = take_ready(w);
@@ -245,7 +244,7 @@ static bool save_is_wanted(void *context) {
     return clock_seconds() >= w->save_at;
 }
 
-/// Those that have been under way for some time; short points are sooner done anew than saved.
+/// Saves motions that have run for some time; shorter ones are cheaper to repeat.
 static void save_states(void *context, const whirl_motion_state *states, size_t count) {
     worker *w = context;
     const chains *c = w->chains;
@@ -260,7 +259,7 @@ static void save_states(void *context, const whirl_motion_state *states, size_t 
     }
     keeper_save(c->run->keeper, w->number, kept, long_ones);
     free(kept);
-    // Large states on a slow disk are saved less often, so that they take a twentieth of the time at most.
+    // Large states on a slow disk are saved less often, so that saving takes at most a twentieth of the time.
     const double now = clock_seconds();
     w->save_at = now + fmax(save_interval, 20.0 * (now - begun));
 }
@@ -281,8 +280,7 @@ static whirl_status machine_at(const chains *c, size_t slot, whirl_machine *mach
     return whirl_study_machine(c->run->study, c->batch, point, machine);
 }
 
-/// Returns the chain whose machine is to be recorded next, with its machine and start; NULL where there is none, or an
-/// error is noted.
+/// Returns the chain to be recorded next, with its machine and start; NULL if there is none, or if an error is noted.
 static chain *take_machine(worker *w) {
     const chains *c = w->chains;
     if (w->unlike) return w->unlike;
@@ -316,7 +314,7 @@ static bool next(void *context, whirl_task *task) {
     return true;
 }
 
-/// The block of a point, or the verdict at the second tolerance.
+/// Computes the block of a point, or its verdict at the second tolerance.
 static whirl_status analyze(const worker *w, const chain *link, const whirl_record *record) {
     const chains *c = w->chains;
     const pass *p = c->pass;
@@ -349,7 +347,7 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     whirl_status status = analyze(w, link, record);
     const kept_point point = kept_at(w, slot);
     if (status.code == WHIRL_OK) status = keeper_keep(c->run->keeper, &point);
-    // What a motion that settled or diverged did not have to run counts as done.
+    // Revolutions that a motion saved by settling or diverging count as done.
     w->pending += c->revolutions - c->weight * record->revolutions;
     whirl_record_free(record);
     w->under_way--;
@@ -385,14 +383,14 @@ static bool revolution_done(void *context) {
     return tracker_advance(&run->tracker, packet, 0);
 }
 
-/// Goes on with machines of the structure that the machine of a slot has.
+/// Switches to machines with the structure of a slot's machine.
 static whirl_status turn_to_structure(worker *w, size_t slot) {
     if (w->first.release) w->first.release(w->first.owner);
     w->first = (whirl_machine){0};
     return machine_at(w->chains, slot, &w->first);
 }
 
-/// Records motions of machines of one structure after the other until there are none left for this thread.
+/// Records one structure's machines after the other, until none is left for this thread.
 static whirl_status record_structures(worker *w) {
     const chains *c = w->chains;
     const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};

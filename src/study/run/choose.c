@@ -1,10 +1,10 @@
-// Method "auto": which method the points of a batch go by.
+// Method "auto": chooses the method for the points of a batch.
 #include <stdio.h>
 #include <string.h>
 
 #include "whirl/engine/study.h"
 
-/// Adds what the machine of one point costs.
+/// Adds the cost of one point's machine.
 static whirl_status probe(const whirl_study *study, const whirl_batch *batch, size_t point, whirl_method_cost *sum) {
     whirl_machine machine;
     whirl_method_cost cost;
@@ -20,7 +20,7 @@ static whirl_status probe(const whirl_study *study, const whirl_batch *batch, si
 }
 
 static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
-    const size_t at[] = {0, batch->count / 2, batch->count - 1}; // where the study is sound: none of them twice
+    const size_t at[] = {0, batch->count / 2, batch->count - 1}; // three points, no two of them equal in a sound study
     whirl_method_cost sum = {0.0, 0.0};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof at / sizeof *at && status.code == WHIRL_OK; i++)
@@ -36,7 +36,7 @@ whirl_status whirl_study_choose_methods(whirl_study *study) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < study->batch_count && i < WHIRL_MAX_BATCHES && status.code == WHIRL_OK; i++) {
         whirl_batch *batch = &study->batches[i];
-        // Machines at rest are not integrated; where coefficients turn with the shaft, dop853 does it.
+        // Machines at rest are not integrated. For rotating coefficients dop853 computes the monodromy matrix.
         if (!whirl_analysis_kind(batch->analyses)->settles)
             snprintf(batch->integrate.method, sizeof batch->integrate.method, "dop853");
         else if (strcmp(batch->integrate.method, "auto") == 0 && batch->count > 0 && study->machine)

@@ -1,26 +1,26 @@
-// Chaos that may be on its way to something else. No finite watch proves that chaos lasts: transients of hundreds and
-// thousands of revolutions are common close to where an attractor begins or ends. So chaotic points that have a
-// neighbour of another regime, or no neighbours at all, are followed for longer, from where they ended, in copies that
-// soon go ways of their own. What is done follows from the blocks alone.
+// Follows chaos that may be transient. No finite record proves that chaos lasts: transients of hundreds and thousands
+// of revolutions are common near the ends of an attractor's range. Chaotic points with a neighbour of another regime,
+// or without neighbours, are therefore continued from their ends in perturbed copies. What is done follows from the
+// blocks alone.
 #include <math.h>
 #include <stdlib.h>
 
 #include "passes.h"
 
-/// A copy goes on for so many times the revolutions of the point, twice as many with every round of refinement.
+/// Length of a copy over the point's revolutions; doubled in every round of refinement.
 static const int first_length = 3;
 
-/// Neighbours on either side that are looked at, and the points that a batch must have for its neighbours to count.
+/// Neighbours on either side that are compared, and the fewest points of a batch whose neighbours count.
 enum { REACH = 2, MIN_NEIGHBOURS = 16 };
 
-/// Chaos that nothing but a refuge speaks against goes on, until a copy of it has ended there.
+/// Returns true for chaos that only a coexisting attractor puts in doubt: it is followed until a copy has ended there.
 static bool is_chaotic(const whirl_table *table, size_t slot) {
     const whirl_verdict v = whirl_table_verdict(table, slot);
     const bool ended = v.followed > 0.0 && v.later_regime != WHIRL_CHAOTIC && v.later_regime != WHIRL_UNDETERMINED;
     return v.regime == WHIRL_CHAOTIC && (v.confidence > WHIRL_LOW || (v.refuge != 0 && !ended));
 }
 
-/// Whether chaos ends close to the point, as far as its sweep tells.
+/// Returns true if the sweep shows an end of chaos near the point.
 static bool is_near_an_end(const whirl_batch *batch, const whirl_table *table, size_t slot) {
     if (batch->count < MIN_NEIGHBOURS) return true;
     const size_t first = slot / batch->count * batch->count, place = slot - first;
@@ -30,7 +30,7 @@ static bool is_near_an_end(const whirl_batch *batch, const whirl_table *table, s
     return false;
 }
 
-/// What a copy of a batch's points runs in this round.
+/// The pass of one copy of a batch's points in this round.
 static pass copy_pass(const study_run *run, size_t batch, int round, int copy) {
     const whirl_batch *own = &run->study->batches[batch];
     pass p = {.batch = batch, .round = round, .copy = copy, .integrate = own->integrate, .record = own->record};
@@ -44,7 +44,7 @@ static pass copy_pass(const study_run *run, size_t batch, int round, int copy) {
     return p;
 }
 
-/// Points that are called chaotic by clear evidence, that have not come to rest so far, and whose end is known.
+/// Returns true for points that are clearly chaotic, have not settled so far, and whose end is known.
 static bool is_due(const study_run *run, size_t batch, size_t slot) {
     const whirl_table *table = &run->result->tables[batch];
     const whirl_verdict verdict = whirl_table_verdict(table, slot);
@@ -53,7 +53,7 @@ static bool is_due(const study_run *run, size_t batch, size_t slot) {
     return clear && end && !isnan(end[0]) && is_near_an_end(&run->study->batches[batch], table, slot);
 }
 
-/// The due points of a batch that the budget pays for, as passes over its copies.
+/// Plans passes over the copies of a batch's due points, as far as the budget allows.
 static size_t plan_batch(const study_run *run, size_t batch, int round, double *budget, size_t *slots, pass *passes) {
     pass first = copy_pass(run, batch, round, 1);
     const double cost = FOLLOW_COPIES * pass_revolutions(run, &first);

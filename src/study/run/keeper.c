@@ -1,4 +1,4 @@
-// What outlives a run: its keeper is asked and told by one thread at a time.
+// Access to the journal of a run (its keeper), by one thread at a time.
 #include "passes.h"
 
 #include <errno.h>
@@ -13,7 +13,7 @@ bool keeper_recall(const whirl_keeper *keeper, const kept_point *p) {
 
 whirl_status keeper_keep(const whirl_keeper *keeper, const kept_point *p) {
     whirl_status status = whirl_ok();
-    // Whatever went another way for want of memory in this thread, its points are not to be believed.
+    // Memory that ran out in this thread may have changed its points.
     if (errno == ENOMEM) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compute a point");
     if (!keeper) return status;
 #pragma omp critical(whirl_keeper)

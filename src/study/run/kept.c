@@ -9,9 +9,9 @@
 struct whirl_kept_blocks {
     const whirl_keeper *keeper;
     size_t batch, dimension;
-    size_t point;     ///< whose block is in memory, SIZE_MAX for none
-    double *widths;   ///< [count] of the points of a refined map, in the end; else NULL
-    double *end;      ///< [dimension] asked for with the block
+    size_t point;     ///< point whose block is in memory, SIZE_MAX for none
+    double *widths;   ///< [count] final widths of a refined map's points; else NULL
+    double *end;      ///< [dimension] scratch for the state that comes with a block
     double numbers[]; ///< [layout.size] the block, and then the end
 };
 

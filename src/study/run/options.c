@@ -1,4 +1,4 @@
-// The options of a study as they describe themselves.
+// Descriptors of the options of a study.
 #include <math.h>
 
 #include "whirl/engine/study.h"

@@ -1,11 +1,11 @@
-// What a pass is and costs.
+// Properties and costs of passes.
 #include <math.h>
 #include <stdlib.h>
 
 #include "clock.h"
 #include "passes.h"
 
-/// Displacement of a copy over the size of the state.
+/// Displacement of a perturbed copy over the size of the state.
 static const double displacement = 1e-6;
 
 double pass_weight(const study_run *run, const pass *p) {
@@ -68,7 +68,7 @@ deal deal_begin(const study_run *run, const pass *p, size_t count) {
                   .threads = threads > run->threads ? threads : run->threads};
 }
 
-/// Has more pieces dealt to this run.
+/// Claims more pieces for this run.
 static void claim(deal *d) {
     size_t first = 0;
     const size_t taken = d->dealer->claim(d->dealer->context, d->number, d->count, &first);

@@ -7,7 +7,7 @@
 #include "chains.h"
 #include "kinds.h"
 
-/// Order of the passes: those with long points first, so that no thread is left with one at the end.
+/// Sorts passes with long points first, so that no thread ends with one alone.
 static void sort_long_first(chains *all, size_t count) {
     for (size_t i = 1; i < count; i++) {
         const chains moved = all[i];
@@ -30,8 +30,8 @@ static void work(study_run *run, chains *all, size_t count) {
     }
 }
 
-/// Passes that have no chains are made, in their order: over machines at rest, and along branches, of which curves and
-/// tori follow what was found. *count is how many others are left, in front.
+/// Makes the passes without chains, in their order: machines at rest, and branches, whose curves and tori depend on
+/// what was found. *count is how many passes are left, in front.
 static whirl_status work_without_chains(study_run *run, const pass *passes, size_t *count, const pass **left) {
     whirl_status status = whirl_ok();
     size_t others = 0;
@@ -78,7 +78,7 @@ whirl_status passes_outcome(const study_run *run) {
                           progress->stage == WHIRL_STAGE_CONFIRM ? "%zu of %zu points are confirmed so far"
                                                                  : "%zu of %zu points are there so far",
                           progress->points_done, progress->points_total);
-    // Without a stop there are points left only where the time for them was over, or other runs have them.
+    // Without a stop, points are missing only because time ran out or because other runs have them.
     const bool stopped = run->gathering || atomic_load(&run->tracker.halt);
     if (progress->points_done == progress->points_total || !stopped) return whirl_ok();
     return whirl_fail(WHIRL_STOPPED, formats[progress->stage], progress->points_done, progress->points_total);

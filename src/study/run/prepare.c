@@ -1,4 +1,4 @@
-// Tables of films are made before the points of a study, by all threads.
+// Makes the film tables of a study before its points, on all threads.
 #include <omp.h>
 #include <stdlib.h>
 
@@ -7,7 +7,7 @@
 #include "passes.h"
 #include "whirl/engine/film_tables.h"
 
-/// Points of which the tables are made beforehand, over all batches; those of others are made when their turn comes.
+/// Points, over all batches, whose tables are made beforehand; other tables are made when their points are computed.
 enum { PREPARED = 64 };
 
 /// A point of a batch.
@@ -15,19 +15,19 @@ typedef struct place {
     size_t batch, point;
 } place;
 
-/// How far it is.
+/// Progress of the preparation.
 typedef struct preparation {
     const whirl_study *study;
     const whirl_run_options *options;
-    size_t count; ///< of places
+    size_t count; ///< number of places
     place places[PREPARED];
-    whirl_film_tables tables; ///< of these
-    size_t missing;           ///< tables that are to be made
+    whirl_film_tables tables; ///< tables of these points
+    size_t missing;           ///< tables that must be made
     double started, told;
     first_error error;
 } preparation;
 
-/// Builds the machine of a point and lets it go; what it needs stays. What is wrong with it is found where it is used.
+/// Builds and releases the machine of a point, which makes its tables. Its faults are reported where it is used.
 static whirl_status visit(const whirl_study *study, const place *at, bool outline, const whirl_stop *stop) {
     whirl_batch batch = study->batches[at->batch];
     whirl_machine machine;
@@ -38,7 +38,7 @@ static whirl_status visit(const whirl_study *study, const place *at, bool outlin
     return status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED ? status : whirl_ok();
 }
 
-/// Adds a point to the places and the tables of its outline to the set.
+/// Adds a point to the places, and the tables of its outline to the set.
 static whirl_status add_place(preparation *p, size_t batch, size_t point) {
     const place at = {batch, point};
     if (p->count == PREPARED) return whirl_ok();
@@ -49,8 +49,8 @@ static whirl_status add_place(preparation *p, size_t batch, size_t point) {
     return status;
 }
 
-/// The first, the middle and the last point of every batch, by which methods are chosen; where these have different
-/// tables, others between them.
+/// Chooses the first, the middle and the last point of every batch, which also decide the method; if these have
+/// different tables, others between them.
 static whirl_status choose_places(preparation *p) {
     whirl_status status = whirl_ok();
     size_t of_first = 0;
@@ -92,7 +92,7 @@ whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_optio
     const whirl_status status = choose_places(&p);
     p.missing = whirl_film_tables_missing(&p.tables);
     if (status.code != WHIRL_OK || whirl_film_tables_count(&p.tables) == 0) return status;
-        // Threads that want the same table make it together: all of them go the same way.
+        // Threads that want the same table make it together, so all threads visit the points in one order.
 #pragma omp parallel num_threads(threads)
     for (size_t i = 0; i < p.count; i++) {
         const whirl_status own = visit(study, &p.places[i], false, options->stop);

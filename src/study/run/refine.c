@@ -1,5 +1,5 @@
-// Refinement: points whose verdict is in doubt are done again as the verdict advises, up to a budget. What is done next
-// follows from the blocks alone, so that threads, journals and interruptions change no bit.
+// Refinement: computes doubtful points again as their verdicts advise, up to a budget. What is done next follows from
+// the blocks alone, so that threads, journals and interruptions change no bit.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,10 +9,10 @@
 
 // ---------------------------------------------------------------- points in doubt
 
-/// A point that may be done again.
+/// A point that may be computed again.
 typedef struct candidate {
     size_t slot;
-    pass next; ///< of this point alone
+    pass next; ///< a pass over this point alone
     double cost;
 } candidate;
 
@@ -21,12 +21,12 @@ static double *block_of(const study_run *run, size_t batch, size_t slot) {
     return table->blocks + slot * table->layout.size;
 }
 
-/// Factors are powers of two, so that many points are done with the same options, side by side.
+/// Rounds a factor up to a power of two, so that many points share the same options and run together.
 static double rounded_up(double factor) {
     return exp2(ceil(log2(fmax(factor, 2.0)) - 1e-9));
 }
 
-/// How the point was done the last time.
+/// The pass by which the point was last computed.
 static pass last_pass(const study_run *run, size_t batch, size_t slot, int round) {
     const whirl_batch *own = &run->study->batches[batch];
     const double *numbers = refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
@@ -39,7 +39,7 @@ static int sign(double difference) {
     return (difference > 0.0) - (difference < 0.0);
 }
 
-/// An order of passes by their batch and by the options that refinement changes: -1, 0 where these are the same, 1.
+/// Orders passes by batch and by the options that refinement changes: -1, 0 if these are equal, 1.
 static int compare_options(const pass *a, const pass *b) {
     refined_option option;
     if (a->batch != b->batch) return a->batch < b->batch ? -1 : 1;
@@ -51,7 +51,7 @@ static int compare_options(const pass *a, const pass *b) {
     return 0;
 }
 
-/// Whether the point is in doubt and there is something to be done about it.
+/// Returns true if the point is doubtful and an advice can be followed.
 static bool is_candidate(const study_run *run, size_t batch, size_t slot, int round, candidate *found) {
     const whirl_batch *own = &run->study->batches[batch];
     const whirl_table *table = &run->result->tables[batch];
@@ -63,7 +63,7 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     if (refine_noted(&table->layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round) return false;
     const pass last = last_pass(run, batch, slot, round);
     *found = (candidate){.slot = slot, .next = last};
-    // The samples of a waveform stay as they are, whatever the steps.
+    // The samples of a waveform stay the same, whatever the steps.
     found->next.record.samples_per_revolution = whirl_record_samples(&own->record, own->integrate.steps_per_revolution);
     verdict.advice.factor = rounded_up(verdict.advice.factor);
     whirl_advice_apply(verdict.advice, &found->next.integrate, &found->next.record);
@@ -91,7 +91,7 @@ static int by_options(const void *left, const void *right) {
 
 // ---------------------------------------------------------------- a round
 
-/// What is done in a round.
+/// Plan of a round.
 typedef struct plan {
     size_t count; ///< points
     candidate *points;
@@ -100,7 +100,7 @@ typedef struct plan {
     pass *passes, *again; ///< [pass_count] the points, and those of them that are confirmed
     size_t again_count;
     double cost;
-    double *before; ///< the blocks of the points as they were; NULL where the budget is no time
+    double *before; ///< the points' earlier blocks; NULL unless the budget is a time
 } plan;
 
 static void plan_free(plan *p) {
@@ -116,7 +116,7 @@ static size_t count_points(const whirl_result *result) {
     return count;
 }
 
-/// The cheapest points that the budget pays for.
+/// Chooses the cheapest points, as far as the budget allows.
 static void choose(const study_run *run, int round, double budget, plan *p) {
     size_t count = 0;
     for (size_t batch = 0; batch < run->study->batch_count; batch++)
@@ -156,7 +156,7 @@ static whirl_status plan_round(const study_run *run, int round, double budget, p
     return whirl_ok();
 }
 
-/// The cost of the cheapest point in doubt, 0 where there is none.
+/// Cost of the cheapest doubtful point, 0 without one.
 static double cheapest_cost(const study_run *run, int round) {
     double least = 0.0;
     candidate found;
@@ -187,7 +187,7 @@ static whirl_status remember(const study_run *run, plan *p) {
     return whirl_ok();
 }
 
-/// Points that were not done, or not confirmed, are what they were.
+/// Restores points that were not computed, or not confirmed.
 static void take_back(const study_run *run, const plan *p, int round) {
     const double *from = p->before;
     for (size_t i = 0; i < p->count; i++) {
@@ -212,7 +212,7 @@ static double spent_on(const study_run *run, const plan *p) {
     return sum;
 }
 
-/// The points, then those of them that are confirmed. Where time runs out the rest is left as it is.
+/// Computes the points, then confirms those that need it. When time runs out the rest is left as it is.
 static whirl_status work(study_run *run, const plan *p) {
     whirl_status status = passes_work(run, p->passes, p->pass_count);
     if (status.code == WHIRL_OK) status = passes_outcome(run);
@@ -222,7 +222,7 @@ static whirl_status work(study_run *run, const plan *p) {
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
 }
 
-/// The cheapest points that the budget pays for, in one go. *done is how many there were.
+/// Computes the cheapest points that the budget allows. *done is how many there were.
 static whirl_status refine_some(study_run *run, int round, double *budget, size_t *done) {
     plan p;
     whirl_status status = plan_round(run, round, *budget, &p);
@@ -241,15 +241,15 @@ static whirl_status refine_some(study_run *run, int round, double *budget, size_
 
 // ---------------------------------------------------------------- budgets of time
 
-/// Revolutions a second of the last stage, of what was computed in it; 0 where nothing was.
+/// Revolutions per second computed in the last stage; 0 if there were none.
 static double pace_of(const study_run *run) {
     const whirl_progress *progress = &run->tracker.progress;
     const double seconds = clock_seconds() - run->tracker.started;
     return seconds > 0.0 ? fmax(progress->revolutions_done - progress->revolutions_recalled, 0.0) / seconds : 0.0;
 }
 
-/// What the next portion may cost: what an eighth of the time that is left will do at the pace of the portion before,
-/// so that little is under way when time runs out; or one point, where all of that time will do. 0: there is none.
+/// Budget of the next portion: the work of an eighth of the remaining time at the pace of the portion before, so that
+/// little is under way when time runs out; or one point, if that fits the remaining time. 0: no portion.
 static double next_portion(const study_run *run, int round) {
     const double pace = pace_of(run), left = pace * (run->deadline - clock_seconds()),
                  least = cheapest_cost(run, round);
@@ -269,7 +269,8 @@ static whirl_status refine_in_time(study_run *run, int round, size_t *done) {
     return status;
 }
 
-/// Half of what is left (NULL: of the time) goes to chaos that may end; what has ended is in doubt in the next round.
+/// Spends half of the remaining budget (NULL: time) on chaos that may end. Chaos that has ended is doubtful in the next
+/// round.
 static whirl_status follow_some(study_run *run, int round, double *budget, size_t *done) {
     size_t followed;
     const double pace = pace_of(run), half = 0.5 * (budget ? *budget : pace * (run->deadline - clock_seconds()));

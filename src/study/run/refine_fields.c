@@ -1,4 +1,4 @@
-// What refinement notes of a point in its block: rounds, what was spent, and the options that an advice may change.
+// Fields that refinement notes in a point's block: rounds, cost, and the options that an advice may change.
 #include <stdio.h>
 
 #include "passes.h"

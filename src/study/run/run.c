@@ -1,4 +1,4 @@
-// Running a study: its points, their confirmations, and refinement.
+// Runs a study: its points, their confirmations, and refinement.
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -72,8 +72,8 @@ whirl_status whirl_study_outline(const whirl_study *study, whirl_result **out) {
 
 // ---------------------------------------------------------------- stages
 
-/// Counts the states of the machines that move: as many in all batches, for motions begin where others have ended.
-/// Machines at rest may have others; where there are no motions, those of the first batch count.
+/// Counts the states of moving machines, which must agree in all batches, since motions begin at the ends of others.
+/// Machines at rest may differ; without motions the first batch counts.
 static whirl_status count_states(study_run *run) {
     const whirl_study *study = run->study;
     bool moving = false;
@@ -98,7 +98,7 @@ static whirl_status count_states(study_run *run) {
     return whirl_ok();
 }
 
-/// Where the points of batches end from which others go on.
+/// Makes the array of the points' ends, for batches that start from them.
 static whirl_status make_ends(study_run *run) {
     const whirl_study *study = run->study;
     const whirl_status status = count_states(run);
@@ -115,7 +115,7 @@ static whirl_status make_ends(study_run *run) {
     return whirl_ok();
 }
 
-/// What is done to the study's own points at a time.
+/// A stage over the study's own points.
 typedef struct stage {
     whirl_stage name;
     size_t pass_count, points;
@@ -136,7 +136,7 @@ static void add_pass(const study_run *run, const pass *p, stage *s) {
         free(p->slots);
 }
 
-/// The passes over the points, or over those that are confirmed; of the run's share. Freed by free_stage.
+/// Plans the passes over the points, or over those that are confirmed, of the run's share. Freed by free_stage.
 static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s) {
     const bool confirming = name == WHIRL_STAGE_CONFIRM;
     whirl_status status = whirl_ok();
@@ -159,13 +159,13 @@ static whirl_status plan_stage(const study_run *run, whirl_stage name, stage *s)
 double whirl_study_revolutions(const whirl_study *study) {
     const study_run run = {.study = study};
     stage points, again;
-    (void)plan_stage(&run, WHIRL_STAGE_COMPUTE, &points); // without shares there is nothing that can fail
+    (void)plan_stage(&run, WHIRL_STAGE_COMPUTE, &points); // cannot fail without shares
     (void)plan_stage(&run, WHIRL_STAGE_CONFIRM, &again);
     return points.revolutions + again.revolutions;
 }
 
 static whirl_status run_stage(study_run *run, stage *s) {
-    // Of refined maps first squares are dealt out, not points.
+    // Refined maps deal first squares, not points.
     const bool deals = run->dealer && s->name == WHIRL_STAGE_COMPUTE;
     if (s->points == 0 && !deals) return whirl_ok();
     for (size_t i = 0; i < s->pass_count && s->name == WHIRL_STAGE_CONFIRM; i++) share_confirmed(run, &s->passes[i]);
@@ -175,7 +175,7 @@ static whirl_status run_stage(study_run *run, stage *s) {
     return status.code == WHIRL_OK ? passes_outcome(run) : status;
 }
 
-/// What needs all points and their confirmations.
+/// Runs the stages that need all points and their confirmations.
 static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
     double unlimited = (double)INFINITY;
     size_t followed;
@@ -185,7 +185,7 @@ static whirl_status run_stages_of_all(study_run *run, bool confirmed) {
     return status;
 }
 
-/// What is confirmed once the points are there: of refined maps there are more than were known.
+/// Plans the confirmations again after the points are known: refined maps have more points than before.
 static whirl_status plan_again(study_run *run, stage *again) {
     const double before = again->revolutions;
     free_stage(again);
@@ -194,7 +194,7 @@ static whirl_status plan_again(study_run *run, stage *again) {
     return status;
 }
 
-/// The points and their confirmations, or what is known of them.
+/// Computes the points and their confirmations, or recalls them.
 static whirl_status run_points(study_run *run, const whirl_run_options *options) {
     stage points, again;
     whirl_status status = refined_maps_new(run);
@@ -217,7 +217,7 @@ static bool branches_are_missing(const study_run *run) {
     return missing;
 }
 
-/// What other runs have computed comes to the one that gathers, also where that was stopped: `own` is how it ended.
+/// Gathers what other runs have computed, also if the gathering run was stopped. `own` is its outcome.
 static whirl_status gather_dealt(study_run *run, const whirl_run_options *options, const whirl_status *own) {
     const whirl_dealer *dealer = options->dealer;
     const double started = run->tracker.started;
@@ -249,7 +249,7 @@ static whirl_status run_stages(study_run *run, const whirl_run_options *options)
     return status;
 }
 
-/// Unbalances by rule, once for all points; `placed` is what the batches borrow.
+/// Places unbalances by rule, once for all points; the batches borrow `placed`.
 static whirl_status place_all(whirl_study *study, whirl_placed *placed[WHIRL_MAX_BATCHES]) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < study->batch_count && status.code == WHIRL_OK; i++)

@@ -33,7 +33,7 @@ whirl_branch_options settled_options(const whirl_batch *batch, size_t most_point
 
 // ---------------------------------------------------------------- the section of a motion
 
-/// After the transient, as long as periods can be told from.
+/// Records the motion after the transient, long enough to detect periods.
 static whirl_status follow(const whirl_machine *machine, const whirl_batch *batch, whirl_record **record) {
     enum { LEAST = 16 };
     whirl_record_options options = whirl_record_default();
@@ -50,7 +50,7 @@ static whirl_status follow(const whirl_machine *machine, const whirl_batch *batc
     return whirl_fail(WHIRL_BAD_INPUT, "the motion leaves its bounds after %.0f revolutions", bounded);
 }
 
-/// By how much states so many revolutions apart differ, at most.
+/// Largest difference of states so many revolutions apart.
 static double return_distance(const whirl_record *r, size_t apart) {
     double largest = 0.0;
     for (size_t n = apart; n < r->section_count; n++) {
@@ -61,7 +61,7 @@ static double return_distance(const whirl_record *r, size_t apart) {
     return largest;
 }
 
-/// Revolutions after which the motion comes back, to a thousandth of its size; 1 where it does not within `longest`.
+/// Revolutions after which the motion returns to a thousandth of its size; 1 if it does not within `longest`.
 static size_t period_of(const whirl_record *r, size_t longest) {
     double size = 0.0;
     for (size_t i = 0; i < r->section_count * r->dimension; i++) size = fmax(size, fabs(r->section[i]));
@@ -70,7 +70,7 @@ static size_t period_of(const whirl_record *r, size_t longest) {
     return 1;
 }
 
-/// Puts the mean of the section in the place of the last state, but for what turns.
+/// Replaces the last state by the mean of the section, except for angles that turn.
 static void average(whirl_record *r) {
     for (size_t i = 0; i < r->dimension; i++) {
         double mean = 0.0;
@@ -80,8 +80,8 @@ static void average(whirl_record *r) {
     }
 }
 
-/// From the motion's last state; and where it does not settle on a periodic orbit, from the mean of its section, in the
-/// middle of which the orbit lies that it left.
+/// Searches from the motion's last state. If the motion does not settle on a periodic orbit, searches from the mean of
+/// its section, which is near the unstable orbit that it left.
 static whirl_status settle(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
                            whirl_orbit **orbit) {
     const whirl_trace_options *trace = &batch->record.trace;
@@ -98,8 +98,8 @@ static whirl_status settle(const whirl_machine *machine, const whirl_batch *batc
     return status;
 }
 
-/// By Newton's method from the initial state, or from the first harmonic of the machine's linear response about its
-/// rest: orbits that no motion settles on are found, too.
+/// Searches by Newton's method from the initial state, or from the first harmonic of the machine's linear response
+/// about its equilibrium. Finds unstable orbits, too.
 static whirl_status search(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
                            whirl_orbit **orbit) {
     const whirl_trace_options *trace = &batch->record.trace;

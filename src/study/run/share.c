@@ -16,7 +16,7 @@ bool whirl_share_has(const whirl_study *study, const whirl_share *share, size_t 
     return share->count == 0 || slot / piece_of(own) % share->count + 1 == share->number;
 }
 
-/// Whether a point still is to be computed, or confirmed: that of a carried point goes with it.
+/// Returns true if a point must still be computed or confirmed; carried points count with their chain.
 static bool is_open(const study_run *run, const pass *p, size_t slot) {
     const whirl_dealer *dealer = run->dealer;
     const whirl_batch *batch = &run->study->batches[p->batch];
@@ -26,7 +26,7 @@ static bool is_open(const study_run *run, const pass *p, size_t slot) {
            dealer->open(dealer->context, pass_number(run, &again), slot);
 }
 
-/// Whether something of the piece that a point belongs to may be dealt to this run.
+/// Returns true if a part of a point's piece may be dealt to this run.
 static bool is_dealt(const study_run *run, const pass *p, size_t slot) {
     const whirl_batch *batch = &run->study->batches[p->batch];
     if (batch_is_found(batch)) return run->dealer->gather != NULL;

@@ -1,4 +1,4 @@
-// The tables of a study's result, empty: values, branches, and a slot a point.
+// Tables of a study's result before the run: values, branches, and a slot for each point.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -24,7 +24,7 @@ static void fill_values(whirl_table *table, const whirl_batch *batch) {
         }
 }
 
-/// An empty table whose layout follows from the first machine of the batch.
+/// Makes an empty table, whose layout follows from the first machine of the batch.
 static whirl_status make_table(const whirl_study *study, const whirl_batch *batch, whirl_table *table) {
     whirl_batch first = *batch;
     whirl_machine machine;
@@ -66,8 +66,8 @@ static whirl_status make_table(const whirl_study *study, const whirl_batch *batc
     return whirl_ok();
 }
 
-/// Blocks of `large` bytes need not be in memory; those of a table that is closed up in the end (table_close_up) take
-/// no more of it than they use.
+/// Makes the blocks. Blocks of `large` bytes need not be in memory; tables that are closed up in the end
+/// (table_close_up) use memory only for the points that they have.
 static whirl_status make_blocks(whirl_table *table, size_t large) {
     const bool closed_up = table->refine > 0 || table->neighbours > 0;
     const size_t least = closed_up ? PTRDIFF_MAX : large > ROOM_MIN ? large : ROOM_MIN;
@@ -76,7 +76,7 @@ static whirl_status make_blocks(whirl_table *table, size_t large) {
                          : whirl_fail(WHIRL_NO_MEMORY, "no memory for the results of %zu points", table->count);
 }
 
-/// Blocks that change after they were kept stay in memory.
+/// Returns true if a batch's blocks may stay in the journal: blocks that change later stay in memory.
 static bool may_leave(const study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
     return run->keeper && !own->confirm && !study_is_refined(run->study) && !batch_is_found(own);
@@ -90,14 +90,14 @@ whirl_status tables_fill(const study_run *run, size_t memory) {
         table->done = room_take(&table->room, table->count, sizeof *table->done, ROOM_MIN);
         if (!table->done) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points", table->count);
         const bool large = table->count >= most / (table->layout.size + 1);
-        // Beside other points no state is kept.
+        // No state is kept for points at rest.
         const size_t dimension = whirl_analysis_kind(table->analyses)->moves ? run->dimension : 0;
         status = large && may_leave(run, i) ? kept_new(table, run->keeper, i, dimension) : make_blocks(table, bytes);
     }
     return status;
 }
 
-/// Moves what stands at a slot to the front.
+/// Moves a point to the front.
 static void move_point(whirl_table *table, size_t to, size_t from) {
     const size_t size = table->layout.size;
     table->slots[to] = from;
@@ -130,7 +130,7 @@ void tables_blank(whirl_result *result) {
     }
 }
 
-/// The budget of refinement, as a fact: a run with another one is another study.
+/// Notes the budget of refinement as a fact: a run with another one is another study.
 static whirl_status tell_budget(const whirl_study *study, whirl_result *result) {
     char text[80];
     if (!study_is_refined(study)) return whirl_ok();
@@ -141,7 +141,7 @@ static whirl_status tell_budget(const whirl_study *study, whirl_result *result) 
     return whirl_result_add_fact(result, "refine", text);
 }
 
-/// Which parameter the curves are over, besides the table's.
+/// Notes the second parameter of curves, besides the table's.
 static whirl_status tell_second(const whirl_study *study, whirl_result *result) {
     for (size_t i = 0; i < study->batch_count; i++)
         if (*study->batches[i].second)

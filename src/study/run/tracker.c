@@ -32,7 +32,7 @@ void tracker_follow(tracker *t, int round, size_t motions, double revolutions) {
     t->progress.stage = WHIRL_STAGE_FOLLOW;
 }
 
-/// Reports when it is time to, and looks whether the run shall end.
+/// Reports if it is time to, and checks whether the run must end.
 static void look_around(tracker *t) {
     const double seconds = clock_seconds() - t->started;
     if (t->options->progress && seconds - t->reported >= report_interval) {

@@ -1,4 +1,4 @@
-/// How far a run has come, told by all threads.
+/// Progress of a run, updated by all threads.
 #ifndef STUDY_TRACKER_H
 #define STUDY_TRACKER_H
 
@@ -11,7 +11,7 @@
 typedef struct tracker {
     const whirl_run_options *options;
     whirl_progress progress;
-    first_error error; ///< of any thread
+    first_error error; ///< first error of any thread
     atomic_bool halt;  ///< no further work
     double started, reported;
 } tracker;
@@ -25,25 +25,25 @@ void tracker_round(tracker *tracker, int round, size_t points, double revolution
 /// Begins a round of starts from neighbours.
 void tracker_neighbours(tracker *tracker, int round, size_t points, double revolutions);
 
-/// Begins to follow motions; of round 0, or in a round of refinement.
+/// Begins to follow motions, in round 0 or in a round of refinement.
 void tracker_follow(tracker *tracker, int round, size_t motions, double revolutions);
 
-/// Adds to the progress and reports it now and then. False when the run shall end.
+/// Adds to the progress and reports it now and then. False if the run must end.
 bool tracker_advance(tracker *tracker, double revolutions, size_t points);
 
 /// Adds a point that needs no computing.
 void tracker_recall(tracker *tracker, double revolutions, size_t points);
 
-/// Adds what there is to do besides, as has turned out.
+/// Adds work that was not planned.
 void tracker_add(tracker *tracker, double revolutions, size_t points);
 
-/// Takes back what there might have been to do and is not there.
+/// Subtracts planned work that turned out not to exist.
 void tracker_lack(tracker *tracker, double revolutions, size_t points);
 
 /// Notes an error; the first one counts. The run ends.
 void tracker_fail(tracker *tracker, const whirl_status *status);
 
-/// Reports for the last time.
+/// Makes the last report.
 void tracker_end(tracker *tracker);
 
 #endif
