@@ -22,7 +22,7 @@ static const struct {
     {"Hopf", "#0072B2", WHIRL_DOWN},
     {"grazing", "#56B4E9", WHIRL_FRAME},
 };
-enum { KINDS = sizeof kinds / sizeof *kinds, LABELLED = 64 };
+enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static int kind_of(const whirl_table *table, size_t point) {
     const double kind = point_number(table, point, WHIRL_FIELD_TRACE_SPECIAL);
@@ -117,22 +117,15 @@ static void add_marks(whirl_figure *figure, whirl_panel *panel, const view *v) {
     }
 }
 
-/// The values of special points that have room: none that is labelled before it is nearer than a 30th of the axis.
+/// The values of special points.
 static void add_labels(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    double taken[LABELLED];
-    size_t count = 0;
     whirl_series *texts = panel_series(figure, panel, WHIRL_TEXTS, "#000000", 1.0);
-    if (texts) texts->side = WHIRL_SLANTED;
-    for (size_t point = 0; point < v->table->count && count < LABELLED; point++) {
-        bool room = kind_of(v->table, point) > 0;
-        const double value = value_of(v, point);
-        for (size_t k = 0; k < count && room; k++)
-            room = fabs(taken[k] - value) >= (v->range.high - v->range.low) / 30.0;
-        if (!room) continue;
+    if (texts) texts->movable = true;
+    for (size_t point = 0; point < v->table->count; point++) {
         char text[32];
-        taken[count++] = value;
-        snprintf(text, sizeof text, "%.5g", value);
-        series_add_text(figure, texts, value, number_of(v, point, 0), text);
+        if (kind_of(v->table, point) == 0) continue;
+        snprintf(text, sizeof text, "%.5g", value_of(v, point));
+        series_add_text(figure, texts, value_of(v, point), number_of(v, point, 0), text);
     }
 }
 

@@ -84,6 +84,12 @@ double figure_number_width(const whirl_figure *figure);
 /// cm of text of so many letters.
 double figure_text_width(const whirl_figure *figure, size_t letters);
 
+/// Letters of a text in UTF-8.
+size_t figure_letters(const char *text);
+
+/// Places the movable texts of a panel, whose axes and box are known, so that they meet no other text, legend or edge.
+void figure_place_texts(whirl_figure *figure, whirl_panel *panel);
+
 // ---------------------------------------------------------------- script_data
 // Data inside an HTML page: JSON whose text can end no script element, and arrays of numbers as base64.
 

@@ -14,18 +14,12 @@ double figure_text_width(const whirl_figure *figure, size_t letters) {
     return 0.0195 * figure->font * (double)letters;
 }
 
-static size_t letters_of(const char *text) {
-    size_t letters = 0;
-    for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
-    return letters;
-}
-
 double figure_number_width(const whirl_figure *figure) {
     size_t most = 1;
     for (size_t p = 0; p < figure->count; p++) {
         const whirl_axis *axis = &figure->panels[p]->y;
         for (size_t i = 0; axis->shown && i < axis->tick_count; i++)
-            if (letters_of(axis->tick_texts[i]) > most) most = letters_of(axis->tick_texts[i]);
+            if (figure_letters(axis->tick_texts[i]) > most) most = figure_letters(axis->tick_texts[i]);
     }
     return 0.9 * figure_text_width(figure, most);
 }
@@ -110,8 +104,8 @@ size_t figure_legend_rows(const whirl_figure *figure) {
     for (size_t p = 0; p < figure->count; p++)
         for (size_t s = 0; s < figure->panels[p]->count && !figure->panels[p]->keyed; s++) {
             if (!*figure->panels[p]->series[s]->name || !is_new(figure, p, s)) continue;
-            longest =
-                fmax(longest, 0.65 + 0.8 * figure_text_width(figure, letters_of(figure->panels[p]->series[s]->name)));
+            longest = fmax(longest,
+                           0.65 + 0.8 * figure_text_width(figure, figure_letters(figure->panels[p]->series[s]->name)));
             count++;
         }
     const double across = fmax(floor((figure->width - 0.4) / fmax(longest, 0.1)), 1.0);
@@ -189,7 +183,7 @@ static void place_row(whirl_figure *figure, size_t first, size_t end, double top
 
 /// Labels of vertical axes that are longer than their panels are high have two lines.
 static void break_label(const whirl_figure *figure, whirl_panel *panel) {
-    const size_t letters = letters_of(panel->y.label);
+    const size_t letters = figure_letters(panel->y.label);
     char *gap = strchr(panel->y.label + strlen(panel->y.label) / 3, ' ');
     if (panel->height >= FIGURE_LOW_PANEL && gap && figure_text_width(figure, letters) > panel->height) *gap = '\n';
 }
@@ -273,4 +267,5 @@ void figure_finish(whirl_figure *figure, const char *log) {
     }
     fill_ticks(figure, false);
     fill_scale_ticks(figure);
+    for (size_t i = 0; i < figure->count; i++) figure_place_texts(figure, figure->panels[i]);
 }

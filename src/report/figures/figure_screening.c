@@ -41,6 +41,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     whirl_series *names = *table->parameter ? panel_series(figure, panel, WHIRL_TEXTS, "#303030", 1.0) : NULL;
     const whirl_unit unit = whirl_shown_parameter(of->units, table->parameter);
     if (names) names->side = WHIRL_BESIDE;
+    if (names) names->movable = true;
     for (size_t point = 0; point < table->count; point++) {
         if (!stands(table, point)) continue;
         const bool in_b = whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0) > 0.5;

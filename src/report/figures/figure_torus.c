@@ -195,7 +195,7 @@ static void add_resonances(whirl_figure *figure, whirl_panel *panel, span range)
             whirl_series *line = panel_level(figure, panel, at, "#9A9A9A", 0.4);
             if (line) line->dashed = true;
             whirl_series *label = panel_series(figure, panel, WHIRL_TEXTS, "#606060", 1.0);
-            if (label && (range.high - at) < 0.1 * (range.high - range.low)) label->side = WHIRL_BELOW;
+            if (label) label->movable = true;
             series_add_text(figure, label, panel->x.low + 0.97 * (panel->x.high - panel->x.low), at, text);
             drawn++;
         }

@@ -132,16 +132,15 @@ static bool polar_place(const view *v, size_t point, size_t probe, double place[
     return true;
 }
 
-/// Marks speeds on a probe's line at round values of the parameter; names that would overlap are left out.
-static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe, double high,
-                       double (*named)[2], size_t *count) {
-    enum { MAX_NAMED = 32 };
+/// Marks speeds on a probe's line at round values of the parameter.
+static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, size_t probe) {
     span range = span_empty();
     for (size_t point = 0; point < v->table->count; point++) span_widen(&range, value_at(v, point));
     const double step = tick_step(range.high - range.low, 6);
     whirl_series *marks = panel_series(figure, panel, WHIRL_DOTS, line_colour(probe), 1.8);
     whirl_series *names = panel_series(figure, panel, WHIRL_TEXTS, line_colour(probe), 1.0);
     if (names) names->side = WHIRL_BESIDE;
+    if (names) names->movable = true;
     for (double value = step * ceil(range.low / step); step > 0.0 && value <= range.high; value += step) {
         double one[2], other[2];
         size_t point = 0;
@@ -152,23 +151,16 @@ static void add_speeds(whirl_figure *figure, whirl_panel *panel, const view *v, 
             !polar_place(v, point + 1, probe, other))
             continue;
         const double x = one[0] + share * (other[0] - one[0]), y = one[1] + share * (other[1] - one[1]);
-        bool meets = *count == MAX_NAMED;
-        for (size_t i = 0; i < *count; i++)
-            meets = meets || (fabs(named[i][0] - x) < 0.45 * high && fabs(named[i][1] - y) < 0.13 * high);
-        series_add(figure, marks, x, y);
-        if (meets) continue;
         char text[32];
+        series_add(figure, marks, x, y);
         snprintf(text, sizeof text, "%g", value);
         series_add_text(figure, names, x, y, text);
-        named[*count][0] = x;
-        named[(*count)++][1] = y;
     }
 }
 
 /// The polar diagram of both probes, the origin in its middle.
 static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
-    double most = 0.0, place[2], named[32][2];
-    size_t count = 0;
+    double most = 0.0, place[2];
     symbol_length(v->of->units, WHIRL_AMPLITUDE, "amplitude", panel->x.label, sizeof panel->x.label);
     for (size_t i = 0; i < 2 * v->table->count; i++)
         if (polar_place(v, i / 2, i % 2, place)) most = fmax(most, hypot(place[0], place[1]));
@@ -178,7 +170,7 @@ static void add_polar(whirl_figure *figure, whirl_panel *panel, const view *v) {
         whirl_series *line = panel_series(figure, panel, WHIRL_LINE, line_colour(probe), 0.53);
         for (size_t point = 0; point < v->table->count; point++)
             if (polar_place(v, point, probe, place)) series_add(figure, line, place[0], place[1]);
-        add_speeds(figure, panel, v, probe, high, named, &count);
+        add_speeds(figure, panel, v, probe);
     }
     axis_show(&panel->x, (span){-1.3 * high, 1.3 * high});
     axis_show(&panel->y, (span){-1.3 * high, 1.3 * high});
