@@ -13,7 +13,7 @@
 int available_cores(void);
 
 // ---------------------------------------------------------------- estimate
-// How long a study takes, by a few of its revolutions.
+// Duration of a study, estimated from a few of its revolutions.
 
 /// Estimates the seconds that a batch takes on so many cores, to within a factor of about two; for motions that settle
 /// an upper bound. NaN if unknown: for branches, very large studies, and studies at rest, except modes that take a
@@ -22,8 +22,7 @@ int available_cores(void);
 whirl_status estimate_seconds(const whirl_study *study, const whirl_batch *batch, int cores, double *seconds);
 
 // ---------------------------------------------------------------- guard
-// What becomes of the program where a library does not survive a lack of memory: a sentence and exit status 1, no
-// signal.
+// Crashes of libraries for lack of memory become a sentence and exit status 1, instead of a signal.
 
 /// Turns faults for lack of memory, and unexpected ends of the program, into a sentence.
 void guard_begin(void);
@@ -62,7 +61,7 @@ void interrupt_pass_on(int number);
 const char *interrupt_text(void);
 
 // ---------------------------------------------------------------- phases
-// What `whirl check` says of forces that do not turn with the shaft.
+// Report of `whirl check` on forces that do not rotate with the shaft.
 
 /// Prints lines if forces of the batch's machines do not repeat with the shaft: the phase of sections (the shaft's, or
 /// that of the keyphasor of `rotor`), the period of the forces or that they have none, and the names of the verdicts.
@@ -95,13 +94,13 @@ void progress_show(void *view, const whirl_progress *progress);
 void progress_end(progress_view *view);
 
 // ---------------------------------------------------------------- summary
-// What `whirl run` and `whirl check` say of a study before it is computed.
+// Description of a study before it is computed, for `whirl run` and `whirl check`.
 
 /// One line a batch: points, revolutions, steps.
 void summarize_study(const whirl_study *study);
 
 // ---------------------------------------------------------------- terminal
-// What the terminal can show, if there is one.
+// Properties of the terminal, if there is one.
 
 /// Returns true if a file descriptor is a terminal.
 bool is_terminal(int descriptor);

@@ -66,8 +66,8 @@ static bool is_of_share(const void *context, size_t batch, size_t slot) {
                                         : whirl_share_has(&journal->study, &journal->wish->owner.share, batch, slot);
 }
 
-/// "7 of 12 points" that the journal is for; of refined maps and with starts from neighbours it is not known beforehand
-/// how many there will be.
+/// Writes "7 of 12 points" of the journal; the total of refined maps, and with starts from neighbours, is unknown
+/// beforehand.
 static void points_text(const run_journal *journal, const whirl_result *outline, char *text, size_t size) {
     const size_t found = whirl_journal_look(journal->journal).points;
     size_t count = 0;

@@ -70,8 +70,8 @@ typedef struct run_journal {
 /// If nothing is left to do, `finished` is the existing complete result, and there is no journal.
 int open_journal(const journal_wish *wish, const whirl_case *object, run_journal *journal, whirl_result **finished);
 
-/// The same for a rank but the first one, when the first has opened the journal of the whole: `there` are the journals
-/// that there were before any rank began its own.
+/// Like open_journal, for other ranks than the first one, after the first has opened the journal of the run. `there`
+/// are the journals that existed before any rank began its own.
 int open_rank_journal(const journal_wish *wish, const whirl_case *object, const journal_names *there,
                       run_journal *journal);
 

@@ -1,7 +1,7 @@
 /// Processes that compute one study together, the ranks of MPI: in `whirl` there is one (alone/ranks.c), in `whirl-mpi`
 /// as many as mpirun or srun start (mpi/ranks.c).
 ///
-/// The first one speaks for all: what others print is held back, and told only of a rank whose failure ends them all.
+/// Only the first one prints. Output of others is suppressed, except that of a rank whose failure ends all of them.
 #ifndef CLI_RANKS_H
 #define CLI_RANKS_H
 

@@ -44,8 +44,8 @@ const setting *case_machine_use(const case_content *content, const char *name);
 whirl_status case_machine(const void *family, const whirl_batch *batch, double value, whirl_machine *machine);
 
 // ---------------------------------------------------------------- fits
-// What stands in time for tables over the frequency of whirl: rational functions, said with their errors, and whether
-// they leave the machine as stable as its tables do.
+// Rational functions that replace frequency-dependent tables in motions: their errors, and whether they change the
+// machine's stability.
 
 /// Adds a fact to the result, "fit 1", ..., for every such function of the machine with these parameters [count],
 /// unless it has it already. `doubt` is a warning about modes that are stable with the functions but unstable with the
@@ -55,7 +55,7 @@ whirl_status case_tell_fits(const case_content *content, const whirl_given *give
                             char doubt[WHIRL_MESSAGE_SIZE]);
 
 // ---------------------------------------------------------------- warn
-// What a case may say and likely does not mean.
+// Warnings about valid input that is probably not meant.
 
 /// Adds a fact to the result for every warning (whirl_result_warning): keys without the key they belong to, values
 /// outside an element's validity at the ends of the study's ranges, empty ranges, and functions that replace tables.

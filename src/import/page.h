@@ -40,7 +40,7 @@ void page_close(page_line *line, const char *tail, const char *comment);
 void page_comment(FILE *out, const char *mark, const char *hang, const char *text);
 
 // ---------------------------------------------------------------- note
-// What could not be taken over from a file, or was chosen: a sentence each, for the reader and for the case.
+// Omissions and choices of a conversion: a sentence each, for the user and in the case.
 
 /// Omissions that several sections share, reported in one sentence.
 typedef enum note_kind {
@@ -95,8 +95,8 @@ void note_of(note_list *to, note_kind kind, const char *tag);
 void note_finish(note_list *to);
 
 // ---------------------------------------------------------------- field
-// Reading the keys of a section, with a sentence for what is wrong: the file, the section, the key, what was found and
-// what is expected. The first problem stands; after it nothing more is read.
+// Reading the keys of a section. A problem is one sentence: file, section, key, what was found, what is expected.
+// Reading ends with the first problem.
 
 typedef struct import_reader {
     const char *file;

@@ -56,14 +56,14 @@ bool explorer_write_table(FILE *stream, const whirl_table *table, bool sections)
 void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 
 // ---------------------------------------------------------------- explorer_contents
-// What was found of a result, in the explorer: statements, sheets and figures of every table.
+// Findings of a result in the explorer: statements, sheets and figures of every table.
 
 /// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of
 /// machines at rest, or of motions that the page does not compute; of all others nothing. False without memory.
 bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units);
 
 // ---------------------------------------------------------------- findings
-// What renderers of findings have in common.
+// Parts shared by renderers of findings.
 
 enum { STATEMENT_SIZE = 2048 };
 
@@ -145,8 +145,8 @@ void machine_wall_at(const whirl_case *machine, const whirl_table *table, size_t
 double machine_wall_radius(const machine_wall *wall, double angle);
 
 // ---------------------------------------------------------------- motions_told
-// What motions in the real films do beside a lateral analysis, in one paragraph: whether they come back, what they take
-// of clearances, where they touch and how hard, and what else stands beside them.
+// Nonlinear motions of a lateral analysis in one paragraph: their kinds, their share of clearances, contacts and
+// forces, and coexisting motions.
 
 /// Returns true if a table has motions next to studies at rest (study: motions).
 bool motions_beside(const whirl_table *table);
@@ -169,7 +169,7 @@ bool named_line(const whirl_system *system, double order, size_t station, char n
                 whirl_named_order *of);
 
 // ---------------------------------------------------------------- ranges_told
-// What is told of points beyond the range of a law.
+// Points outside the validity range of an element's law.
 
 enum { RANGES_TOLD_SIZE = 1024 };
 
@@ -281,7 +281,7 @@ void folder_remove(const char *path, const char *const *names);
 void safe_name(const char *text, char *name, size_t size);
 
 // ---------------------------------------------------------------- units
-// How figures and pages call quantities, in the units in which they are shown.
+// Labels of quantities in figures and pages, in shown units.
 
 enum { UNIT_LABEL_SIZE = 160 };
 
@@ -313,7 +313,7 @@ void units_point_label(const whirl_shown_units *units, const whirl_table *table,
                        size_t size);
 
 // ---------------------------------------------------------------- weight
-// How weight acts on the machine of a result, which knows it of cases.
+// Weight on the machine of a result, if the result comes from a case.
 
 /// Returns "9.80665 m/s2 across the shafts"; "" if unknown.
 const char *weight_told(const whirl_result *result);
@@ -326,7 +326,7 @@ bool weight_stands(const whirl_result *result);
 bool weight_heads(const whirl_result *result);
 
 // ---------------------------------------------------------------- written
-// What functions write, as texts for programs in other languages.
+// Output of functions as texts, for programs in other languages.
 
 /// Writes `of`.
 typedef whirl_status write_function(const void *of, FILE *stream);

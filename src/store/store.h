@@ -13,7 +13,7 @@
 #include <stdio.h>
 
 // ---------------------------------------------------------------- atomic_file
-// A file that appears whole or not at all: written under a temporary name beside its own, synced, then renamed.
+// A file that appears whole or not at all: written under a temporary name in the same folder, synced, then renamed.
 
 enum { ATOMIC_PATH_SIZE = 4096 };
 
@@ -128,7 +128,7 @@ int format_dimension_names(const whirl_field *field, shape points, char names[SH
 bool format_column_names(const whirl_field *field, char names[FORMAT_MAX_COLUMNS][WHIRL_NAME_SIZE]);
 
 // ---------------------------------------------------------------- stored
-// What stands in a result file, walked as it stands there: groups, datasets and attributes, whatever their names.
+// Generic walk over a result file: groups, datasets and attributes, whatever their names.
 
 /// The values of a dataset or an attribute, in memory.
 typedef struct stored_array {
@@ -168,11 +168,11 @@ typedef void (*stored_writer)(whirl_status *status, void *context, hid_t root);
 whirl_status stored_open(const char *path, stored_writer write, void *context);
 
 // ---------------------------------------------------------------- underway
-// States of points under way: files JOURNAL-N beside the journal, one a thread, each replaced as a whole every few
+// States of unfinished points: files JOURNAL-N next to the journal, one a thread, each replaced as a whole every few
 // seconds.
 //
-// A state is good for its point whenever it was saved, so nothing need be removed before the end: of several the one
-// furthest on counts. Frames are those of the journal; their payload begins with the revolutions that were done.
+// A state stays valid for its point, so nothing need be removed before the end: of several the furthest one counts.
+// Frames are those of the journal; their payload begins with the revolutions that were done.
 
 typedef struct underway underway;
 

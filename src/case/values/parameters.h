@@ -189,7 +189,7 @@ void formula_settle(valuation *v, number_formula *formula);
 void parameters_settle(valuation *v, parameter_table *parameters);
 
 // ---------------------------------------------------------------- dimension
-// What kind of number an expression gives.
+// Dimension of an expression's value.
 
 typedef enum value_dimension {
     DIMENSION_PLAIN,   ///< the same in all units; also 0, and expressions without a value

@@ -94,7 +94,7 @@ extern const figure_kind rotor_figure, bifurcation_figure, waterfall_figure, map
     field_figure;
 
 // ---------------------------------------------------------------- machine_layout
-// Where the parts of a machine lie in its drawing.
+// Positions of the parts of a machine in its drawing.
 
 /// Layout of a machine's drawing. Lengths are in m; without shafts of finite elements they have no meaning.
 typedef struct machine_layout {
@@ -173,7 +173,7 @@ const char *along_caption(const machine_along *along);
 void along_machine(whirl_figure *figure, whirl_panel *panel, const machine_along *along, double high);
 
 // ---------------------------------------------------------------- shaft_bends
-// How shafts bend between their stations: the machine of a point, computed once more, with the line of its shafts.
+// Deflection of shafts between stations: the machine of a point, computed again, with its shaft lines.
 
 typedef struct shaft_bends shaft_bends;
 
@@ -209,7 +209,7 @@ typedef struct along_curve {
 void along_shape(whirl_figure *figure, whirl_panel *panel, const along_curve *of, const double *values);
 
 // ---------------------------------------------------------------- bifurcation
-// What a bifurcation diagram of a station shows, and what its panels share.
+// A bifurcation diagram of a station: its data, shared by its panels.
 
 enum { MAX_KINDS = (int)CLASS_COUNT > (int)ATTRACTOR_COLOURS ? (int)CLASS_COUNT : (int)ATTRACTOR_COLOURS };
 
@@ -277,7 +277,7 @@ bool map_cells_next(const map_cells *cells, const double *values, map_run *run);
 void map_cells_add_borders(whirl_figure *figure, whirl_series *to, const map_cells *cells, const long *labels);
 
 // ---------------------------------------------------------------- speed_unit
-// The unit of frequencies beside a parameter.
+// Unit of frequencies in figures over a parameter.
 
 typedef struct speed_unit {
     double size; ///< rad/s

@@ -80,7 +80,7 @@ bool sheet_column_empty(const whirl_sheet *sheet, size_t column) {
 }
 
 // ---------------------------------------------------------------- aligned text
-// Rows below headings; or, where that is wider than a terminal and there are few rows, headings beside them.
+// Rows below headings; a few rows that are wider than a terminal have their headings on the left.
 
 enum { MAX_WIDTH = 118, MAX_BESIDE = 3 };
 

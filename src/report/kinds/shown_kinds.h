@@ -53,8 +53,8 @@ void mode_lines_free(mode_lines *lines);
 const char *mode_lines_name(const mode_lines *lines, size_t point, size_t mode);
 
 // ---------------------------------------------------------------- asked
-// What is asked of a machine, what was found, and whether it holds: the one place that all who tell it ask. After API
-// 617; which edition counts is for the user to check.
+// Acceptance criteria after API 617, the values found, and the verdicts; all renderers use them. The user has to check
+// which edition applies.
 
 enum { ASKED_TEXT = 320 };
 

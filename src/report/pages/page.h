@@ -95,7 +95,7 @@ char *page_text(const page *to, page_part *write, size_t result, const whirl_tab
 whirl_case *page_case(const page *to, const whirl_result *result);
 
 // ---------------------------------------------------------------- found
-// What was found, in sentences, each an item of a list.
+// Findings as sentences, each an item of a list.
 
 /// Function applied to a table.
 typedef void each_table(const page *to, size_t result, const whirl_table *table, void *context);

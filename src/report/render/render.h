@@ -33,7 +33,7 @@ typedef struct gnuplot_job {
 whirl_status gnuplot_run(const char *program, gnuplot_job *jobs, size_t count);
 
 // ---------------------------------------------------------------- gnuplot_script
-// Figures as gnuplot draws them: a script with its data beside it.
+// Figures for gnuplot: a script and its data.
 
 /// Writes the numbers of a figure, a block a series in the order of panels and series.
 void gnuplot_write_data(FILE *data, const whirl_figure *figure);

@@ -37,7 +37,7 @@ void whirl_result_write_end(const whirl_result *result, const char *table, const
 }
 
 // ---------------------------------------------------------------- summary_doubts
-// What the summary says of undetermined motions.
+// Undetermined motions in the summary.
 
 /// "undetermined at 3 points, first at 6400 rpm: still settling ...; to settle it, let it run 4 times as long".
 static void print_doubt(FILE *out, const whirl_shown_units *units, const whirl_table *table, const whirl_doubt *doubt) {

@@ -11,10 +11,10 @@
 #include <stdint.h>
 
 // ---------------------------------------------------------------- h5driver
-// How HDF5 reaches its file: by our own calls.
+// HDF5's driver for its file, by whirl's own calls.
 //
-// HDF5 1.10 crashes after a failed write of its default driver (seen on a full disk). This one never tells it: what
-// follows a failed write is dropped, and the reason is kept for whoever gives the file its name.
+// HDF5 1.10 crashes after a failed write of its default driver (seen on a full disk). This driver hides failures from
+// it: later writes are dropped, and the reason is kept for the code that renames the file.
 
 /// The bytes of one file of HDF5, to be read or to be made.
 typedef struct h5_bytes {
@@ -67,12 +67,12 @@ whirl_status h5_open(h5_bytes *bytes, const byte_source *source, hid_t *file);
 void h5_close(h5_bytes *bytes, hid_t file);
 
 // ---------------------------------------------------------------- plain
-// Whether a file holds the few structures of HDF5 that whirl writes, and those only.
+// Check that a file has only the few structures of HDF5 that whirl writes.
 //
-// HDF5 1.10 crashes on many a file whose metadata are damaged while their checksums are right, as they are in a file
-// that was made to harm (tests/fuzz/fuzz_result.c finds such within seconds). So the file is looked through before HDF5
-// sees it: every object header, every message in it, and the places of all that is stored. What whirl does not write is
-// refused, whatever it may mean: other kinds of types, links and storage, heaps and trees.
+// HDF5 1.10 crashes on many files with damaged metadata and valid checksums, as in a malicious file
+// (tests/fuzz/fuzz_result.c finds such within seconds). So the file is checked before HDF5 opens it: every object
+// header, every message in it, and all addresses. Everything that whirl does not write is refused: other types, links
+// and storage, heaps and trees.
 //
 // Numbers of sections are those of the HDF5 File Format Specification 3.0.
 

@@ -77,7 +77,7 @@ static inline size_t finished_point(const finished *own, size_t at) {
 void finished_free(finished *points);
 
 // ---------------------------------------------------------------- identity
-// What a result is of, as text: case, parameters, points and how they are computed; without what was found.
+// Identity of a study as text: case, parameters, points and how they are computed; no results.
 
 /// Lines "label\tvalue
 /// ", in UTF-8; to be freed. `build` adds what else the bits depend on: sources and compilation of whirl, kind of
