@@ -1,4 +1,4 @@
-// What this library was built from and with.
+// Facts about the build of this library.
 #ifndef BASE_BUILD_H
 #define BASE_BUILD_H
 
@@ -7,11 +7,10 @@ typedef struct build_fact {
 } build_fact;
 
 /// "version", "revision", "sources" (a SHA-256 of all of them), "compiler", "flags", "build type", "libraries"; static,
-/// ended by an entry whose name is NULL.
-/// What is not known (a source archive has no revision) is "unknown".
+/// terminated by an entry whose name is NULL. Unknown facts (a source archive has no revision) are "unknown".
 const build_fact *build_facts(void);
 
-/// A SHA-256 of the sources that tables of films follow from, or "unknown".
+/// Returns a SHA-256 of the sources that film tables depend on, or "unknown".
 const char *build_film_sources(void);
 
 #endif

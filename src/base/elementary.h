@@ -53,8 +53,8 @@ static inline vec v_round(vec a) {
     return v_sub(v_add(a, magic), magic);
 }
 
-/// What follows the first terms, of z = r^2 for |r| up to pi/4: sin r = r + r z s, cos r = 1 - z/2 + z^2 c. Minimax
-/// polynomials, six terms of each function, with relative errors of 2^-57.9 and 2^-63.9.
+/// Remainders of the series after their first terms, for z = r^2 and |r| up to pi/4: sin r = r + r z s, cos r = 1 - z/2
+/// + z^2 c. Minimax polynomials, six terms of each function, with relative errors of 2^-57.9 and 2^-63.9.
 static inline void v_sincos_tails(vec z, vec *s, vec *c) {
     const vec z2 = v_mul(z, z), z4 = v_mul(z2, z2);
     const vec s12 = v_fma(z, v_set(-0x1.a01a019bfbcc5p-13), v_set(0x1.111111110f7c0p-7));
@@ -73,7 +73,7 @@ static inline void v_sincos_near(vec r, vec low, vec *sine, vec *cosine) {
     vec s, c;
     v_sincos_tails(z, &s, &c);
     *sine = v_add(r, v_fma(v_mul(r, z), s, v_fnma(v_mul(half, z), low, low)));
-    // What 1 - z/2 loses by rounding is added to the rest.
+    // Adds the rounding error of 1 - z/2 to the remainder.
     const vec drop = v_mul(half, z), first = v_sub(one, drop);
     *cosine = v_add(first, v_add(v_sub(v_sub(one, first), drop), v_fnma(r, low, v_mul(v_mul(z, z), c))));
 }
@@ -88,7 +88,7 @@ static inline void v_sincos_small(vec r, vec *sine, vec *cosine) {
     *cosine = v_fma(v_mul(z, z), c, v_fnma(v_set(0.5), z, v_set(1.0)));
 }
 
-/// sin and cos of |t| up to 10000. The quarter turns are taken off in three parts; their products with the first two
+/// sin and cos of |t| up to 10000. The quarter turns are subtracted in three parts; their products with the first two
 /// are exact. The error is below 1 unit in the last place for 0 <= t <= 8 pi, beyond it below 1 in that of 1 (measured:
 /// tests/unit/base/test_elementary.c).
 static inline void v_sincos(vec t, vec *sine, vec *cosine) {
@@ -129,7 +129,7 @@ static inline vec v_log(vec a) {
 static inline vec v_exp(vec a) {
     const vec k = v_round(v_mul(a, v_set(0x1.71547652b82fep+0)));
     const vec near = v_fnma(k, v_set(0x1.62e42fefa3800p-1), a), drop = v_mul(k, v_set(0x1.ef35793c76730p-45));
-    const vec r = v_sub(near, drop), low = v_sub(v_sub(near, r), drop); // what r loses by rounding
+    const vec r = v_sub(near, drop), low = v_sub(v_sub(near, r), drop); // rounding error of r
     const vec r2 = v_mul(r, r), r4 = v_mul(r2, r2);
     const vec Q01 = v_fma(r, v_set(0x1.55555555554fap-3), v_set(0x1.000000000000ap-1));
     const vec Q23 = v_fma(r, v_set(0x1.1111111127bddp-7), v_set(0x1.5555555550884p-5));

@@ -10,7 +10,7 @@
 
 #include "whirl/engine/input.h"
 
-/// Closes it and notes why.
+/// Closes the file and notes why.
 static bool input_fail(input_file *in, int error, const char *reason) {
     if (in->descriptor >= 0) close(in->descriptor);
     in->descriptor = -1;
@@ -35,7 +35,7 @@ bool input_open(const char *path, input_file *in) {
     return true;
 }
 
-/// Reads until the end, or `most` bytes; -1 where it fails.
+/// Reads until the end, or `most` bytes; -1 after a failure.
 static ssize_t read_up_to(int descriptor, char *to, size_t most) {
     size_t length = 0;
     while (length < most) {
@@ -52,7 +52,7 @@ bool input_read(const char *path, size_t most, input_file *in, char **text, size
     *text = NULL;
     *length = 0;
     if (!input_open(path, in)) return false;
-    // A file may grow meanwhile, and those of /proc tell no size.
+    // A file may grow meanwhile, and those of /proc have no size.
     const size_t room = in->size > 0 && in->size < most ? (size_t)in->size + 1 : most;
     char *bytes = malloc(room + 1);
     const ssize_t got = bytes ? read_up_to(in->descriptor, bytes, room < most ? room : most) : 0;

@@ -1,4 +1,4 @@
-/// Files that are read: opening one never waits.
+/// Input files: opening one never blocks.
 #ifndef BASE_INPUT_H
 #define BASE_INPUT_H
 
@@ -8,20 +8,20 @@
 
 enum { INPUT_REASON = 128 };
 
-/// A file that is open to be read.
+/// An open input file.
 typedef struct input_file {
-    int descriptor; ///< -1 where it is not open; closed by who opened it
+    int descriptor; ///< -1 if it is not open; the caller closes it
     uint64_t size;
-    bool no_memory;            ///< why it could not be read
-    char reason[INPUT_REASON]; ///< the same in words: "it is a folder"
+    bool no_memory;            ///< reason why it could not be read
+    char reason[INPUT_REASON]; ///< the reason in words: "it is a folder"
 } input_file;
 
-/// Opens a plain file. False where there is none, or something else: a folder, a FIFO or a device, which would wait or
-/// never end.
+/// Opens a plain file. False if it does not exist or is something else (a folder, a FIFO or a device), which could
+/// block or never end.
 bool input_open(const char *path, input_file *in);
 
-/// Reads the first bytes of a plain file, at most `most`. The text, with a zero byte behind it, is to be freed. False
-/// as input_open, or without memory: then all is closed and in->descriptor is -1, as it is afterwards.
+/// Reads the first bytes of a plain file, at most `most`. The text, with a zero byte at its end, is to be freed. False
+/// as input_open, or without memory. Afterwards the file is closed and in->descriptor is -1.
 bool input_read(const char *path, size_t most, input_file *in, char **text, size_t *length);
 
 #endif

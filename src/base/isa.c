@@ -13,7 +13,8 @@ static const isa known[VECTOR_ISAS] = {
     [VECTOR_AVX512] = {VECTOR_AVX512, "avx512", 8, true},
 };
 
-/// What the processor and the system under it can do; the compiler asks cpuid for us.
+/// Returns true if the processor and the operating system support an instruction set; the compiler's builtins query
+/// cpuid.
 static bool present(int number) {
 #if defined(__x86_64__)
     if (!VECTOR_BUILT(number)) return false;

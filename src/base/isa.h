@@ -1,4 +1,4 @@
-/// The instruction sets of the kernels, and which of them this processor has.
+/// Instruction sets of the kernels, and which of them this processor has.
 #ifndef BASE_ISA_H
 #define BASE_ISA_H
 
@@ -7,19 +7,19 @@
 
 #include "whirl/status.h"
 
-/// Number of an instruction set as vector.h counts them; its name and its lanes.
+/// An instruction set: its number in vector.h, name and lanes.
 typedef struct isa {
     int number;
-    const char *name; ///< as WHIRL_ISA takes it
+    const char *name; ///< name in WHIRL_ISA
     size_t lanes;
     bool fused;
 } isa;
 
-/// The instruction set of that number, or NULL where this processor or this build has none.
+/// Returns the instruction set of that number, or NULL if this processor or this build lacks it.
 const isa *isa_at(int number);
 
-/// The widest one, or the one that the environment variable WHIRL_ISA names. WHIRL_BAD_INPUT for an unknown name or one
-/// that this processor does not have.
+/// Chooses the widest one, or the one in the environment variable WHIRL_ISA. WHIRL_BAD_INPUT for an unknown name or one
+/// that this processor lacks.
 whirl_status isa_choose(const isa **chosen);
 
 #endif

@@ -1,4 +1,4 @@
-/// What a system must give so that many machines of its kind run side by side in vector lanes.
+/// Interface of a system whose machines run side by side in vector lanes.
 ///
 /// All machines of a block have the same structure (coordinates, elements, laws) and each its own numbers. Arrays hold
 /// for every quantity `stride` vectors: quantity k of lane l is at [k * stride * VECTOR_LANES + l].
@@ -9,18 +9,18 @@
 #include <stddef.h>
 
 /// Machines side by side, each lane at its own time and on its own sides of the switches, with perturbations. All
-/// arrays are vectors of the instruction set that the function is made for.
+/// arrays are vectors of the function's instruction set.
 typedef struct lanes_view {
     const void *model;
     size_t stride, vectors;
     const void *numbers;
-    const size_t *places; ///< [part_count] where those of each part begin; NULL: each has its own
+    const size_t *places; ///< [part_count] start of each part's numbers; NULL: each has its own
     const void *forcing;  ///< [forcing_count]
     const void *sides;    ///< [switch_count] -1 or +1, as whirl_system.rhs_on_sides takes them; NULL: the state decides
     size_t tangents;      ///< perturbations that follow the state
     const void *q, *v;    ///< [1 + tangents][degrees] and [degrees + states] of the state, then of the perturbations
     void *a;              ///< [1 + tangents][degrees + states]
-    void *divergence;     ///< one quantity: trace of the Jacobian; NULL: not wanted
+    void *divergence;     ///< one quantity: trace of the Jacobian; NULL: not requested
 } lanes_view;
 
 /// Writes the accelerations of the state and those of the perturbations by the Jacobian, with the slopes of the states
@@ -34,51 +34,50 @@ typedef void lanes_switches(const lanes_view *view, void *values, void *rates);
 /// Writes the values that depend on time alone: forcing [forcing_count] at the times t.
 typedef void lanes_forcing(const void *model, size_t stride, size_t vectors, const void *t, void *forcing);
 
-/// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force; and unless NULL what
-/// the friction does, [contact_count][2] as whirl_system.friction has it.
+/// Writes the normal forces [contact_count] at (q, v), 0 while open, in the model's unit of force; and, unless NULL,
+/// the effect of friction, [contact_count][2] as in whirl_system.friction.
 typedef void lanes_contacts(const lanes_view *view, void *normal_force, void *friction);
 
 enum { INSTANCE_LAWS = 2 };
 
-/// A structure that integrators have loops of their own for, by its number in rotor/instances.h, and its laws.
+/// A structure for which integrators have loops of their own, by its number in rotor/instances.h, and its laws.
 typedef struct lanes_instance {
     int structure, law[INSTANCE_LAWS];
 } lanes_instance;
 
-/// The state is degrees positions, then their derivatives, then what changes by an equation of first order.
+/// A state is degrees positions, then their derivatives, then first-order states.
 struct whirl_lanes {
     size_t degrees, states;
     size_t number_count;                               ///< numbers of one machine
     void (*numbers)(const void *model, double *out);   ///< [number_count]
     bool (*alike)(const void *one, const void *other); ///< same structure
-    /// Parts whose numbers are equal in all machines of a block have one place for them, so that caches hold more: at
-    /// first all of a kind that of the first, [part_count]. `part` gives those their own that differ in a machine, and
-    /// says how many numbers have a place now.
+    /// Sharing: parts whose numbers are equal in all machines of a block use the numbers of the first machine,
+    /// [part_count], so that caches hold more. `part` gives a part its own numbers if it differs in a machine, and
+    /// returns how many numbers are in use.
     size_t part_count;
     const size_t *places;
     size_t (*part)(const void *model, size_t *places);
-    /// Sets those of [degrees + states][2 degrees + states] by which accelerations, and slopes of first-order states,
-    /// can depend on positions, velocities and these states.
+    /// Sets the entries of [degrees + states][2 degrees + states] by which accelerations, and slopes of first-order
+    /// states, may depend on positions, velocities and these states.
     void (*depends)(const void *model, bool *table);
     size_t switch_count, contact_count;
     void (*contact)(const void *model, size_t index, size_t *probe, double *gap);
-    /// Coordinates whose sizes are measured together, one after the other: group g holds groups[g] to before
-    /// groups[g + 1], [group_count + 1].
+    /// Groups of consecutive coordinates whose sizes are measured together: group g has groups[g] up to groups[g + 1],
+    /// [group_count + 1].
     size_t group_count;
     const size_t *groups;
-    bool modulated; ///< accelerations depend on the forcing in other ways than in proportion
+    bool modulated; ///< accelerations are not linear in the forcing
     bool slides;    ///< motions can slide along a switch
     bool jumps;     ///< accelerations may jump at a switch
-    bool damped;    ///< normal forces depend on velocities too: contact is where `contacts` says, not where the gap is
-                    ///< closed
-    bool lags;      ///< switches depend on states, so that their derivatives by time need slopes
-    bool rubs;      ///< friction takes power, of which `contacts` tells
-    /// One for every instruction set of vector.h; NULL where it is not built.
+    bool damped;    ///< normal forces depend on velocities too: `contacts` defines contact, not the closed gap
+    bool lags;      ///< switches depend on states, so that their time derivatives need slopes
+    bool rubs;      ///< friction takes power, which `contacts` reports
+    /// One function for every instruction set of vector.h; NULL if it is not built.
     lanes_flow *const *flow;
     lanes_switches *const *switches;
     lanes_forcing *const *forcing;
     lanes_contacts *const *contacts;
-    const lanes_instance *instance; ///< the structure for which integrators have loops of their own; NULL: another
+    const lanes_instance *instance; ///< structure for which integrators have loops of their own; NULL: another
 };
 
 #endif

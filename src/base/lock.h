@@ -1,4 +1,4 @@
-/// A lock around what all threads of a process share.
+/// A lock for data that all threads of a process share.
 #ifndef BASE_LOCK_H
 #define BASE_LOCK_H
 
@@ -6,7 +6,7 @@
 
 typedef pthread_mutex_t lock;
 
-/// What a static lock begins as.
+/// Initial value of a static lock.
 #define LOCK_OPEN PTHREAD_MUTEX_INITIALIZER
 
 static inline void lock_take(lock *taken) {

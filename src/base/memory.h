@@ -1,4 +1,4 @@
-/// Memory: what is freed together, what has run out, large arrays.
+/// Memory: arenas, exhaustion, large arrays.
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
@@ -7,32 +7,32 @@
 #include <stddef.h>
 
 // ---------------------------------------------------------------- room
-// Large arrays that need not be in memory all at once: nameless files, of which the system keeps in memory what is in
-// use and what it has room for. They lie in the folder that TMPDIR names, else in /var/tmp. Where there is no room for
-// such a file an array is in memory after all.
+// Large arrays that need not be in memory all at once: nameless files, cached by the system as far as memory allows.
+// They are in the folder that TMPDIR names, else in /var/tmp. If such a file cannot be made, an array is in memory
+// instead.
 
-/// The arrays of one owner that lie in files; NULL while there is none.
+/// The file-backed arrays of one owner; NULL while there is none.
 typedef struct whirl_room whirl_room;
 
 enum {
-    ROOM_MIN = 1 << 20,  ///< bytes from which on an array that is gone through in order is worth a file
-    ROOM_OFTEN = 1 << 12 ///< items after which room_pass has the room rest
+    ROOM_MIN = 1 << 20,  ///< least size in bytes of a sequentially used array that is worth a file
+    ROOM_OFTEN = 1 << 12 ///< items after which room_pass evicts pages
 };
 
-/// An array of zeros in a file; NULL where there is none to be had.
+/// Makes an array of zeros in a file; NULL if that is impossible.
 void *room_map(whirl_room **room, size_t count, size_t size);
 
-/// The same, or where it has fewer bytes than `least`, or a file is not to be had, one from malloc that is no part of
-/// the room. NULL without memory.
+/// Makes an array in a file or, if it is smaller than `least` or a file is impossible, by malloc outside of the room.
+/// NULL without memory.
 void *room_take(whirl_room **room, size_t count, size_t size, size_t least);
 
-/// Frees an array, which may be the room's or from malloc, or NULL.
+/// Frees an array from the room or from malloc, or NULL.
 void room_drop(whirl_room **room, void *array);
 
-/// Leaves to the files what is in memory; the arrays are as they were.
+/// Evicts the arrays' pages to the files; their contents stay the same.
 void room_rest(const whirl_room *room);
 
-/// To be called for every item, by its index, where arrays are gone through in order: little of them is then in memory.
+/// Evicts pages now and then while arrays are traversed in order. Called for every item with its index.
 static inline void room_pass(const whirl_room *room, size_t index) {
     if (room && index % ROOM_OFTEN == 0) room_rest(room);
 }
@@ -45,31 +45,30 @@ void room_free(whirl_room *room);
 
 typedef struct memory_arena {
     struct arena_chunk *chunks; ///< newest first
-    whirl_room *room;           ///< of what is large
+    whirl_room *room;           ///< large blocks
 } memory_arena;
 
-/// `size` zeroed bytes, aligned for any object; NULL when memory ran out. Lives until arena_free.
+/// Returns `size` zeroed bytes, aligned for any object; NULL without memory. They live until arena_free.
 void *arena_take(memory_arena *arena, size_t size);
 
-/// A copy of `length` bytes with a final zero, or NULL.
+/// Returns a copy of `length` bytes with a final zero, or NULL.
 char *arena_text(memory_arena *arena, const char *text, size_t length);
 
 void arena_free(memory_arena *arena);
 
 // ---------------------------------------------------------------- exhausted
-// Whether memory ran out in what was called. Libraries beneath us (HDF5, UDUNITS-2, muParser) say so in ways of their
-// own, take it for another mistake, or pass over it; but malloc sets errno whoever calls it, and nobody sets it back
-// to 0.
+// Detection of exhausted memory in libraries (HDF5, UDUNITS-2, muParser), which report it in ways of their own, take it
+// for another mistake, or ignore it. malloc sets errno in all of them, and nobody resets it to 0.
 
-/// To be called before; gives what errno was.
+/// Begins a watch before a call; returns the former errno.
 static inline int exhausted_watch(void) {
     const int before = errno;
     errno = 0;
     return before;
 }
 
-/// ... and after. Where it is true, whatever came of the calls is not to be believed, success included. Else errno is
-/// what it was before, so that watches may lie within each other.
+/// Ends a watch after the call. True: memory ran out, and no result of the calls is valid, even success. False: errno
+/// is restored, so that watches can be nested.
 static inline bool exhausted(int before) {
     if (errno == ENOMEM) return true;
     errno = before;

@@ -16,7 +16,7 @@ struct whirl_room {
     size_t bytes;
 };
 
-/// A file that nobody sees and that is gone with its descriptor; -1 where it cannot be made.
+/// Opens a file without a name that vanishes with its descriptor; -1 if that fails.
 static int nameless_file(void) {
     char path[4096];
     const char *wanted = getenv("TMPDIR"), *folder = wanted && *wanted ? wanted : "/var/tmp";
@@ -26,8 +26,8 @@ static int nameless_file(void) {
     return file;
 }
 
-/// Zeros, whose place on the disk is reserved: a page that finds none when it is written would end the program. NULL
-/// where there is no room for them.
+/// Maps zeros whose place on the disk is reserved: writing a page without one would kill the program. NULL if the disk
+/// is full.
 static void *map_file(size_t bytes) {
     const int file = nameless_file();
     if (file < 0) return NULL;
@@ -55,7 +55,7 @@ void *room_take(whirl_room **room, size_t count, size_t size, size_t least) {
     const int before = errno;
     void *array = count >= least / size ? room_map(room, count, size) : NULL;
     if (array) return array;
-    errno = before; // a file that is not to be had is nobody's want of memory
+    errno = before; // a failed file is no lack of memory
     return calloc(count > 0 ? count : 1, size);
 }
 

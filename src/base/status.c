@@ -11,12 +11,12 @@
 
 // ---------------------------------------------------------------- where messages lie
 
-/// The latest messages of the process, those of all threads. Equal ones share a place: a method that fails a thousand
-/// times in one way, and is tried again, drives no other message out.
+/// The latest messages of all threads of the process. Equal ones share a place, so that a method that fails a thousand
+/// times in one way evicts no other message.
 static struct {
-    uint64_t given;                     ///< how many messages were asked for
-    uint64_t used[WHIRL_MESSAGES_KEPT]; ///< of these, the latest with this text; 0 where there is none
-    uint64_t hash[WHIRL_MESSAGES_KEPT]; ///< of the text
+    uint64_t given;                     ///< messages so far
+    uint64_t used[WHIRL_MESSAGES_KEPT]; ///< number of the latest message with this text; 0 without one
+    uint64_t hash[WHIRL_MESSAGES_KEPT]; ///< hash of the text
     char text[WHIRL_MESSAGES_KEPT][WHIRL_MESSAGE_SIZE];
 } latest;
 static lock latest_lock = LOCK_OPEN;
@@ -28,7 +28,7 @@ static uint64_t hash_of(const char *text) {
     return hash;
 }
 
-/// Whether a text is there, and its place, else that of the text that was not used for the longest time.
+/// Finds a text; returns true with its place, or false with the least recently used place.
 static bool find(const char *text, uint64_t hash, size_t *place) {
     *place = 0;
     for (size_t i = 0; i < WHIRL_MESSAGES_KEPT; i++) {
@@ -44,7 +44,7 @@ static const char *keep(const char text[WHIRL_MESSAGE_SIZE]) {
     const uint64_t hash = hash_of(text);
     size_t place;
     lock_take(&latest_lock);
-    if (!find(text, hash, &place)) { // one that is there may be read at this moment, and is left alone
+    if (!find(text, hash, &place)) { // an existing text may be read at this moment and must not change
         latest.hash[place] = hash;
         memcpy(latest.text[place], text, strlen(text) + 1);
     }

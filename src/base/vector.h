@@ -1,9 +1,9 @@
-/// The vector type of the kernels: VECTOR_LANES numbers side by side that never touch each other.
+/// The vector type of the kernels: VECTOR_LANES independent numbers side by side.
 ///
-/// VECTOR_ISA is one of the numbers below, and the including file is compiled for it; the first where nothing is said.
-/// Every operation rounds as IEEE 754 says, and multiply-adds are explicit: in fused builds v_fma rounds once, in the
-/// others twice. Builds that agree in that give the same bits whatever their width and compiler. The only file with
-/// intrinsics and extensions of compilers.
+/// VECTOR_ISA is one of the numbers below, and the including file is compiled for it; the default is the first. Every
+/// operation rounds as in IEEE 754, and multiply-adds are explicit: in fused builds v_fma rounds once, in others twice.
+/// Builds that agree in that give the same bits whatever their width and compiler. This is the only file with
+/// intrinsics and compiler extensions.
 #ifndef BASE_VECTOR_H
 #define BASE_VECTOR_H
 
@@ -11,11 +11,11 @@
 #include <math.h>
 #include <string.h>
 
-/// For what must not become a call, whose price is a store and a load of all that it works on.
+/// Functions that must be inlined: a call would store and load all their operands.
 #define VECTOR_INLINE static inline __attribute__((always_inline))
 
-/// A loop of a constant number of rounds, at most eight, that is written out, so that arrays of vectors become
-/// registers; before a loop of at most 32.
+/// Unrolls a loop of a constant number of rounds, at most eight, so that arrays of vectors become registers;
+/// VECTOR_BY_TWO before a loop of at most 32.
 #if defined(__clang__)
 #define VECTOR_FOR(i, rounds) _Pragma("unroll") for (size_t i = 0; i < (rounds); i++)
 #define VECTOR_WHOLE _Pragma("unroll")
@@ -37,13 +37,13 @@
 #define VECTOR_AVX512 4 ///< eight lanes, fused
 #define VECTOR_ISAS 5
 
-/// The name of what is compiled once for every instruction set: name_avx2, ...
+/// Name of a function compiled once for every instruction set: name_avx2, ...
 #define ISA_JOIN(name, set) name##_##set
 #define ISA_NAME(name, set) ISA_JOIN(name, set)
 #define ISA(name) ISA_NAME(name, ISA_SUFFIX)
 
-/// Which of them a build has: all of its processor; those of every processor, where WHIRL_PORTABLE is defined; or these
-/// and one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA: builds that are slow to compile take turns.
+/// Instruction sets of a build: all of its processor; those of every processor, if WHIRL_PORTABLE is defined; or these
+/// and one more, WHIRL_WIDE, with the number WHIRL_WIDE_ISA, for builds that are slow to compile.
 #if !defined(__x86_64__) || defined(WHIRL_PORTABLE)
 #define VECTOR_BUILT(number) ((number) <= VECTOR_128)
 #elif defined(WHIRL_WIDE)
@@ -52,7 +52,7 @@
 #define VECTOR_BUILT(number) ((number) < VECTOR_ISAS)
 #endif
 
-/// Declares all of them; the table of them by number, NULL where this build has none.
+/// Declares the functions of all instruction sets; and makes their table by number, NULL for those not built.
 #if VECTOR_BUILT(VECTOR_FMA) && VECTOR_BUILT(VECTOR_AVX2)
 #define FOR_EVERY_ISA(type, name) extern type name##_scalar, name##_128, name##_fma, name##_avx2, name##_avx512
 #define EVERY_ISA(address, name)                                                                                       \
@@ -136,7 +136,7 @@ static inline vec v_select(vec_mask mask, vec yes, vec no) {
 static inline int v_any(vec_mask mask) {
     return mask != 0;
 }
-/// a, with its sign changed where that of `sign` is negative.
+/// a, with its sign changed if `sign` is negative.
 static inline vec v_flip(vec a, vec sign) {
     const __m512i bit = _mm512_castpd_si512(_mm512_set1_pd(-0.0));
     enum { EXCLUSIVE_OR_OF_AND = 0x78 };
@@ -144,7 +144,7 @@ static inline vec v_flip(vec a, vec sign) {
         _mm512_ternarylogic_epi64(_mm512_castpd_si512(a), _mm512_castpd_si512(sign), bit, EXCLUSIVE_OR_OF_AND));
 }
 
-/// As whole numbers: the bits of a, or half of them, taken from `magic`. Seeds of Newton's method.
+/// Subtracts the bits of a, or half of them, from `magic`, as whole numbers. Seeds of Newton's method.
 static inline vec v_seed(long long magic, vec a) {
     return _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(magic), _mm512_castpd_si512(a)));
 }
@@ -332,7 +332,7 @@ static inline vec v_power_of_2(vec k) {
 
 #elif VECTOR_ISA == VECTOR_128
 
-/// Other processors (NEON, WebAssembly) by the compilers' own vectors; as on x86 nothing is fused.
+/// Vectors of the compiler for other processors (NEON, WebAssembly); nothing is fused, as on x86.
 enum { VECTOR_LANES = 2 };
 typedef double vec __attribute__((vector_size(16)));
 typedef long long vec_mask __attribute__((vector_size(16)));
@@ -432,7 +432,7 @@ static inline vec v_fms(vec a, vec b, vec c) {
 static inline vec v_fnma(vec a, vec b, vec c) {
     return VECTOR_FUSED ? fma(-a, b, c) : c - a * b;
 }
-/// As the instructions do: the second operand where one is not a number.
+/// Minimum and maximum as the instructions have it: the second operand if one is not a number.
 static inline vec v_min(vec a, vec b) {
     return a < b ? a : b;
 }
@@ -473,7 +473,7 @@ static inline vec v_seed_half(long long magic, vec a) {
 static inline vec v_exponent(vec a) {
     unsigned long long bits;
     memcpy(&bits, &a, sizeof bits);
-    bits = bits >> 52 | 0x4330000000000000; // those of 2^52
+    bits = bits >> 52 | 0x4330000000000000; // bits of 2^52
     memcpy(&a, &bits, sizeof bits);
     return a - (0x1p52 + 1023.0);
 }
@@ -488,7 +488,7 @@ static inline vec v_power_of_2(vec k) {
 
 #endif
 
-/// As many numbers, from any address.
+/// Loads as many numbers from any address.
 static inline vec v_load(const double *from) {
     vec out;
     memcpy(&out, from, sizeof out);

@@ -1,4 +1,4 @@
-// Branches of a user's system: over which parameter, from where, and the batches of their study.
+// Branches of a user's system: their parameter and starts, and the batches of their study.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -95,7 +95,7 @@ static whirl_status check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// Nothing is recorded of branches.
+/// Clears the recording options: branches record nothing.
 static void clear_record(whirl_record_options *record) {
     record->spectra = record->waveform = record->orbits = false;
     record->growth = WHIRL_GROWTH_NONE;
@@ -154,12 +154,12 @@ whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study) 
 
 // ---------------------------------------------------------------- what is driven
 
-/// Whether the slopes at a state [dimension] are others at other times; slopes [2][dimension] is workspace.
+/// Returns true if the slopes at a state [dimension] depend on time; slopes [2][dimension] is workspace.
 static bool changes_with_time(const whirl_system *system, const double *x, double *slopes, size_t *which) {
     enum { LOOKS = 5 };
     double *other = slopes + system->dimension;
     for (int look = 0; look < LOOKS; look++) {
-        const double t = system->period * 0.19 * look; // without any symmetry between them
+        const double t = system->period * 0.19 * look; // instants without any symmetry
         system->rhs(system->model, t, &t, x, look == 0 ? slopes : other);
         for (size_t i = 0; i < system->dimension && look > 0; i++)
             if (fabs(other[i] - slopes[i]) > 1e-12 * fmax(fabs(other[i]), fabs(slopes[i]))) {
@@ -170,7 +170,7 @@ static bool changes_with_time(const whirl_system *system, const double *x, doubl
     return false;
 }
 
-/// At the start of a machine and beside it, for what drives a system may vanish at one of them.
+/// Checks a machine at its start and near it, since a drive may vanish at one of them.
 static whirl_status check_machine(const whirl_batch *batch, double value, const whirl_machine *machine) {
     const size_t n = machine->system->dimension;
     size_t which = 0;

@@ -1,6 +1,6 @@
-// A user's functions are called once before a run: what they do to their arguments shows whether they have the form
-// that whirl calls. A function of another form, which reached the library as an address, would write its slopes into
-// the parameters or leave them as they are.
+// Calls a user's functions once before a run: the arguments that they change show whether they have the form that whirl
+// calls. A function of another form, which reached the library as an address, would write its slopes into the
+// parameters or leave them unwritten.
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -8,12 +8,12 @@
 
 #include "user.h"
 
-/// A NaN that no arithmetic gives: it stands where a function has not written.
+/// A NaN that no arithmetic produces, to mark numbers that a function has not written.
 static const uint64_t unwritten = 0x7ff8dead0badbeefu;
 
-/// Arguments of a call, and copies of those that a function may not change.
+/// Arguments of a call, with copies of those that a function must not change.
 typedef struct form_arguments {
-    size_t room; ///< of each of the following, also for a function that takes one of them for another
+    size_t room; ///< size of each of the following, also for a function that takes one of them for another
     double *state, *parameters, *perturbation, *slopes, *kept;
 } form_arguments;
 
@@ -21,7 +21,7 @@ static bool form_changed(const form_arguments *a, const double *argument, size_t
     return memcmp(argument, a->kept + which * a->room, a->room * sizeof *argument) != 0;
 }
 
-/// Says what a function of this name has done wrong to its arguments.
+/// Reports what a function of this name has done wrong to its arguments.
 static whirl_status form_judge(const whirl_user_system *system, const form_arguments *a, const char *name,
                                const char *form) {
     const double *const arguments[] = {a->state, a->parameters, a->perturbation};
@@ -30,7 +30,7 @@ static whirl_status form_judge(const whirl_user_system *system, const form_argum
         if (form_changed(a, arguments[i], i))
             return whirl_fail(WHIRL_BAD_INPUT, "the %s change the %s that they are given, expected %s", name, names[i],
                               form);
-    // The slopes of displacements are the velocities, whatever a function writes. The very bits are asked for.
+    // Slopes of displacements are the velocities, whatever a function writes. Compares bits.
     for (size_t k = system->displacements; k < system->dimension; k++)
         // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c)
         if (memcmp(&a->slopes[k], &unwritten, sizeof unwritten) == 0)
@@ -59,7 +59,7 @@ whirl_status user_check_form(const whirl_user_system *system) {
     a.slopes = a.perturbation + a.room;
     a.kept = a.slopes + a.room;
 
-    // What a function does that fails at the start is no evidence: the run says that it fails.
+    // A function that fails at the start is no evidence: the run reports the failure.
     const double t = 0.0;
     whirl_status status = whirl_ok();
     form_fill(system, &a);

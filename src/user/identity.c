@@ -1,4 +1,4 @@
-// What tells a user's equations from others: facts of a result, by which a journal knows its study again.
+// Identity of a user's equations: facts of a result, by which a journal recognizes its study.
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ static uint64_t checksum(const char *text) {
     return sum;
 }
 
-/// A fact, of a long text its beginning and its checksum.
+/// Adds a fact; of a long text its beginning and its checksum.
 static whirl_status add(whirl_result *result, const char *name, const char *text) {
     char plain[MAX_SHOWN + 32];
     if (strlen(text) <= MAX_SHOWN)
@@ -37,7 +37,7 @@ static whirl_status add(whirl_result *result, const char *name, const char *text
     return whirl_result_add_fact(result, name, plain);
 }
 
-/// What stands in `stations` besides their names, which results have themselves.
+/// Writes the parts of `stations` that results do not already have (their names).
 static void put_form(const whirl_user_system *system, FILE *out) {
     char number[NUMBER_SIZE];
     fprintf(out, "%zu coordinates, %zu of them displacements", system->dimension, system->displacements);

@@ -1,7 +1,7 @@
-// A machine of a user's system: one alone, and many side by side.
+// A machine of a user's system: alone, and many side by side.
 //
-// All machines of a study have the period of the system as it stands, so that they go in step: the time of one whose
-// own period is T times longer runs T times faster, and velocities, where the system says which they are, are those by
+// All machines of a study have the period of the system as it stands, so that they stay in step: for a machine whose
+// own period is T times longer, time runs T times faster, and velocities, if the system names them, are derivatives by
 // the common time.
 #include <math.h>
 #include <stdlib.h>
@@ -12,8 +12,8 @@
 #include "vector.h"
 
 enum {
-    BLOCK = 8192,    ///< numbers of lanes that are handed over at a time, for each of state, parameters and slopes
-    MAX_LANES = 512, ///< among them
+    BLOCK = 8192,    ///< numbers in lanes that one call takes, for each of state, parameters and slopes
+    MAX_LANES = 512, ///< lanes among these numbers
     MAX_IN_LANES = 256
 };
 
@@ -24,7 +24,7 @@ typedef struct member {
     double *start;       ///< [dimension]
     size_t *groups;      ///< [displacements + 1]
     whirl_probe *probes; ///< [station_count] in the user's units
-    double (*units)[4];  ///< [station_count] of these
+    double (*units)[4];  ///< [station_count] units of the probes
     whirl_system system;
     struct whirl_lanes lanes;
 } member;
@@ -38,7 +38,7 @@ typedef struct block {
     double x[BLOCK], p[BLOCK], slopes[BLOCK];
 } block;
 
-/// Notes what a function gave where it is no success, and when.
+/// Notes a function's failure code and its time; returns true for success.
 static bool note(const whirl_user_system *from, int code, double t) {
     int expected = 0;
     if (code == 0) return true;
@@ -60,7 +60,7 @@ static bool slopes_of_each(const whirl_user_system *from, block *b) {
     return true;
 }
 
-/// Multiplies the rows of a block by units, or divides them by these.
+/// Multiplies the rows of a block by units, or divides them.
 static void scale_rows(const whirl_user_system *from, const block *b, double *rows, bool divide) {
     for (size_t k = 0; from->units && k < from->dimension; k++)
         for (size_t i = 0; i < b->count; i++) {
@@ -69,7 +69,7 @@ static void scale_rows(const whirl_user_system *from, const block *b, double *ro
         }
 }
 
-/// The slopes of a block, whose states become those of the user's units; not a number once a function has failed.
+/// Computes the slopes of a block, whose states are converted to the user's units; NaN once a function has failed.
 static void take_slopes(const whirl_user_system *from, block *b) {
     bool good = atomic_load(&from->failure->code) == 0;
     scale_rows(from, b, b->x, false);
@@ -84,12 +84,12 @@ static void take_slopes(const whirl_user_system *from, block *b) {
 
 // ---------------------------------------------------------------- one machine
 
-/// What a coordinate by the common time is multiplied by to be that of the user, as 1 or 1/T.
+/// Returns true for velocities, which differ by a factor T between the common time and the user's.
 static bool is_velocity(const whirl_user_system *from, size_t k) {
     return k >= from->displacements && k < 2 * from->displacements;
 }
 
-/// The slopes by the user's own time in those by the common one.
+/// Converts slopes from the user's own time to the common one.
 static void to_common(const whirl_user_system *from, double scale, const double *x, const double *slopes,
                       double *dxdt) {
     for (size_t k = 0; k < from->dimension; k++) dxdt[k] = scale * slopes[k];
@@ -103,7 +103,7 @@ static void to_own(const member *own, const double *x, double *out) {
     for (size_t k = 0; k < own->from->dimension; k++) out[k] = is_velocity(own->from, k) ? x[k] / own->scale : x[k];
 }
 
-/// A state or a perturbation in the user's units; `room` has dimension numbers.
+/// Converts a state or a perturbation to the user's units; `room` has dimension numbers.
 static const double *in_units(const whirl_user_system *from, const double *x, double *room) {
     if (!from->units) return x;
     for (size_t k = 0; k < from->dimension; k++) room[k] = x[k] * from->units[k];
@@ -125,7 +125,7 @@ static bool slopes_at(const whirl_user_system *from, double t, const double *x, 
     return note(from, code, t);
 }
 
-/// The derivative by the user's own function.
+/// Computes the derivative by the user's own function.
 static bool own_tangent(const whirl_user_system *from, double t, const double *x, const double *p, const double *d,
                         double *out) {
     double room[2][USER_MAX_STATES];
@@ -155,7 +155,7 @@ static double length_of(const double *x, size_t count) {
     return sqrt(sum);
 }
 
-/// How far along a perturbation of that length differences are taken: a third of the digits of the state.
+/// Step of differences along a perturbation of that length: a third of the digits of the state.
 static double difference_step(double size, double length) {
     return length > 0.0 ? 6.06e-6 * fmax(size, 1e-3) / length : 1.0;
 }
@@ -164,7 +164,7 @@ static double difference_step(double size, double length) {
 
 enum { HALVINGS = 20 };
 
-/// Which of the slopes differ most in two states, and by how much.
+/// Finds the slope that differs most between two states, and the difference.
 static double largest_change(size_t n, const double *lower, const double *upper, size_t *which) {
     double most = 0.0;
     for (size_t k = 0; k < n; k++)
@@ -172,9 +172,9 @@ static double largest_change(size_t n, const double *lower, const double *upper,
     return most;
 }
 
-/// Whether the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: their change is
-/// followed into halves, a millionth of the way apart in the end. That of slopes that are continuous goes with it. No
-/// derivative tells what such a jump does to a perturbation.
+/// Returns true if the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: follows their
+/// change into halves, down to a millionth of the way. The change of continuous slopes shrinks with the way. A
+/// derivative does not describe what a jump does to a perturbation.
 static bool jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
                   double step, const double *lower, const double *upper) {
     double ends[2][USER_MAX_STATES], between[USER_MAX_STATES], place[USER_MAX_STATES], low = -step, high = step;
@@ -204,7 +204,7 @@ static bool jumps(const whirl_user_system *from, double t, const double *p, cons
     return true;
 }
 
-/// The derivative along d, both in the user's own units, by differences to both sides.
+/// Computes the derivative along d, both in the user's own units, by central differences.
 static bool own_difference(const member *own, double t, const double *x, const double *d, double *out) {
     double beside[USER_MAX_STATES], lower[USER_MAX_STATES];
     const size_t n = own->from->dimension;
@@ -242,18 +242,18 @@ static void time_alone(const void *model, double s, double *forcing) {
     *forcing = s;
 }
 
-/// Lanes of a view, from `first` on, as many as a block holds.
+/// Lanes of a view, from `first` on, as many as a block has.
 typedef struct part {
     const lanes_view *view;
     const whirl_user_system *from;
-    size_t first, row; ///< the row of the view
+    size_t first, row; ///< first lane; row length of the view
 } part;
 
 static const double *row_of(const part *p, const void *rows, size_t set, size_t size, size_t k) {
     return (const double *)rows + (set * size + k) * p->row + p->first;
 }
 
-/// A coordinate of the state (set 0) or a perturbation, by the common time.
+/// Returns a coordinate of the state (set 0) or of a perturbation, by the common time.
 static const double *coordinate(const part *p, size_t set, size_t k) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     return k < d ? row_of(p, p->view->q, set, d, k) : row_of(p, p->view->v, set, n - d, k - d);
@@ -267,7 +267,7 @@ static void begin_block(const part *p, block *b) {
         memcpy(b->p + k * b->row, row_of(p, p->view->numbers, 0, 0, k + 1), b->count * sizeof *b->p);
 }
 
-/// The state, `step` [count] times a perturbation beside it (set above 0), in the user's own units.
+/// Fills in the states, with `step` [count] times a perturbation added (set above 0), in the user's own units.
 static void fill_states(const part *p, size_t set, double sign, const double *step, block *b) {
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
@@ -279,8 +279,8 @@ static void fill_states(const part *p, size_t set, double sign, const double *st
     }
 }
 
-/// Writes the slopes of velocities and of what follows them, times `factor` [count] where there is one, and adds them
-/// to what stands there if wanted.
+/// Writes the slopes of velocities and of other first-order states, times `factor` [count] if given; adds them to the
+/// present values if requested.
 static void put_slopes(const part *p, size_t set, double sign, const double *factor, bool add, const block *b) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     for (size_t k = d; k < n; k++) {
@@ -293,7 +293,7 @@ static void put_slopes(const part *p, size_t set, double sign, const double *fac
     }
 }
 
-/// Whether the slopes of lane i jump between the states on both sides of its own, where they are `lower` and the
+/// Checks lane i for a jump of the slopes between the states on both sides of its own, where they are `lower` and the
 /// block's.
 static void look_for_jump(const part *p, size_t set, const block *b, size_t i, double step, const double *lower) {
     double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], below[MAX_IN_LANES], above[MAX_IN_LANES];
@@ -308,7 +308,7 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
     jumps(p->from, b->t[i], q, x, d, step, below, above);
 }
 
-/// The derivative along a perturbation by differences, lane by lane with a step of its own.
+/// Computes the derivative along a perturbation by differences, each lane with a step of its own.
 static void flow_beside(const part *p, size_t set, block *b) {
     double step[MAX_LANES], half[MAX_LANES], size[MAX_LANES], length[MAX_LANES];
     memset(size, 0, sizeof size);
@@ -336,7 +336,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     for (size_t i = 0; p->from->smooth && i < b->count; i++) look_for_jump(p, set, b, i, step[i], lower);
 }
 
-/// The derivative along a perturbation by the user's own function, one lane at a time.
+/// Computes the derivative along a perturbation by the user's own function, one lane at a time.
 static void flow_along(const part *p, size_t set, block *b) {
     double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], out[MAX_IN_LANES];
     const whirl_user_system *from = p->from;
@@ -375,7 +375,7 @@ static void flow(const lanes_view *view, size_t lanes) {
     }
 }
 
-// One for every instruction set: they differ by their lanes alone.
+// Flow functions, one for every instruction set: they differ only in their lanes.
 #define OF_ISA(name, lanes_there)                                                                                      \
     static void flow_##name(const lanes_view *view) {                                                                  \
         flow(view, lanes_there);                                                                                       \
@@ -454,7 +454,7 @@ static void release(void *owner) {
     free(own);
 }
 
-/// Stations that report in the user's units.
+/// Makes stations that report in the user's units.
 static whirl_status make_probes(member *own) {
     const whirl_user_system *from = own->from;
     own->probes = malloc((from->station_count + 1) * sizeof *own->probes);

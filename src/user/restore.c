@@ -1,4 +1,4 @@
-// Results in the user's own units again: machines of a study share one time, and its velocities.
+// Converts results back to the user's own units: machines of a study share one time, and its velocities.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,13 +7,13 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Fields of a table that hang on the time, NULL where it has none.
+/// Fields of a table that depend on the time, NULL for missing ones.
 typedef struct timed_fields {
     const whirl_field *section, *nodes;
-    const whirl_field *period, *rates[4]; ///< of points of branches
+    const whirl_field *period, *rates[4]; ///< fields of points of branches
 } timed_fields;
 
-/// The field that the analyses of motions, orbits or tori have, of which a table has one.
+/// Returns the field of motions, orbits or tori, of which a table has one.
 static const whirl_field *field_of_any(const whirl_layout *layout, const char *quantity) {
     static const char *const analyses[] = {"poincare", "trace", "torus"};
     const whirl_field *found = NULL;
@@ -35,14 +35,14 @@ static timed_fields fields_of(const whirl_layout *layout) {
     return f;
 }
 
-/// Of x, y, vx and vy the last two.
+/// Converts vx and vy of (x, y, vx, vy).
 static void restore_section(const whirl_field *section, double scale, double *block) {
     double *numbers = block + section->offset;
     for (size_t n = 0; n < section->repeat * section->rows && section->columns == 4; n++)
         for (size_t k = 2; k < 4; k++) numbers[4 * n + k] /= scale;
 }
 
-/// Of whole states, one after the other.
+/// Converts whole states, one after the other.
 static void restore_nodes(const whirl_user_system *system, const whirl_field *nodes, double scale, double *block) {
     const size_t d = system->displacements, n = system->dimension;
     for (size_t i = 0; i < nodes->rows; i++)
@@ -50,7 +50,8 @@ static void restore_nodes(const whirl_user_system *system, const whirl_field *no
     for (size_t i = 0; i < nodes->rows && system->units; i++) block[nodes->offset + i] *= system->units[i % n];
 }
 
-/// The period of a point of a branch, and what an equilibrium has per unit of time: `angle` is that of a unit.
+/// Converts the period of a branch's point, and an equilibrium's rates per unit of time: `angle` is the angle of a
+/// unit.
 static void restore_times(const timed_fields *f, double angle, double *block) {
     const bool rests = block[f->period->offset] == 0.0;
     block[f->period->offset] *= angle;
@@ -59,7 +60,7 @@ static void restore_times(const timed_fields *f, double angle, double *block) {
             block[f->rates[i]->offset + k] /= angle;
 }
 
-/// The parameters of a point, in the place of those of the system as it stands.
+/// Takes the parameters of a point instead of the system's own.
 static void take_parameters(const whirl_user_system *system, const whirl_table *table, size_t i, double *parameters) {
     const double varied[USER_AXES] = {table->values[i], whirl_table_second(table, i), whirl_table_third(table, i)};
     const char *const names[USER_AXES] = {table->parameter, table->second, table->third};

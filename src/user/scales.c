@@ -1,7 +1,6 @@
-// Scales of a user's coordinates: by what the library counts them, so that its tolerances, perturbations, returns and
-// bounds mean the same of micrometres, kelvins and pascals. Those that the user gives count. Others are 1 where motions
-// have an ordinary size, so that ordinary systems are computed as they are written; else powers of two, by which
-// numbers change no digit.
+// Scales of a user's coordinates: units in which the library's tolerances, perturbations, returns and bounds mean the
+// same for micrometres, kelvins and pascals. Scales that the user gives are used. Others are 1 if motions have an
+// ordinary size, so that ordinary systems are computed as written; else powers of two, which change no digit.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +12,7 @@
 /// Sizes between these are ordinary.
 static const double smallest = 1e-2, largest = 1e2;
 
-/// A motion that has grown by more than this from one half of what is seen of it to the other says nothing of its size.
+/// Growth from one half of a motion's record to the other above which it has no definite size.
 static const double steady = 4.0;
 
 static whirl_status check(const whirl_user_system *system) {
@@ -31,14 +30,14 @@ static whirl_status check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// How often slopes are taken for a revolution that is looked at: no solver that crawls keeps the study itself waiting.
+/// Most slope evaluations per trial revolution, so that a solver with tiny steps does not delay the study.
 static const long most_calls = 20000;
 
-/// What a study's points are looked at for.
+/// A trial run of a study's points.
 typedef struct look {
     const whirl_user_system *system;
-    int transient, record; ///< revolutions; none recorded: the start alone
-    double *sizes;         ///< [dimension] raised to what is seen, in the user's units
+    int transient, record; ///< revolutions; without a record: the start alone
+    double *sizes;         ///< [dimension] enlarged by what is observed, in the user's units
 } look;
 
 static void raise_size(const look *at, size_t k, double value) {
@@ -46,7 +45,7 @@ static void raise_size(const look *at, size_t k, double value) {
     at->sizes[k] = fmax(at->sizes[k], fabs(value) * unit);
 }
 
-/// The start, and how far its slopes lead in a part of the period in which an oscillation turns by a radian.
+/// Observes the start, and how far its slopes lead in the part of the period in which an oscillation turns by a radian.
 static void see_start(const look *at, const whirl_machine *machine, double *slopes) {
     const whirl_system *system = machine->system;
     const double radian = system->period / (2.0 * acos(-1.0)), t = 0.0;
@@ -57,8 +56,8 @@ static void see_start(const look *at, const whirl_machine *machine, double *slop
     }
 }
 
-/// A motion over its last revolutions. One that is lost after a transient, or takes all calls that are left, has no
-/// size that is known; one to which that happens at once is not looked at.
+/// Observes a motion over its last revolutions. A motion that diverges after a transient, or uses all remaining calls,
+/// has no known size; one that diverges at once is ignored.
 static whirl_status see_motion(const look *at, const whirl_machine *machine, const whirl_integrate_options *options) {
     whirl_record_options record = whirl_record_default();
     whirl_integrate_options integrate = *options;
@@ -81,7 +80,7 @@ static whirl_status see_motion(const look *at, const whirl_machine *machine, con
     return status;
 }
 
-/// The first, the middle and the last point.
+/// Observes the first, the middle and the last point.
 static whirl_status see_points(const whirl_study *study, const look *at) {
     const whirl_batch *batch = &study->batches[0];
     const size_t points[] = {0, batch->count / 2, batch->count - 1}, count = batch->count < 3 ? batch->count : 3;
@@ -108,7 +107,7 @@ static bool is_ordinary(double size) {
     return size == 0.0 || (size >= smallest && size <= largest);
 }
 
-/// Whether some coordinate needs a scale of which none was given.
+/// Returns true if every coordinate has an ordinary size or a given scale.
 static bool are_ordinary(const whirl_user_system *system, const double *sizes) {
     for (size_t k = 0; k < system->dimension; k++)
         if (!is_ordinary(sizes[k]) && !(system->scales && system->scales[k] > 0.0)) return false;
@@ -119,21 +118,21 @@ static double nearest_power(double size) {
     return exp2(round(log2(size)));
 }
 
-/// The unit of coordinate k by its size.
+/// Unit of coordinate k by its size.
 static double unit_of(const whirl_user_system *system, size_t k, double size) {
     const bool is_angle = system->angles && system->angles[k] > 0.0;
     return is_angle || is_ordinary(size) ? 1.0 : nearest_power(size);
 }
 
-/// A displacement and its velocity have one unit.
+/// Gives each displacement and its velocity one unit.
 static void pair_units(whirl_user_system *system) {
     const size_t d = system->displacements;
     for (size_t k = 0; k < d; k++)
         system->units[k] = system->units[d + k] = nearest_power(sqrt(system->units[k] * system->units[d + k]));
 }
 
-/// Scales of what was seen; sizes [4][dimension] at once, over half of a longer time, over all of it, and of the start
-/// with its slopes. A motion that goes on growing says nothing of its size: the start does.
+/// Takes scales from observed sizes [4][dimension]: at once, over half of a longer time, over all of it, and of the
+/// start with its slopes. A motion that keeps growing has no definite size: the start's is used.
 static void take_sizes(whirl_user_system *system, const double *sizes) {
     const size_t n = system->dimension;
     for (size_t k = 0; k < n; k++) {
@@ -153,7 +152,8 @@ static void take_given(whirl_user_system *system) {
     }
 }
 
-/// Motions may grow to sizes that were not seen: no bound becomes tighter than it is without scales.
+/// Widens the bound of motions, which may grow to sizes that were not observed: no bound becomes tighter than without
+/// scales.
 static void widen_limit(const whirl_user_system *system, whirl_study *study) {
     double least = 1.0;
     for (size_t k = 0; k < system->dimension; k++)
@@ -161,8 +161,8 @@ static void widen_limit(const whirl_user_system *system, whirl_study *study) {
     for (size_t i = 0; i < study->batch_count; i++) study->batches[i].integrate.limit /= least;
 }
 
-/// Sizes [4][dimension], as take_sizes has them, at once, and where these are not ordinary over halves of a longer
-/// time. While motions are looked at coordinates are counted by what their starts say.
+/// Observes the sizes [4][dimension] for take_sizes: at once and, if these are not ordinary, over halves of a longer
+/// time. Meanwhile coordinates are scaled by their starts.
 static whirl_status see_sizes(whirl_user_system *system, const whirl_study *study, double *sizes) {
     enum { AT_ONCE = 2, LONGER = 64 };
     const size_t n = system->dimension;
@@ -193,7 +193,7 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
         free(sizes);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for scales");
     }
-    // Where a motion cannot be seen the study itself says why.
+    // If a motion cannot be observed, the study itself reports why.
     copy->calls_left = &calls;
     if (see_sizes(copy, study, sizes).code != WHIRL_OK) memset(sizes, 0, 4 * n * sizeof *sizes);
     copy->calls_left = NULL;

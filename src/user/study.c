@@ -1,4 +1,4 @@
-// The study of a user's system, and what a result says of it.
+// The study of a user's system, and what a result reports about it.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include "user.h"
 #include "whirl/engine/case.h"
 
-/// A system with what a run of it needs: its one station, where it has none, and the values of all points.
+/// A system with the additional data of a run: a station, if it has none, and the values of all points.
 typedef struct prepared {
     whirl_user_system system; ///< borrows all of the user's
     whirl_probe station;
@@ -44,7 +44,7 @@ static whirl_status check(const whirl_user_system *system) {
     return whirl_ok();
 }
 
-/// Of the first two coordinates, or displacements.
+/// Makes a station of the first two coordinates, or displacements.
 static whirl_probe first_station(const whirl_user_system *system) {
     const size_t d = system->displacements, n = d > 0 ? d : system->dimension;
     whirl_probe one = {.name = "state", .x = 0, .y = n > 1 ? 1 : 0};
@@ -53,7 +53,7 @@ static whirl_probe first_station(const whirl_user_system *system) {
     return one;
 }
 
-/// Every point of the study, the first axis fastest.
+/// Fills in the values of all points, the first axis fastest.
 static whirl_status fill_values(prepared *p, whirl_batch *batch) {
     const whirl_user_system *system = &p->system;
     double count = 1.0;
@@ -85,7 +85,7 @@ static void name_axes(const prepared *p, whirl_batch *batch) {
     batch->plane = axes[0].count * axes[1].count;
 }
 
-/// "up" is along rising values, in whatever order they stand.
+/// Returns the direction of carrying: "up" is along rising values, in whatever order they are given.
 static whirl_carry carry_of(const whirl_user_system *system) {
     const user_axis *axis = &system->axes[0];
     const bool falls = system->axis_count > 0 && axis->values[axis->count - 1] < axis->values[0];
@@ -93,7 +93,7 @@ static whirl_carry carry_of(const whirl_user_system *system) {
     return system->carry == WHIRL_CARRY_REVERSE && falls ? WHIRL_CARRY_FORWARD : system->carry;
 }
 
-/// The one batch of motions, at all values.
+/// Prepares the one batch of motions, at all values.
 static whirl_status prepare_points(prepared *p) {
     static const char *const usual[] = {"poincare", "regime", "lyapunov", "orbit"};
     static const char *const names[] = {"response", "sweep", "map", "map"};
@@ -123,7 +123,7 @@ static void prepared_free(const prepared *p) {
     free(p->system.units);
 }
 
-/// Freed by prepared_free, also where it fails.
+/// Prepares a system. Freed by prepared_free, also after a failure.
 static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     *p = (prepared){.system = *system, .station = first_station(system)};
     whirl_status status = check(system);
@@ -137,7 +137,7 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
     status = system->branches.wanted ? user_prepare_branches(&p->system, &p->study) : prepare_points(p);
     if (status.code == WHIRL_OK) status = user_check_form(&p->system);
     if (status.code == WHIRL_OK) status = user_choose_units(&p->system, &p->study);
-    // What the functions did while motions were looked at is forgotten.
+    // Failures during trial runs are discarded.
     atomic_store(&p->system.failure->code, 0);
     atomic_store(&p->system.failure->told, 0);
     return status;
@@ -145,7 +145,7 @@ static whirl_status prepare(const whirl_user_system *system, prepared *p) {
 
 // ---------------------------------------------------------------- a result
 
-/// Which parameter of a table the period follows.
+/// Names the parameter of a table that sets the period.
 static void name_clock(const whirl_user_system *system, whirl_table *table) {
     const char *const names[USER_AXES] = {table->parameter, table->second, table->third};
     for (size_t i = 0; i < system->axis_count; i++)
@@ -176,7 +176,7 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
     return status.code == WHIRL_OK ? whirl_result_add_provenance(result) : status;
 }
 
-/// What became of the functions: a result of slopes that failed is none.
+/// Returns the outcome of a run: a result from failed slopes is discarded.
 static whirl_status outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
     const int code = atomic_load(&system->failure->code);
     if (code == USER_JUMP)

@@ -1,4 +1,4 @@
-// A user's system is put together: every call is checked where it is made.
+// Builds a user's system: every call checks its arguments.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,7 +65,7 @@ static size_t find_parameter(const whirl_user_system *system, const char *name) 
     return i;
 }
 
-/// Room for one more item of a list.
+/// Grows a list by one item.
 static void *grow(void **items, size_t count, size_t size) {
     void *more = realloc(*items, (count + 1) * size);
     if (!more) return NULL;
@@ -73,7 +73,7 @@ static void *grow(void **items, size_t count, size_t size) {
     return memset((char *)more + count * size, 0, size);
 }
 
-/// WHIRL_BAD_INPUT for a unit that is none, or that is not an SI unit: values are in SI.
+/// Checks that a unit exists and is an SI unit, since values are in SI. WHIRL_BAD_INPUT.
 static whirl_status check_unit(const char *name, const char *unit) {
     char one[WHIRL_NAME_SIZE + 8];
     double size;
@@ -281,7 +281,7 @@ whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *an
     return whirl_ok();
 }
 
-/// Sets a member by what a case would say of it.
+/// Sets a member by the text that a case would have.
 static whirl_status say(const whirl_member *member, void *object, const char *value) {
     const bool words = member->type == WHIRL_MEMBER_WORD || member->type == WHIRL_MEMBER_FLAG;
     if (words && member->key.choices && *member->key.choices && whirl_key_choice(&member->key, value) < 0)

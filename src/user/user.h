@@ -1,4 +1,4 @@
-/// What a user's system consists of.
+/// The parts of a user's system.
 #ifndef USER_USER_H
 #define USER_USER_H
 
@@ -14,7 +14,7 @@
 enum {
     USER_MAX_STATES = 4096,
     USER_MAX_PARAMETERS = 256,
-    USER_AXES = 3 ///< of a study
+    USER_AXES = 3 ///< axes of a study
 };
 
 typedef struct user_axis {
@@ -22,38 +22,38 @@ typedef struct user_axis {
     double *values; ///< [count]
 } user_axis;
 
-/// Branches that are followed in the place of motions, and curves of their special points.
+/// Branches that are followed instead of motions, and curves of their special points.
 typedef struct user_branches {
-    bool wanted, curves; ///< whether there are any
-    size_t parameter;    ///< over which branches go
-    double bounds[2];    ///< between which
-    size_t count;        ///< of `at`
+    bool wanted, curves; ///< they are followed
+    size_t parameter;    ///< parameter of branches
+    double bounds[2];    ///< its bounds
+    size_t count;        ///< number of `at`
     double *at;          ///< [count] values at which they begin; none: at the first bound
-    size_t second;       ///< parameter of curves
+    size_t second;       ///< second parameter of curves
     double second_bounds[2];
 } user_branches;
 
-/// A slope that jumps where its derivative was asked for, in place of what a function gave.
+/// Failure code of a slope that jumps where its derivative was requested.
 enum { USER_JUMP = INT_MIN };
 
-/// What failed first: no motion is computed after that.
+/// The first failure, after which no motion is computed.
 typedef struct user_failure {
-    atomic_int code; ///< that a function gave, or USER_JUMP; 0: none failed
-    atomic_int told; ///< one thread writes what follows
+    atomic_int code; ///< a function's code, or USER_JUMP; 0: none failed
+    atomic_int told; ///< 1 once the following are written
     double time;
-    size_t slope; ///< of a jump: which
-    double jump;  ///< by how much
+    size_t slope; ///< index of the slope that jumps
+    double jump;  ///< size of the jump
 } user_failure;
 
 struct whirl_user_system {
     char title[256];
-    char *identity; ///< of its functions; NULL: not known
+    char *identity; ///< identity of its functions; NULL: unknown
     size_t dimension, displacements;
     double *start;    ///< [dimension]
-    double *angles;   ///< [dimension] periods of angles, 0 of what is none; NULL: there are none
-    double *scales;   ///< [dimension] of coordinates: what was given, 0 of the others; NULL: none was given
-    double *units;    ///< [dimension] by which the library counts coordinates while a study runs (scales.c); NULL: 1
-    long *calls_left; ///< NULL, or how often slopes may still be taken: the rest are not numbers; by one thread
+    double *angles;   ///< [dimension] periods of angles, 0 for other coordinates; NULL: no angles
+    double *scales;   ///< [dimension] given scales of coordinates, 0 for others; NULL: none was given
+    double *units;    ///< [dimension] units of coordinates in the library while a study runs (scales.c); NULL: 1
+    long *calls_left; ///< NULL, or how many slope evaluations are left: further ones are NaN; one thread only
     size_t parameter_count, station_count, axis_count;
     whirl_parameter *parameters; ///< [parameter_count]
     whirl_probe *stations;       ///< [station_count]
@@ -62,58 +62,59 @@ struct whirl_user_system {
     whirl_user_tangent_fn tangent;
     void *context, *tangent_context;
     double period;
-    size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or beyond: `period` counts
-    bool kinked, smooth; ///< of slopes; `smooth`: a derivative is followed that knows of no jump
+    size_t speed; ///< index of the parameter that is the angular frequency; parameter_count or larger: `period` is used
+    bool kinked, smooth; ///< kinds of slopes; `smooth`: the given derivative covers all jumps
     user_axis axes[USER_AXES];
     user_branches branches;
     whirl_carry carry;
     whirl_analysis_set analyses;
     whirl_integrate_options integrate;
     whirl_record_options record;
-    whirl_batch options; ///< of which whirl_batch_members alone count
+    whirl_batch options; ///< only whirl_batch_members are used
     user_failure *failure;
 };
 
-/// Calls the functions once, at the start. WHIRL_BAD_INPUT where they change what they are given or leave slopes
-/// unwritten, as functions of another form do; WHIRL_NO_MEMORY.
+/// Calls the functions once, at the start. WHIRL_BAD_INPUT if they change their inputs or leave slopes unwritten, as
+/// functions of another form do; WHIRL_NO_MEMORY.
 whirl_status user_check_form(const whirl_user_system *system);
 
-/// Facts of a result that tell the equations from others.
+/// Adds facts to a result that identify the equations.
 whirl_status user_add_equations(const whirl_user_system *system, whirl_result *result);
 
-/// The index of a parameter. WHIRL_BAD_INPUT with the nearest name.
+/// Finds the index of a parameter. WHIRL_BAD_INPUT with the nearest name.
 whirl_status user_require_parameter(const whirl_user_system *system, const char *name, size_t *index);
 
-/// Makes a copy of a system, which borrows all of the user's, and its study those of its branches: both last as long as
-/// the system. WHIRL_BAD_INPUT where something else is asked for besides.
+/// Prepares a copy of a system, which borrows all of the user's, and its study for its branches: both last as long as
+/// the system. WHIRL_BAD_INPUT if something incompatible is requested.
 whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study);
 
-/// Refuses equilibria of a system that something drives in time. Errors as those of machines.
+/// Rejects equilibria of a system that depends on time. Errors as those of machines.
 whirl_status user_check_rest(const whirl_study *study);
 
-/// Writes which branches and curves are followed.
+/// Writes the branches and curves that are followed.
 void user_tell_branches(const whirl_user_system *system, FILE *out);
 
-/// Puts the numbers of a table, which are by the common time, in the user's own: velocities. Frequencies and periods of
+/// Converts the numbers of a table from the common time to the user's own: velocities. Frequencies and periods of
 /// branches become those by the angle of a revolution, 2 pi. Errors as user_period.
 whirl_status user_restore(const whirl_user_system *system, whirl_table *table);
 
-/// Chooses the units of a copy's coordinates: scales that were given, and for the others powers of two about the size
-/// that motions of the study's points have, where one is far from 1. Adapts the limit of its batches to them. units and
-/// what they are of stay NULL where all are 1; else they are freed with free. Motions that take too many slopes count
-/// as not seen. WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for scales that do not fit.
+/// Chooses the units of a copy's coordinates: given scales, and for others powers of two near the size of the motions
+/// of the study's points, if one is far from 1. Adapts the limit of its batches. units and the arrays in them stay NULL
+/// if all are 1; else they are freed with free. Motions that need too many slope evaluations count as unobserved.
+/// WHIRL_NO_MEMORY; WHIRL_BAD_INPUT for scales that do not fit.
 whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study);
 
-/// Warns in a result of coordinates of very different sizes whose scales were not given. WHIRL_NO_MEMORY.
+/// Warns in a result about coordinates of very different sizes without given scales. WHIRL_NO_MEMORY.
 whirl_status user_warn_of_units(const whirl_user_system *system, whirl_result *result);
 
-/// Writes the units of a system that has some.
+/// Writes the units of a system, if it has any.
 void user_tell_units(const whirl_user_system *system, FILE *out);
 
-/// The period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT where it is no number above 0.
+/// Computes the period of the system with these parameters [parameter_count]. WHIRL_BAD_INPUT unless it is a number
+/// above 0.
 whirl_status user_period(const whirl_user_system *system, const double *parameters, double *period);
 
-/// A machine of the system with these parameters, for whirl_study.machine.
+/// Makes a machine of the system with these parameters, for whirl_study.machine.
 whirl_status user_machine(const whirl_user_system *system, const double *parameters, whirl_machine *machine);
 
 #endif

@@ -1,4 +1,4 @@
-/// A zero between two places where a function has different signs: by the secant, halved in where that does not help
+/// Bracketed zero of a function with different signs at two places: by the secant, halved in if that does not help
 /// (Dekker 1969, with Illinois' weights: Dowell, Jarratt 1971).
 #ifndef BASE_BRACKET_H
 #define BASE_BRACKET_H
@@ -8,8 +8,8 @@
 
 typedef struct bracket {
     double a, fa, b, fb;
-    double last; ///< width when the last place was asked for
-    int side;    ///< which end moved last
+    double last; ///< width at the last request
+    int side;    ///< end that moved last
     int asked;
 } bracket;
 
@@ -21,7 +21,7 @@ static inline double bracket_width(const bracket *r) {
     return fabs(r->b - r->a);
 }
 
-/// Where to look next.
+/// Returns the next place to evaluate.
 static inline double bracket_next(bracket *r) {
     const double width = bracket_width(r), middle = 0.5 * (r->a + r->b);
     const double secant = r->b - r->fb * (r->b - r->a) / (r->fb - r->fa);
@@ -32,7 +32,7 @@ static inline double bracket_next(bracket *r) {
     return inside && narrows ? secant : middle;
 }
 
-/// The function's value there.
+/// Takes the function's value there.
 static inline void bracket_tell(bracket *r, double c, double fc) {
     const bool like_a = (fc < 0.0) == (r->fa < 0.0);
     if (like_a) {

@@ -1,5 +1,5 @@
-// Eigen behind plain C. Nothing that hangs on the processor is left to it: no vector instructions, no threads, no look
-// at the sizes of caches; so sums are added up in one order everywhere.
+// Eigen behind plain C. Everything that depends on the processor is switched off (vector instructions, threads, cache
+// sizes), so sums are added in one order everywhere.
 #define EIGEN_MPL2_ONLY
 #define EIGEN_NO_DEBUG
 #define EIGEN_DONT_VECTORIZE
@@ -37,7 +37,7 @@ Index index_of(size_t n) {
     return static_cast<Index>(n);
 }
 
-/// Runs what may throw: Eigen throws where memory is lacking, and nothing else.
+/// Runs code that may throw: Eigen throws only without memory.
 template <typename Work> bool attempt(Work work) noexcept {
     try {
         return work();
@@ -47,7 +47,8 @@ template <typename Work> bool attempt(Work work) noexcept {
     }
 }
 
-/// The first of the components that are as large as any, to rounding: so the choice does not hang on the last bits.
+/// Returns the first of the components that are largest to rounding, so that the choice does not depend on the last
+/// bits.
 template <typename Sizes> Index largest_of(const Sizes &sizes) {
     const double enough = (1.0 - 1e-6) * sizes.maxCoeff();
     Index i = 0;
@@ -55,7 +56,7 @@ template <typename Sizes> Index largest_of(const Sizes &sizes) {
     return i;
 }
 
-/// What is not positive definite has no factors; Eigen looks at the last pivots only, and NaN passes.
+/// Rejects matrices that are not positive definite; Eigen checks only the last pivots, and lets NaN pass.
 bool factor(Eigen::LLT<MatrixXd> &factors, const MatrixXd &m) {
     factors.compute(m);
     return factors.info() == Eigen::Success && factors.matrixLLT().diagonal().minCoeff() > 0.0;
@@ -85,7 +86,7 @@ bool symmetric_modes(Index n, const double *k, const double *m, double *values, 
     return modes.allFinite();
 }
 
-/// Of length 1, the largest component real and positive; written as pairs.
+/// Scales a vector to length 1 with its largest component real and positive; writes it as pairs.
 void write_vector(const Eigen::VectorXcd &v, double *out) {
     const VectorXd sizes = v.cwiseAbs2();
     const std::complex<double> first = v(largest_of(sizes));
@@ -97,8 +98,8 @@ void write_vector(const Eigen::VectorXcd &v, double *out) {
     }
 }
 
-/// How far rounding moves eigenvalues: by the norm of the matrix times the length of the row of the inverse of all
-/// vectors (Golub, Van Loan 2013, 7.2.2). Equal for all that swing fast, or do not swing freely.
+/// Bounds how far rounding moves eigenvalues: the norm of the matrix times the row's length in the inverse of all
+/// vectors (Golub, Van Loan 2013, 7.2.2). Equal for all fast or damped modes.
 void write_rounding(const RowMajor &balanced, const Eigen::EigenSolver<MatrixXd> &solver, double *rounding) {
     static const double fast = 1e-3, free = 0.01;
     const Index n = balanced.rows();
@@ -143,7 +144,7 @@ bool solve(MatrixXd &a, Columns &b) {
     return b.allFinite();
 }
 
-/// Real and imaginary parts one after the other: [A, -B; B, A], so that all divisions are of real numbers.
+/// Solves with real and imaginary parts, [A, -B; B, A], so that all divisions are of real numbers.
 bool solve_complex(Index n, const double *a, Index count, double *b) {
     MatrixXd both(2 * n, 2 * n), sides(2 * n, count);
     for (Index i = 0; i < n; i++)

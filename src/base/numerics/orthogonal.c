@@ -1,5 +1,5 @@
-// Householder's reflections, without the overhead that small matrices would pay in a library: whoever multiplies
-// through many factors takes thousands of them.
+// Householder's reflections, without a library's overhead for small matrices: products of many factors take thousands
+// of them.
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +8,7 @@
 enum { TOGETHER = 4 }; ///< columns
 
 /// Reflects the rows from k on, in `count` columns, at most TOGETHER, by column k of r: a vector whose component k is 1
-/// and whose others stand below.
+/// and whose others are below.
 static inline void reflect_some(size_t n, const double *r, size_t k, double twice, double *columns, size_t count) {
     double sum[TOGETHER];
     for (size_t c = 0; c < count; c++) sum[c] = columns[k * n + c];
@@ -20,7 +20,7 @@ static inline void reflect_some(size_t n, const double *r, size_t k, double twic
         for (size_t c = 0; c < count; c++) columns[i * n + c] -= sum[c] * r[i * n + k];
 }
 
-/// ... in all columns from `first` on.
+/// Reflects all columns from `first` on.
 static void reflect(size_t n, const double *r, size_t k, double *rows, size_t first) {
     double square = 1.0;
     for (size_t i = k + 1; i < n; i++) square += r[i * n + k] * r[i * n + k];
@@ -30,8 +30,8 @@ static void reflect(size_t n, const double *r, size_t k, double *rows, size_t fi
     for (; j < n; j++) reflect_some(n, r, k, twice, rows + j, 1);
 }
 
-/// Makes column k of r the reflection that leaves its first component alone, which it writes; nothing where there is
-/// nothing to reflect.
+/// Turns column k of r into the reflection that leaves only its first component, which it writes; does nothing to a
+/// column that already is so.
 static void make_reflection(size_t n, double *r, size_t k) {
     const double first = r[k * n + k];
     double largest = 0.0, square = 0.0;

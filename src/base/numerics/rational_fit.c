@@ -6,21 +6,21 @@
 
 #include "matrix.h"
 
-/// A set of so many samples has two rows, real and imaginary, for each; columns are functions of all poles, 1 and s
-/// and, for each entry, those by which poles move.
+/// Limits. A set of samples has two rows for each, real and imaginary; columns are functions of all poles, 1 and s and,
+/// for each entry, those that move the poles.
 enum {
     MAX_POLES = 2 * RATIONAL_MAX_PAIRS,
     MAX_ROWS = 2 * RATIONAL_MAX_SAMPLES,
     MAX_COLUMNS = MAX_POLES + 2 + RATIONAL_ENTRIES * (MAX_POLES + 1)
 };
 
-/// Poles in units of the highest frequency; of a complex pair both stand together, that above the axis first.
+/// Poles in units of the highest frequency; a complex pair is adjacent, that above the axis first.
 typedef struct pole_set {
     size_t count;
     double real[MAX_POLES], imaginary[MAX_POLES];
 } pole_set;
 
-/// What is fitted, with frequencies in units of the highest one.
+/// A fit, with frequencies in units of the highest one.
 typedef struct fitting {
     size_t sets, count;
     double top, least; ///< rad/s; modulus of the slowest pole
@@ -40,7 +40,7 @@ static double complex entry_of(const rational_sample *of, int e) {
     return of->entry[e][0] + of->entry[e][1] * I;
 }
 
-/// 1/z in one way, which compilers' own division is not.
+/// 1/z, computed the same way by all compilers, unlike their own division.
 static double complex inverse(double complex z) {
     const double size = creal(z) * creal(z) + cimag(z) * cimag(z);
     return creal(z) / size - cimag(z) / size * I;
@@ -48,8 +48,8 @@ static double complex inverse(double complex z) {
 
 // ---------------------------------------------------------------- least squares
 
-/// Householder's reflections of a [rows][stride], which make a triangle of `count` columns from `first` on, in the rows
-/// from there on, and take all columns up to `columns` along (Golub, Van Loan 2013, 5.2).
+/// Householder's reflections of a [rows][stride], which triangularize `count` columns from `first` on, in the rows from
+/// there on, and transform all columns up to `columns` (Golub, Van Loan 2013, 5.2).
 static void triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride, double *a) {
     for (size_t c = first; c < first + count && c < rows; c++) {
         double size = 0.0, sum[MAX_COLUMNS] = {0.0};
@@ -68,7 +68,7 @@ static void triangularize(size_t rows, size_t first, size_t count, size_t column
     }
 }
 
-/// The shortest x [n] whose a x comes nearest to the last column of a [rows][n + 1].
+/// Finds the shortest x [n] for which a x is nearest to the last column of a [rows][n + 1].
 static bool solve_nearest(size_t rows, size_t n, double *a, double *x) {
     double square[(MAX_POLES + 2) * (MAX_POLES + 2)];
     triangularize(rows, 0, n, n + 1, n + 1, a);
@@ -105,7 +105,7 @@ rational_sample rational_fit_value(const rational_fit *of, double w) {
     return out;
 }
 
-/// Real poles go in pairs by size.
+/// Sorts real poles by size into pairs.
 static void pair_up(const pole_set *poles, rational_fit *out) {
     double real[MAX_POLES];
     size_t count = 0;
@@ -122,15 +122,14 @@ static void pair_up(const pole_set *poles, rational_fit *out) {
         out->pairs[out->pair_count++] = (rational_pair){.w = sqrt(real[k] * real[k + 1]), .g = real[k] + real[k + 1]};
 }
 
-/// The functions of pairs, and 1, as columns.
+/// Writes the functions of pairs, and 1, as columns.
 static void put_functions(const fitting *f, const rational_fit *of, size_t k, double weight, size_t stride, double *a) {
     for (size_t j = 0; j < 2 * of->pair_count; j++)
         put_row(a, stride, k, j, weight * of_pair(&of->pairs[j / 2], f->w[k], (int)(j % 2)));
     put_row(a, stride, k, 2 * of->pair_count, weight);
 }
 
-/// The best function of the only set with the pairs of io, in units of the highest frequency, and with its slope where
-/// that is `held`.
+/// Fits the only set with the pairs of io, in units of the highest frequency, and with its slope if that is `held`.
 static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
     double a[MAX_ROWS * (MAX_POLES + 3)] = {0.0}, x[MAX_POLES + 2];
     const size_t n = 2 * io->pair_count + (held ? 1 : 2), stride = n + 1;
@@ -153,7 +152,7 @@ static bool fit_numbers(const fitting *f, bool held, rational_fit *io) {
     return true;
 }
 
-/// What is left of all sets with these poles: the root of the sum of squares.
+/// Residual of all sets with these poles: the root of the sum of squares.
 static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pairs, double *error) {
     double a[MAX_ROWS * MAX_COLUMNS];
     *pairs = (rational_fit){.pair_count = 0};
@@ -185,15 +184,15 @@ static double complex partial(const pole_set *poles, size_t k, double w) {
     return b == 0.0 ? one : b > 0.0 ? one + other : I * (one - other);
 }
 
-/// The distance of the samples about a frequency.
+/// Distance of the samples around a frequency.
 static double spacing(const fitting *f, double w) {
     size_t k = 1;
     while (k + 1 < f->count && f->w[k] < w) k++;
     return f->w[k] - f->w[k - 1];
 }
 
-/// Stable, neither far beyond the frequencies nor far below them, where samples do not tell them from constants, and no
-/// resonances that are narrower than half the distance of samples, which would fit their errors.
+/// Restricts poles: stable, neither far beyond the frequencies nor far below them, where samples cannot distinguish
+/// them from constants, and no resonances narrower than half the distance of samples, which would fit their errors.
 static void tidy(const fitting *f, pole_set *poles) {
     const double fastest = 10.0;
     for (size_t k = 0; k < poles->count; k++) {
@@ -206,8 +205,8 @@ static void tidy(const fitting *f, pole_set *poles) {
     }
 }
 
-/// What the scaling function that all entries share tells of the poles: rows [entries][poles + 1] of one set. What
-/// stands before it, the functions of the poles, 1 and s, is the same for all entries.
+/// Writes the equations of the common scaling function, which moves the poles: rows [entries][poles + 1] of one set.
+/// The columns before, the functions of the poles, 1 and s, are the same for all entries.
 static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, double *out) {
     double a[MAX_ROWS * MAX_COLUMNS], own[MAX_ROWS * (MAX_POLES + 1)];
     const size_t n = poles->count, before = n + 2, stride = before + RATIONAL_ENTRIES * (n + 1);
@@ -235,7 +234,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
     }
 }
 
-/// The zeros of the scaling function are the next poles.
+/// Moves the poles to the zeros of the scaling function.
 static bool relocate(const fitting *f, pole_set *poles) {
     enum { MAX_ENTRIES = RATIONAL_MAX_SETS * RATIONAL_ENTRIES };
     double a[(MAX_ENTRIES * (MAX_POLES + 1) + 1) * (MAX_POLES + 2)] = {0.0}, x[MAX_POLES + 2];
@@ -263,7 +262,7 @@ static bool relocate(const fitting *f, pole_set *poles) {
     return true;
 }
 
-/// Pairs spread over the frequencies, well damped.
+/// First poles: pairs spread over the frequencies, well damped.
 static pole_set first_poles(const fitting *f, size_t pair_count) {
     pole_set out = {.count = 2 * pair_count};
     for (size_t j = 0; j < pair_count; j++) {
@@ -299,7 +298,7 @@ bool rational_fit_poles(size_t sets, size_t count, const double *w, const ration
     double least, last;
     if (!error_of(&f, &poles, out, &least)) return false;
     last = least;
-    // The best of all that they come by, until steps tell no more.
+    // Keeps the best of all iterates, until steps improve nothing.
     for (int step = 0; step < MAX_STEPS && pair_count > 0 && least > 1e-14; step++) {
         rational_fit next;
         double error;
@@ -318,7 +317,7 @@ bool rational_fit_poles(size_t sets, size_t count, const double *w, const ration
 
 // ---------------------------------------------------------------- the slope
 
-/// Of the symmetric part of a matrix: its mean, half the difference of its eigenvalues, and twice the direction.
+/// Symmetric part of a matrix: its mean, half the difference of its eigenvalues, and twice the direction.
 typedef struct symmetric {
     double mean, half, c, s;
 } symmetric;
@@ -328,7 +327,7 @@ static symmetric symmetric_of(const double m[RATIONAL_ENTRIES]) {
     return (symmetric){0.5 * (m[0] + m[3]), half, half > 0.0 ? a / half : 1.0, half > 0.0 ? b / half : 0.0};
 }
 
-/// The least damping of the samples, where that is below 0.
+/// Least damping of the samples, if it is negative.
 static double least_damping(const fitting *f) {
     double least = 0.0;
     for (size_t k = 0; k < f->count; k++) {
@@ -341,7 +340,7 @@ static double least_damping(const fitting *f) {
     return least;
 }
 
-/// Raises the eigenvalues of the slope's symmetric part to the least that is allowed; false where none is below.
+/// Raises the eigenvalues of the slope's symmetric part to the least allowed; false if none is lower.
 static bool raise_slope(double slope[RATIONAL_ENTRIES], double least) {
     const symmetric own = symmetric_of(slope);
     const double low = own.mean - own.half, high = own.mean + own.half, skew = 0.5 * (slope[1] - slope[2]);

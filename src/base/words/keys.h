@@ -1,7 +1,7 @@
-/// How tables of keys are written: a whirl_key by its kind, without the members that the kind has no use for.
+/// Macros for tables of keys: a whirl_key by its kind, without the members that the kind does not use.
 ///
-/// Behind the name stands whether the key must be given: REQUIRED, OPTIONAL (it may be left out) or DEFAULT("0"), text
-/// in its unit. Ranges are those of whirl/engine/descriptor.h; CITED_ keys tell the source of their definition; of: the
+/// After the name comes whether the key is required: REQUIRED, OPTIONAL (it may be left out) or DEFAULT("0"), text in
+/// its unit. Ranges are those of whirl/engine/descriptor.h; CITED_ keys name the source of their definition; of: the
 /// key without which this one has no effect, or NULL.
 #ifndef BASE_KEYS_H
 #define BASE_KEYS_H

@@ -16,9 +16,9 @@
     { name, WHIRL_MEMBER_##TYPE, offsetof(STRUCT, field), part, {__VA_ARGS__, NULL}, refined }
 
 // ---------------------------------------------------------------- name_list
-// Names in one text, with blanks or commas between.
+// Lists of names in one text, separated by blanks or commas.
 
-/// Takes the first name off the list (cut to WHIRL_NAME_SIZE - 1 bytes); false where there is none.
+/// Takes the first name off the list (cut to WHIRL_NAME_SIZE - 1 bytes); false if it is empty.
 bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]);
 
 // ---------------------------------------------------------------- number
@@ -26,14 +26,15 @@ bool name_list_next(const char **list, char name[WHIRL_NAME_SIZE]);
 
 enum { NUMBER_SIZE = 32 };
 
-/// A finite number with a decimal point in every locale, with the fewest of 15, 16 or 17 significant digits that give
-/// the same double back: 0.1, not 0.10000000000000001. A number that has at most 15 digits is written with these alone.
+/// Writes a finite number with a decimal point in every locale, with the fewest of 15, 16 or 17 significant digits that
+/// give the same double back: 0.1, not 0.10000000000000001. A number with at most 15 digits is written with these
+/// alone.
 void number_text(double value, char text[NUMBER_SIZE]);
 
 // ---------------------------------------------------------------- unit_words
 // The units in which figures and pages may show their numbers, by the words that people write: "um, rpm, Hz, p-p".
 
-/// What a word is a unit, or a way of counting, of.
+/// Kinds of units, or of counting, that a word may name.
 typedef enum unit_kind {
     UNIT_LENGTH = 0,
     UNIT_SPEED,
@@ -53,43 +54,43 @@ typedef enum unit_kind {
     UNIT_TEMPERATURE,
     UNIT_VISCOSITY,
     UNIT_WEIGHT, ///< masses of the weights that balance a rotor
-    UNIT_SYSTEM, ///< all quantities of which nothing else is said
+    UNIT_SYSTEM, ///< default for all quantities without a unit of their own
     UNIT_KINDS
 } unit_kind;
 
 typedef struct unit_word {
-    const char *word, *shown; ///< as it is written, and as it is shown
+    const char *word, *shown; ///< as written, and as shown
     unit_kind kind;
-    /// In SI; 0 for lengths and frequencies of the case (the length scale, the order of the running speed), and of
-    /// systems; frequencies in Hz; amplitudes over the zero-to-peak one; temperatures: of a degree.
+    /// Size in SI. 0 for lengths and frequencies of the case (the length scale, the order of the running speed), and
+    /// for systems; frequencies in Hz; amplitudes relative to the zero-to-peak one; temperatures: size of a degree.
     double size;
 } unit_word;
 
-/// At most one word of each kind; NULL where none was chosen.
+/// At most one word of each kind; NULL for kinds without a choice.
 typedef struct unit_choice {
     const unit_word *of[UNIT_KINDS];
 } unit_choice;
 
-/// All words; static, ended by one whose word is NULL.
+/// Returns all words; static, terminated by one whose word is NULL.
 const unit_word *unit_words(void);
 
-/// The word of a system of units ("US") for a kind, for UNIT_SYSTEM that of places along shafts and of diameters; NULL
-/// where it has none.
+/// Returns the word of a system of units ("US") for a kind; for UNIT_SYSTEM that of places along shafts and of
+/// diameters; NULL if it has none.
 const unit_word *unit_of_system(const unit_word *system, unit_kind kind);
 
-/// Reads "um, rpm, Hz, p-p": words in any order, between commas. "" chooses nothing. WHIRL_BAD_INPUT, with the nearest
-/// word, for one that is unknown, and for two of a kind.
+/// Reads "um, rpm, Hz, p-p": words in any order, separated by commas. "" chooses nothing. WHIRL_BAD_INPUT for an
+/// unknown word, with the nearest one, and for two of a kind.
 whirl_status unit_choice_read(const char *text, unit_choice *choice);
 
 // ---------------------------------------------------------------- utf8
 // UTF-8, as far as readers and reports need it.
 
-/// Skips the byte order mark that a text in UTF-8 may begin with (Unicode 15, 23.8; YAML 1.2, 5.2), as editors of
-/// Windows write it: gives the text behind it and shortens `length`.
+/// Skips the byte order mark (Unicode 15, 23.8; YAML 1.2, 5.2) that editors of Windows write before a text in UTF-8:
+/// returns the text after it and shortens `length`.
 const char *utf8_skip_mark(const char *text, size_t *length);
 
-/// Bytes of the character at the start of `text` (1 to 4), of which `left` bytes may be read (at least one); 0 where
-/// there is no valid one: overlong forms, surrogates and cut characters are not valid.
+/// Returns the size of the character at the start of `text`, 1 to 4 bytes, of which `left` may be read (at least one);
+/// 0 if it is not valid: overlong forms, surrogates and truncated characters are invalid.
 size_t utf8_length(const char *text, size_t left);
 
 /// The same for a text that ends with a zero byte.
@@ -97,12 +98,12 @@ static inline size_t utf8_length_of_text(const char *text) {
     return utf8_length(text, 4);
 }
 
-/// The number of a valid character of `length` bytes.
+/// Returns the code point of a valid character of `length` bytes.
 unsigned utf8_character(const char *text, size_t length);
 
-/// Whether a valid character of `length` bytes is safe to show. Not so are control characters (below U+0020, U+007F to
-/// U+009F), which terminals obey; those that turn the direction of a line (Unicode's Bidi_Control), so that it reads
-/// otherwise than it stands; and U+2028 and U+2029, which end lines.
+/// Returns true if a valid character of `length` bytes is safe to show. Unsafe are control characters (below U+0020,
+/// U+007F to U+009F), which terminals obey; those that change the direction of a line (Unicode's Bidi_Control), so that
+/// it reads otherwise than written; and U+2028 and U+2029, which end lines.
 bool utf8_is_plain(const char *text, size_t length);
 
 #endif

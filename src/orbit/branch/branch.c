@@ -24,12 +24,12 @@ static void exchange(waypoint *a, waypoint *b) {
     *b = kept;
 }
 
-/// The waypoints of a walk: where it was, where it is, where it tries to get, where it began.
+/// State of the continuation: its last, present, next and first waypoints.
 typedef struct walk {
     waypoint before, now, next, first;
     double *trial, *across; ///< [unknowns]
     double step;
-    bool within; ///< the parameter is between its bounds
+    bool within; ///< the parameter is within its bounds
 } walk;
 
 static whirl_status add_waypoint(follower *f, const waypoint *p) {
@@ -41,8 +41,8 @@ static whirl_status add_waypoint(follower *f, const waypoint *p) {
     return status;
 }
 
-/// Whether the parameter turns round twice between two points, where it goes the same way at both: by the cubic along
-/// the branch through both with their tangents, whose slope has its extreme where it nears zero.
+/// Returns true if the parameter turns round twice between two points at which it changes in the same direction: by the
+/// cubic along the branch through both points with their tangents.
 static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b, double *work) {
     const size_t n = f->curve.count;
     const double first = a->tangent[n], last = b->tangent[n], least = 0.1 * fmin(fabs(first), fabs(last));
@@ -53,7 +53,7 @@ static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b,
     return first * last > 0.0 && x > 0.0 && x < 1.0 && copysign(1.0, first) * extreme < least;
 }
 
-/// Tries a step; *good where it found a point that goes on from the present one.
+/// Tries a step; *good if it found a point that continues the branch.
 static whirl_status try_step(follower *f, walk *w, bool *good) {
     const waypoint *now = &w->now, *next = &w->next;
     follower_predict(f, &w->before, now, now, w->step, w->trial);
@@ -71,7 +71,7 @@ static whirl_status try_step(follower *f, walk *w, bool *good) {
     return status;
 }
 
-/// Adds what lies between the present point and the next one: the branch's end or special points.
+/// Adds the events between the present point and the next one: the branch's end or special points.
 static whirl_status pass_special(follower *f, walk *w, bool *ended) {
     *ended = halved_between(&w->now, &w->next);
     if (*ended) {
@@ -90,7 +90,7 @@ static whirl_status pass_special(follower *f, walk *w, bool *ended) {
     return special_locate(f, &w->now, &w->next, pitchfork);
 }
 
-/// The last point, where the parameter is at its bound.
+/// Adds the last point, at the bound of the parameter.
 static whirl_status end_at_bound(follower *f, walk *w) {
     const whirl_branch_options *o = f->options;
     const double value = follower_value(f, w->next.u), low = fmin(o->from, o->to), high = fmax(o->from, o->to);
@@ -111,14 +111,14 @@ static whirl_status end_at_bound(follower *f, walk *w) {
     return status.code == WHIRL_OK && !ended ? add_waypoint(f, &w->next) : status;
 }
 
-/// The unknowns, or a direction, of the same orbit that begins so many segments later.
+/// Shifts the unknowns of an orbit, or a direction, by so many segments.
 static void begin_later(const follower *f, const double *u, size_t segments, double *out) {
     const size_t count = f->equations.s->count, kept = f->equations.s->kept_count;
     memcpy(out, u, (f->curve.count + 1) * sizeof *u);
     for (size_t j = 0; j < count; j++) memcpy(out + j * kept, u + (j + segments) % count * kept, kept * sizeof *u);
 }
 
-/// Whether the walk has come round to where it began, or to the same orbit some revolutions later.
+/// Returns true if the branch has returned to its first point, or to the same orbit shifted by some revolutions.
 static bool is_closed(const follower *f, const walk *w) {
     const size_t all = f->curve.count + 1, count = f->equations.s->count;
     const size_t revolutions = f->equations.s->revolutions, turns = revolutions > 0 ? revolutions : 1;
@@ -139,7 +139,7 @@ static bool is_within(const follower *f, const waypoint *p) {
     return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
 }
 
-/// One point further.
+/// Adds the next point.
 static whirl_status go_on(follower *f, walk *w, bool *ended) {
     bool good;
     whirl_status status;
@@ -167,7 +167,7 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
     return status;
 }
 
-/// The first point and its direction.
+/// Finds the first point and its direction.
 static whirl_status begin(follower *f, walk *w, double value, int direction) {
     const size_t all = f->curve.count + 1;
     follower_take(f, value, w->trial);

@@ -1,4 +1,4 @@
-// All stable orbits that motions from many starts lead to.
+// Collects the stable orbits that motions from many starts settle on.
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -21,24 +21,24 @@ whirl_collect_options whirl_collect_default(const double *low, const double *hig
 typedef struct runner {
     size_t lane;
     bool goes_on;
-    size_t returns; ///< revolutions after which it comes nearest to where it was, of those that are looked at
-    double away;    ///< by how much it misses it then, over its largest coordinate
+    size_t returns; ///< number of revolutions with the nearest return
+    double away;    ///< distance of that return, over the largest coordinate
 } runner;
 
 typedef struct collector {
     const whirl_system *system;
     const whirl_collect_options *options;
     whirl_ensemble *ensemble;
-    runner *runners;  ///< [starts] those that come nearest first
-    double *from, *x; ///< [starts][dimension] where they were; [dimension]
+    runner *runners;  ///< [starts], nearest return first
+    double *from, *x; ///< [starts][dimension] states at the beginning; [dimension]
     whirl_collection *found;
 } collector;
 
-/// How near a motion has come to an orbit that it has reached, and how far nodes of one orbit may be apart, over the
-/// largest coordinate.
+/// Distance from an orbit at which a motion has reached it, and between nodes of one orbit, over the largest
+/// coordinate.
 static const double near = 1e-4, same = 1e-6;
 
-/// Newton's method is asked where a motion returns so nearly, and has to come to rest in so many steps.
+/// Distance of a return from which Newton's method is tried; it must converge in so few steps.
 static const double worth = 0.01;
 enum { STEPS_FROM_NEAR = 8 };
 
@@ -70,14 +70,14 @@ static whirl_status load_starts(collector *c) {
 
 // ---------------------------------------------------------------- orbits
 
-/// The orbit that passes near x; none: the count.
+/// Returns the index of the orbit that passes near x, or the count without one.
 static size_t orbit_near(const collector *c, const double *x, double within) {
     for (size_t k = 0; k < c->found->count; k++)
         if (whirl_orbit_distance(c->system, c->found->orbits[k], x) < within) return k;
     return c->found->count;
 }
 
-/// Revolutions after which an orbit is back for the first time.
+/// Least number of revolutions after which an orbit closes.
 static size_t least_revolutions(const whirl_system *system, const whirl_orbit *orbit) {
     const size_t stride = orbit_stride(orbit), repeats = system->repeats > 0 ? system->repeats : 1;
     for (size_t k = repeats; k < orbit->revolutions; k += repeats)
@@ -98,7 +98,7 @@ static whirl_status keep(collector *c, whirl_orbit *orbit) {
     return whirl_ok();
 }
 
-/// Looks for a stable orbit that is not known yet near x; *new tells whether there is one.
+/// Searches an unknown stable orbit near x; *new if there is one.
 static whirl_status look_near(collector *c, const double *x, size_t revolutions, bool *new) {
     whirl_orbit_options options = c->options->orbit;
     whirl_orbit *orbit = NULL, *shorter = NULL;
@@ -136,7 +136,7 @@ static bool goes_on(collector *c, runner *r) {
     return r->goes_on;
 }
 
-/// Finds out after how many revolutions motions nearly return.
+/// Finds the nearest return of each motion.
 static void watch_returns(collector *c) {
     const size_t d = c->system->dimension, repeats = c->system->repeats > 0 ? c->system->repeats : 1;
     for (size_t k = 0; k < c->options->starts; k++) {
@@ -152,7 +152,7 @@ static void watch_returns(collector *c) {
             if (!goes_on(c, r)) continue;
             whirl_ensemble_state(c->ensemble, r->lane, c->x);
             const double away = states_distance(c->system, c->x, c->from + r->lane * d);
-            // A longer return has to be much better: multiples of a period return as well.
+            // A longer return must be much better: multiples of a period return as well.
             if (away < 0.5 * r->away) {
                 r->away = away;
                 r->returns = turn;
@@ -167,9 +167,10 @@ static int by_return(const void *a, const void *b) {
     return p->lane < q->lane ? -1 : p->lane > q->lane;
 }
 
-/// Looks at the motions, those that return best first; of each number of revolutions only as long as orbits are found.
+/// Searches orbits from the motions, best returns first; for each number of revolutions only as long as new orbits are
+/// found.
 static whirl_status look(collector *c) {
-    uint64_t tried = 0; // bit k: no more is found by motions that return after k + 1 revolutions
+    uint64_t tried = 0; // bit k: motions that return after k + 1 revolutions lead to no more orbits
     whirl_status status = whirl_ok();
     qsort(c->runners, c->options->starts, sizeof *c->runners, by_return);
     for (size_t k = 0; k < c->options->starts && status.code == WHIRL_OK; k++) {
@@ -197,7 +198,7 @@ static size_t count_going(const collector *c) {
     return count;
 }
 
-/// After each look motions go on for as long again.
+/// Runs the motions, for twice the total time after each search.
 static whirl_status settle(collector *c) {
     const whirl_collect_options *o = c->options;
     size_t done = 0, next = o->settle;

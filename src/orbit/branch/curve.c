@@ -47,12 +47,12 @@ double curve_dot(const curve *c, const double *a, const double *b) {
     return sum;
 }
 
-/// Writes what a row of the equations has to be so that its product with u is curve_dot's with a.
+/// Writes the row of the equations whose product with u is curve_dot's with a.
 static void write_row(const curve *c, const double *a, double *row) {
     for (size_t i = 0; i <= c->count; i++) row[i] = a[i] / c->scale[i] / c->scale[i];
 }
 
-/// Decomposes the matrix with that direction in its last row, unless it is.
+/// Decomposes the matrix with that direction in its last row, unless it already is.
 static bool decompose_with(curve *c, const double *direction) {
     const size_t all = c->count + 1;
     double *last = c->matrix + c->count * all, *row = c->values;
@@ -84,7 +84,7 @@ static double size_of(void *context, const double *u, const double *value) {
     return fmax(c->size(c->context, u, value), fabs(value[c->count]));
 }
 
-/// Points are near where they are looked for, or a shorter step finds them sooner.
+/// Newton's limits are small: points are near their prediction, or a shorter step is cheaper.
 enum { MAX_STEPS = 8, MAX_HALVINGS = 2 };
 
 newton_result curve_correct(curve *c, const double *direction, double *u) {
@@ -147,13 +147,13 @@ bool curve_tangent(curve *c, const double *across, const double *along, double *
     return true;
 }
 
-/// Unknowns in units of the scale: rows of the derivative as they are.
+/// Rows of the derivative as they are, for unknowns in units of the scale.
 bool curve_other(curve *c, const double *tangent, double *other) {
     const size_t n = c->count, all = n + 1;
     double *square = calloc(all * all + all + 1, sizeof *square), *values = square ? square + all * all : NULL;
     double *vectors = calloc(all * all + 1, sizeof *vectors);
     bool good = square && vectors;
-    // The least singular direction of the derivative with the tangent for its last row.
+    // Finds the least singular direction of the derivative with the tangent as last row.
     write_row(c, tangent, c->matrix + n * all);
     c->decomposed = false;
     for (size_t i = 0; i < all && good; i++)

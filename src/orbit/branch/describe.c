@@ -1,4 +1,4 @@
-// What is told of an orbit that was found.
+// Describes an orbit that was found.
 #include "follower.h"
 
 #include <math.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Bytes of an orbit with its arrays, and where they lie behind it.
+/// Size of an orbit with its arrays, which follow it in one block.
 static size_t size_of(const whirl_orbit *orbit) {
     return sizeof *orbit + orbit->multiplier_count * sizeof *orbit->multipliers +
            orbit->touch_count * sizeof *orbit->touches + (orbit->segment_count + 2) * orbit->dimension * sizeof(double);
@@ -69,7 +69,7 @@ double whirl_orbit_largest(const whirl_orbit *orbit) {
     return largest;
 }
 
-/// Multipliers beyond the unit circle, or eigenvalues right of the imaginary axis.
+/// Counts multipliers outside the unit circle, or eigenvalues with positive real part.
 static size_t count_unstable(const whirl_orbit *orbit) {
     const double slight = 1e-9;
     const size_t own = orbit_own_multiplier(orbit);

@@ -1,4 +1,4 @@
-// What following a branch and locating its special points share.
+// Steps shared by following a branch and locating its special points.
 #include "follower.h"
 
 #include <math.h>
@@ -77,10 +77,11 @@ double follower_lean(const follower *f, const double *tangent) {
     return tangent[f->curve.count] / f->curve.scale[f->curve.count];
 }
 
-/// From here on a curve is one over its parameter.
+/// Share of the parameter in a tangent above which a branch counts as a function of the parameter.
 static const double steep = 0.3;
 
-/// Whether the branch is one over its parameter from a to b and a little further: not steep, and hardly bent.
+/// Returns true if the branch is a function of its parameter from a to b and a little further: neither steep nor much
+/// bent.
 static bool is_flat(const follower *f, const waypoint *a, const waypoint *b) {
     const double bent = 0.98;
     if (!a->orbit || !b->orbit) return false;
@@ -129,12 +130,12 @@ whirl_status follower_find(follower *f, const double *u, const double *direction
 }
 
 whirl_status branch_add(whirl_branch *b, const whirl_branch_options *options, const whirl_branch_point *point) {
-    if (whirl_integrate_stopped(&options->orbit.integrate)) { // what was found since means nothing
+    if (whirl_integrate_stopped(&options->orbit.integrate)) { // what was found since a stop is discarded
         whirl_orbit_free(point->orbit);
         b->end = WHIRL_END_STOPPED;
         return whirl_ok();
     }
-    if ((b->count & (b->count - 1)) == 0) { // there is room for the next power of two
+    if ((b->count & (b->count - 1)) == 0) { // capacity is the next power of two
         const size_t room = b->count > 0 ? 2 * b->count : 1;
         whirl_branch_point *points = realloc(b->points, room * sizeof *points);
         if (!points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu points of a branch", room);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/// By how much an orbit is elsewhere after half its time, in the direction in which another one is [dimension].
+/// Difference of an orbit and its shift by half the time, along that difference of another orbit [dimension].
 static double apart(const whirl_orbit *orbit, const whirl_orbit *other) {
     const size_t n = orbit->dimension, later = orbit->segment_count / 2 * n;
     double sum = 0.0;
@@ -18,15 +18,15 @@ bool halved_between(const waypoint *from, const waypoint *to) {
     return apart(a, b) < -0.9 * sqrt(apart(a, a) * apart(b, b));
 }
 
-/// A point near the end: where it is along the tangent, by how much its orbit is elsewhere after half the time, over
-/// what it was at the first one, and the parameter there.
+/// A point near the end: its place along the tangent, the half-time difference of its orbit relative to the first
+/// point's, and its parameter.
 typedef struct look {
     double at, apart, value;
 } look;
 
 enum { NEAREST = 3 };
 
-/// Those that are nearest to the end, the nearest first.
+/// The points nearest to the end, the nearest first.
 typedef struct looks {
     look list[NEAREST];
     int count;
@@ -43,15 +43,15 @@ static void note(looks *to, look one) {
     if (place < NEAREST) to->list[place] = one;
 }
 
-/// The parameter at the end: it is even in how far orbits are apart, for those on the other side are the same ones.
-/// By the polynomial in the square of that (Neville).
+/// Extrapolates the parameter to the end. It is an even function of the half-time difference, since the orbits beyond
+/// the end are the same ones: a polynomial in its square (Neville).
 static double value_at_end(const looks *l) {
     double value[NEAREST] = {NAN}, square[NEAREST] = {NAN};
     int count = 0;
     for (int i = 0; i < l->count; i++) {
         square[count] = l->list[i].apart * l->list[i].apart;
         value[count] = l->list[i].value;
-        // Two of a size tell nothing but the errors of both.
+        // Two differences of one size tell only the errors of both.
         if (count == 0 || square[count] > 2.0 * square[count - 1]) count++;
     }
     for (int order = 1; order < count; order++)
@@ -60,8 +60,8 @@ static double value_at_end(const looks *l) {
     return value[0];
 }
 
-/// Where to look next: where the straight line through the nearest points of both sides meets the end; where nothing
-/// was found there, half way back to one of them and to the other one by turns, and nearer to them.
+/// Next place of the search: the zero of the straight line through the nearest points of both sides. After a failure it
+/// is half way back to one of them and the other by turns, ever closer to them.
 static double next_place(const look sides[2], int missed) {
     const double slope = (sides[1].at - sides[0].at) / (sides[1].apart - sides[0].apart);
     const double zero = sides[0].at - sides[0].apart * slope;
@@ -69,11 +69,11 @@ static double next_place(const look sides[2], int missed) {
     return zero + share * (sides[missed % 2].at - zero);
 }
 
-/// Closes in on the end from both sides; there the equations are singular, so that it is not met itself. p is the
-/// nearest point that was found, if any.
+/// Closes in on the end from both sides. The equations are singular at the end itself, which is therefore avoided. p
+/// becomes the nearest point that was found, if any.
 static whirl_status close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
     enum { MAX_LOOKS = 16 };
-    // The error of the parameter is of sixth order in the first; below the other lies the branch with the doubling.
+    // The parameter's error is of sixth order in the first; smaller differences belong to the branch with the doubling.
     const double near = 1e-2, same = 1e-6;
     const size_t all = f->curve.count + 1;
     waypoint trial = {.u = NULL};

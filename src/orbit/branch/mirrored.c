@@ -1,9 +1,9 @@
-// Pitchforks reached along their side branch, which beyond them is its own mirror image where the machine is symmetric.
+// Pitchforks reached along their side branch, which beyond them is its own mirror image if the machine is symmetric.
 //
 // Near a pitchfork the parameter is even along the side branch and the product of all (multiplier - 1) vanishes like
-// the square of the distance (Golubitsky, Schaeffer 1985, chapter VI): the tangent turns back as at a fold, and that
-// product keeps its sign as at no fold. The point is located on the symmetric branch, where the product passes zero and
-// Newton's method is regular.
+// the square of the distance (Golubitsky, Schaeffer 1985, chapter VI): the tangent turns back as at a fold, but that
+// product keeps its sign. The point is located on the symmetric branch, where the product passes zero and Newton's
+// method is regular.
 #include "follower.h"
 
 #include <math.h>
@@ -12,10 +12,10 @@
 
 /// The neighbourhood of a possible pitchfork.
 typedef struct pitchfork {
-    const waypoint *side;  ///< the point of the side branch that is farther from the vertex
-    double *vertex;        ///< [unknowns] where the side branch turns, by the cubic through both points
-    double length;         ///< of the step
-    waypoint beyond;       ///< on the symmetric branch, on that side of the vertex where there is no side branch
+    const waypoint *side;  ///< point of the side branch farther from the vertex
+    double *vertex;        ///< [unknowns] vertex of the side branch, by the cubic through both points
+    double length;         ///< length of the step
+    waypoint beyond;       ///< on the symmetric branch, on the side of the vertex without a side branch
     waypoint within;       ///< on the symmetric branch, on the other side
     waypoint sides[2];     ///< on both sides of `within`, at its parameter
     double *trial, *along; ///< [unknowns] workspace
@@ -47,16 +47,16 @@ static double mirrored_distance(const follower *f, pitchfork *p, const double *a
     return sqrt(curve_dot(&f->curve, p->along, p->along));
 }
 
-/// Looks for an orbit from p->trial at its value of the parameter. The derivative of the point before is of no use: on
-/// the other branch its sign is another.
+/// Searches an orbit from p->trial at its value of the parameter. The derivative of the point before is discarded: on
+/// the other branch it has another sign.
 static whirl_status mirrored_look(follower *f, pitchfork *p, waypoint *out) {
     f->curve.known = false;
     curve_parameter_direction(&f->curve, p->along);
     return follower_find(f, p->trial, p->along, p->along, out);
 }
 
-/// Looks for the symmetric branch on both sides of the vertex; false in *there where it is not found. Far enough away
-/// for the product to be more than its errors.
+/// Searches the symmetric branch on both sides of the vertex, far enough away for the product to exceed its errors;
+/// *there is false if it is not found.
 static whirl_status mirrored_centre(follower *f, pitchfork *p, bool *there) {
     const size_t n = f->curve.count;
     const double height = p->side->u[n] - p->vertex[n], least = 1e-4 * fabs(f->options->to - f->options->from);
@@ -74,8 +74,8 @@ static whirl_status mirrored_centre(follower *f, pitchfork *p, bool *there) {
     return status;
 }
 
-/// Looks for the side branch on both sides of the symmetric one: mirror images are as stable as each other, to the part
-/// in a thousand by which a product of small numbers is known.
+/// Searches the side branch on both sides of the symmetric one: mirror images have equal stability, to a part in a
+/// thousand, the accuracy of a product of small numbers.
 static whirl_status mirrored_image(follower *f, pitchfork *p, bool *there) {
     const size_t n = f->curve.count;
     const double height = p->side->u[n] - p->vertex[n], reach = p->within.u[n] - p->vertex[n];

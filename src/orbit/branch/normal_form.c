@@ -14,9 +14,8 @@
 
 typedef double complex number;
 
-/// Length of the first differences, over the largest coordinate; those of order 2 err by its square, and are
-/// extrapolated. It is halved until two coefficients agree so nearly: an orbit may bend faster than that, and a contact
-/// lie nearer.
+/// Length of the first differences, over the largest coordinate; their error is of second order and extrapolated. The
+/// length is halved until two coefficients agree: an orbit may be strongly bent, or a contact near.
 static const double reach = 0x1p-7, agreement = 0.01, noise = 1e-3;
 enum { MAX_HALVINGS = 5 };
 
@@ -35,14 +34,15 @@ typedef struct forms {
 
 // ---------------------------------------------------------------- the map and its derivatives
 
-/// Beginnings of motions, side by side.
+/// Start points of motions that run side by side.
 typedef struct looks {
     size_t count;
     double h[MAX_ABREAST], weight[MAX_ABREAST];
-    size_t sum[MAX_ABREAST]; ///< which one it counts for
+    size_t sum[MAX_ABREAST]; ///< index of the sum that each one adds to
 } looks;
 
-/// images [count][dimension]: F(x + h u), over the orbit's time; or the forces at rest.
+/// Maps start points over the orbit's time, images [count][dimension]: F(x + h u); or computes the accelerations of an
+/// equilibrium.
 static void map(forms *f, const looks *of, const double *u) {
     shooting *s = f->s;
     const size_t d = s->dimension;
@@ -134,7 +134,7 @@ static void cubic(forms *f, double *work, number *out) {
 
 // ---------------------------------------------------------------- linear algebra
 
-/// The derivative of the map: the product of the segments', which near the unit circle is exact enough.
+/// Multiplies the segments' derivatives into the map's: near the unit circle the product is exact enough.
 static void multiply_out(forms *f, double *spare) {
     const shooting *s = f->s;
     const size_t n = f->n, size = n * n;
@@ -149,8 +149,8 @@ static void multiply_out(forms *f, double *spare) {
     }
 }
 
-/// The eigenvector of the matrix, or of its transpose, whose eigenvalue is nearest to `root`. Fails where none is near:
-/// where multipliers leap over it, as where a kink is touched, there is no normal form.
+/// Computes the eigenvector of the matrix, or of its transpose, with the eigenvalue nearest to `root`. Fails if none is
+/// near: where multipliers jump over it, as at a kink, there is no normal form.
 static void eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
     const size_t n = f->n;
     static const double near = 0.01;
@@ -172,7 +172,7 @@ static number product(size_t n, const number *p, const number *v) {
     return sum;
 }
 
-/// v = (shift - matrix)^-1 v; work [n][n][2] and [n][2].
+/// Solves v = (shift - matrix)^-1 v; work [n][n][2] and [n][2].
 static void resolve(forms *f, number shift, double *work, number *v) {
     const size_t n = f->n;
     double *right = work + 2 * n * n;
@@ -192,7 +192,7 @@ static void resolve(forms *f, number shift, double *work, number *v) {
 
 // ---------------------------------------------------------------- coefficients
 
-/// <p, C(q, q, conj q)> + 2 <p, B(q, (one - A)^-1 B(q, conj q))> + <p, B(conj q, (two - A)^-1 B(q, q))>.
+/// Computes <p, C(q, q, conj q)> + 2 <p, B(q, (one - A)^-1 B(q, conj q))> + <p, B(conj q, (two - A)^-1 B(q, q))>.
 static number third_order(forms *f, number one, number two, double *work, number *vectors) {
     const size_t n = f->n;
     number *other = vectors, *inner = vectors + n, *outer = vectors + 2 * n;
@@ -209,7 +209,8 @@ static number third_order(forms *f, number one, number two, double *work, number
     return sum + product(n, f->p, outer);
 }
 
-/// Of a doubling q is real: the three terms are C(q, q, q) and three times B(q, (1 - A)^-1 B(q, q)).
+/// Computes the coefficient. A doubling has a real q: the three terms are C(q, q, q) and three times B(q, (1 - A)^-1
+/// B(q, q)).
 static double coefficient(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     if (kind == WHIRL_DOUBLING) return -creal(third_order(f, 1.0, 1.0, work, vectors)) / 6.0;
     if (kind == WHIRL_HOPF) return creal(third_order(f, 0.0, 2.0 * root, work, vectors)) / (2.0 * cimag(root));
@@ -240,9 +241,9 @@ static double compute(forms *f, whirl_special kind, number root, double *work, n
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
-/// The coefficient by the longest differences whose halves give the same and, of orbits, whose quarters differ by no
-/// more. Of smooth maps these come nearer to each other, or differ by noise; at a kink they differ by twice as much
-/// with every halving, and there is no coefficient. What lies at zero tells no size of its own.
+/// Takes the coefficient of the longest differences with the same value at half the length and, for orbits, at a
+/// quarter. Coefficients of smooth maps converge, or differ by noise; at a kink they double with every halving, and
+/// there is none. An equilibrium at zero has no size of its own.
 static double settle(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
     const bool rests = shooting_rests(f->s);

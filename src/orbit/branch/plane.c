@@ -7,25 +7,25 @@
 #include "equations.h"
 #include "follower.h"
 
-/// A curve under way. Unknowns: those of the orbit, with the first parameter, then the second one.
+/// State of a curve. Unknowns: those of the orbit, with the first parameter, then the second one.
 typedef struct walk {
     const whirl_plane *plane;
     const whirl_branch_options *options;
     double low, high; ///< bounds of the second parameter
     whirl_special kind;
     size_t touch;
-    double second; ///< of the machines that the family makes
+    double second; ///< second parameter of the family's machines
     whirl_family family;
     orbit_equations equations;
     curve curve;
     whirl_branch *branch;
     double step;
-    double *u, *tangent, *trial; ///< [unknowns] where it is
-    double *before;              ///< [2][unknowns] the point before, and room for a direction
-    double *aside;               ///< [unknowns] workspace of derivatives, as the next ones
+    double *u, *tangent, *trial; ///< [unknowns] present point
+    double *before;              ///< [2][unknowns] the point before, and scratch for a direction
+    double *aside;               ///< [unknowns] scratch of derivatives, like the next ones
     double *above, *below;       ///< [equations]
     double *orbit_derivative;    ///< [orbit's equations][orbit's unknowns]
-    whirl_orbit *orbit;          ///< at the point found last
+    whirl_orbit *orbit;          ///< orbit at the point found last
 } walk;
 
 static whirl_status make_machine(const void *context, double value, whirl_machine *machine) {
@@ -33,7 +33,7 @@ static whirl_status make_machine(const void *context, double value, whirl_machin
     return w->plane->machine(w->plane->context, value, w->second, machine);
 }
 
-/// Machines of another second parameter are others at the same value of the first.
+/// Sets the second parameter, which changes the machine at every value of the first.
 static void set_second(walk *w, double second) {
     if (second != w->second) w->equations.value = NAN;
     w->second = second;
@@ -41,7 +41,7 @@ static void set_second(walk *w, double second) {
 
 // ---------------------------------------------------------------- equations
 
-/// The orbit's equations and the function that vanishes, at u.
+/// Evaluates the orbit's equations and the test function at u.
 static bool values_at(walk *w, const double *u, double *value, double *derivative, whirl_orbit **orbit) {
     orbit_equations *e = &w->equations;
     const size_t n = equations_count(e);
@@ -57,7 +57,7 @@ static bool values_at(walk *w, const double *u, double *value, double *derivativ
     return isfinite(value[n]);
 }
 
-/// The last row, by central differences, and the last column with it.
+/// Computes the last row, and with it the last column, by central differences.
 static bool differences(walk *w, const double *u, double *derivative) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     for (size_t k = 0; k < all; k++) {
@@ -89,7 +89,8 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
     return true;
 }
 
-/// The orbit closes as ever; the function, whose derivatives are differences, vanishes to 1e-10.
+/// Size of the residual: the orbit closes to its tolerance, the test function, whose derivatives are differences,
+/// vanishes to 1e-10.
 static double size_of(void *context, const double *u, const double *value) {
     walk *w = context;
     const double orbit = equations_size(&w->equations, u, value);
@@ -98,7 +99,8 @@ static double size_of(void *context, const double *u, const double *value) {
 
 // ---------------------------------------------------------------- the walk
 
-/// Of Hopf points; of orbits it would take as many again as the curve. The derivative is that of the last point aside.
+/// Criticality of Hopf points; for orbits it would cost as much again as the curve. The derivative must be the last
+/// point's.
 static double criticality(walk *w, double angle) {
     const size_t n = equations_count(&w->equations);
     if (w->kind != WHIRL_HOPF) return NAN;
@@ -124,7 +126,7 @@ static bool is_within(const walk *w, const double *u) {
            u[n + 1] >= w->low && u[n + 1] <= w->high;
 }
 
-/// Finds the point across the tangent from the trial; it becomes where the walk is.
+/// Finds the point orthogonal to the tangent from the trial and moves there.
 static bool advance(walk *w, newton_result *result) {
     const size_t all = equations_count(&w->equations) + 2;
     double *next = w->aside;
@@ -136,7 +138,7 @@ static bool advance(walk *w, newton_result *result) {
     return true;
 }
 
-/// By what share of the way from `before` to where the walk is a parameter's bound is met, and which one; 1 for none.
+/// Share of the way from `before` to the present point at which a parameter meets its bound, and the bound; 1 for none.
 static double share_to_bound(const walk *w, const double *before, size_t index, double low, double high,
                              double *bound) {
     const double value = w->u[index];
@@ -144,8 +146,8 @@ static double share_to_bound(const walk *w, const double *before, size_t index, 
     return value > high || value < low ? (*bound - before[index]) / (value - before[index]) : 1.0;
 }
 
-/// The last point, where the first parameter that left its bounds did; room [2][unknowns], of which the first are those
-/// of the point before. Where it is not found the curve ends with the point before.
+/// Adds the last point, at the bound that the first parameter to leave its bounds has passed; room [2][unknowns], of
+/// which the first are those of the point before. If it is not found the curve ends with the point before.
 static whirl_status end_at_bound(walk *w, double *room) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     const double low = fmin(w->options->from, w->options->to), high = fmax(w->options->from, w->options->to);
@@ -185,7 +187,7 @@ static whirl_status go_on(walk *w, bool *ended) {
     return add_point(w);
 }
 
-/// The first point, at the start's second parameter.
+/// Finds the first point, at the start's second parameter.
 static whirl_status begin(walk *w, const whirl_branch_point *start, int direction) {
     const size_t n = equations_count(&w->equations), nodes = w->equations.s->count * w->equations.s->kept_count;
     equations_take(&w->equations, start->orbit->nodes, w->trial);

@@ -1,4 +1,4 @@
-// Where the stability of orbits changes along a branch, or a contact.
+// Locates changes of stability, or of contact, along a branch.
 #include "follower.h"
 
 #include <math.h>
@@ -7,21 +7,21 @@
 
 #include "bracket.h"
 
-/// A function whose sign tells of what.
+/// A test function whose sign change marks a special point.
 typedef struct test {
     whirl_special kind;
-    size_t touch;     ///< of a graze
-    size_t intervals; ///< of it at the first waypoint
+    size_t touch;     ///< index of a graze's touch
+    size_t intervals; ///< its intervals at the first waypoint
 } test;
 
 // ---------------------------------------------------------------- contacts
 
-/// Times that a switching function becomes positive; 0 where it always is.
+/// Number of times that a switching function becomes positive; 0 if it always is.
 static size_t risings(const whirl_touch *touch) {
     return touch->share >= 1.0 ? 0 : touch->intervals;
 }
 
-/// The extreme nearest to zero, with the sign that says on which side of the graze the orbit is.
+/// The extreme nearest to zero, with a sign for the side of the graze that the orbit is on.
 static double graze_value(const test *t, const whirl_orbit *orbit) {
     const whirl_touch *touch = &orbit->touches[t->touch];
     const double size = fmin(fabs(touch->nearest), 1e30);
@@ -30,7 +30,8 @@ static double graze_value(const test *t, const whirl_orbit *orbit) {
 
 // ---------------------------------------------------------------- search
 
-/// At a fold the branch turns, so that the function of multipliers, which vanishes there too, is not asked.
+/// Value of the test function. A fold uses the tangent's parameter, since the function of multipliers, which also
+/// vanishes there, has no sign change along the branch.
 static double value_of(const follower *f, const test *t, const waypoint *p) {
     if (t->kind == WHIRL_FOLD) return p->tangent[f->curve.count];
     return t->kind == WHIRL_GRAZE ? graze_value(t, p->orbit) : vanishing_value(t->kind, 0, p->orbit);
@@ -40,21 +41,20 @@ static bool changes(const follower *f, const test *t, const waypoint *a, const w
     return (value_of(f, t, a) < 0.0) != (value_of(f, t, b) < 0.0);
 }
 
-/// The point at a place along the tangent.
+/// Finds the point at a place along the tangent.
 static whirl_status look(follower *f, const waypoint *from, const waypoint *to, double at, double *trial, waypoint *p) {
     follower_predict(f, from, to, from, at, trial);
     const double *across = follower_across(f, from, to, from, trial + f->curve.count + 1);
     return follower_find(f, trial, across, from->tangent, p);
 }
 
-/// A place within the bracket a little aside: just where branches cross no direction is found, for there are two.
+/// A place in the bracket a little off `at`: exactly where branches cross, the direction is undefined.
 static double aside(const bracket *r, double at) {
     const double farther = fabs(r->b - at) > fabs(r->a - at) ? r->b : r->a;
     return at + 1e-3 * (farther - at);
 }
 
-/// Closes in on the change of sign; *at is where along its tangent, p the point there. Not
-/// found: p has no orbit.
+/// Closes in on the sign change; *at is its place along the tangent, p the point there. Not found: p has no orbit.
 static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
                              double *at) {
     enum { MAX_LOOKS = 80 };
@@ -63,7 +63,7 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
     double *trial = malloc(2 * all * sizeof *trial), last = INFINITY;
     if (!trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
     bracket r = bracket_between(0.0, value_of(f, t, from), follower_length(f, from, to, trial), value_of(f, t, to));
-    // Orbits are no surer than their tolerance.
+    // Orbits are only as exact as their tolerance.
     const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
     for (int k = 0; k < MAX_LOOKS; k++) {
         *at = bracket_next(&r);
@@ -78,7 +78,7 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
         if (fabs(last) <= nothing * largest || bracket_width(&r) <= 1e-12) break;
     }
     free(trial);
-    // A change of sign that is no zero: a leap from one extreme to another, or to another orbit.
+    // A sign change without a zero: a jump from one extreme to another, or to another orbit.
     if (p->orbit && fabs(last) > 1e-4 * largest) {
         whirl_orbit_free(p->orbit);
         p->orbit = NULL;
@@ -86,7 +86,7 @@ static whirl_status close_in(follower *f, const test *t, const waypoint *from, c
     return status;
 }
 
-/// A special point that was found, and where.
+/// A located special point and its place.
 typedef struct finding {
     whirl_branch_point point;
     double at;

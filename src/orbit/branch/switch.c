@@ -1,4 +1,4 @@
-// Orbits on the branch that begins at a point of another one.
+// Finds orbits on the branch that begins at a point of another one.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "follower.h"
 #include "whirl/engine/linear.h"
 
-/// The same orbit as one of twice as many revolutions.
+/// Doubles the number of revolutions of an orbit.
 static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {
     const size_t size = orbit->segment_count * orbit->dimension;
     whirl_orbit *twice = calloc(1, sizeof *twice);
@@ -25,7 +25,7 @@ static whirl_orbit *go_round_twice(const whirl_orbit *orbit, double **nodes) {
     return twice;
 }
 
-/// An orbit aside from unknowns `from` in `trial`, along `direction`.
+/// Searches an orbit at a step from the unknowns in `trial`, along `direction`.
 static whirl_status step_aside(follower *f, double step, waypoint *at, double *trial, const double *direction) {
     const double value = follower_value(f, trial);
     for (size_t i = 0; i <= f->curve.count; i++) trial[i] += step * direction[i];
@@ -36,13 +36,13 @@ static whirl_status step_aside(follower *f, double step, waypoint *at, double *t
 
 // ---------------------------------------------------------------- from orbits
 
-/// The point of a branch, as the equations of the other branch have it.
+/// The point of departure, in the unknowns of the other branch.
 typedef struct departure_point {
     double *u, *tangent; ///< [unknowns]
 } departure_point;
 
-/// Finds the point from `trial`, then an orbit aside from it across `tangent`; NULL: across the tangent found there,
-/// which `point` then has.
+/// Finds the point from `trial`, then an orbit off it, orthogonal to `tangent`; NULL: to the tangent found there, which
+/// `point` then has.
 static whirl_status leave_across(follower *f, double step, const double *tangent, departure_point *point, waypoint *at,
                                  double *trial, double *direction) {
     const size_t size = (f->curve.count + 1) * sizeof *trial;
@@ -57,7 +57,7 @@ static whirl_status leave_across(follower *f, double step, const double *tangent
     return step_aside(f, step, at, trial, direction);
 }
 
-/// Finds the branch's tangent a thousandth of the span beside the point. At the point itself, where two branches cross,
+/// Finds the branch's tangent a thousandth of the span from the point. At the point itself, where two branches cross,
 /// errors turn it towards the other one. No orbit in `beside` if none is found there.
 static whirl_status tangent_beside(follower *f, const departure_point *point, waypoint *beside, double *trial,
                                    double *direction) {
@@ -72,7 +72,7 @@ static whirl_status tangent_beside(follower *f, const departure_point *point, wa
     return follower_find(f, trial, direction, point->tangent, beside);
 }
 
-/// Leaves the point across its own tangent, or where errors have turned that, across the one beside it.
+/// Leaves the point orthogonal to its own tangent or, if errors have turned that, to the neighbouring one.
 static whirl_status leave_orbit(follower *f, double value, double step, waypoint *at, double *trial,
                                 double *direction) {
     const size_t all = f->curve.count + 1;
@@ -96,7 +96,7 @@ static whirl_status leave_orbit(follower *f, double value, double step, waypoint
 
 // ---------------------------------------------------------------- from equilibria
 
-/// The mode of an equilibrium with that frequency, nearest to no damping.
+/// Returns the mode of an equilibrium with that frequency and the least damping.
 static size_t whirling_mode(const whirl_modes *modes, double frequency) {
     size_t found = 0;
     for (size_t i = 1; i < modes->count; i++)
@@ -106,13 +106,13 @@ static size_t whirling_mode(const whirl_modes *modes, double frequency) {
     return found;
 }
 
-/// The instant `share` of a period, 0 to 1, of the mode's motion: Re(v exp(i 2 pi share)), times a factor.
+/// Adds the mode's motion at a share (0 to 1) of its period, Re(v exp(i 2 pi share)), times a factor.
 static void add_mode(const double *vector, size_t dimension, double share, double factor, double *x) {
     const double c = cos(6.283185307179586476925 * share), s = sin(6.283185307179586476925 * share);
     for (size_t i = 0; i < dimension; i++) x[i] += factor * (vector[2 * i] * c - vector[2 * i + 1] * s);
 }
 
-/// An orbit of the size of `step` about the equilibrium, which goes as its mode does; and the mode as a direction.
+/// Makes an orbit of the size of `step` about the equilibrium from its mode; and the mode as a direction.
 static whirl_status leave_rest(follower *f, const whirl_branch_point *point, const double *vector, double step,
                                waypoint *at, double *trial, double *direction) {
     orbit_equations *e = &f->equations;
@@ -153,7 +153,7 @@ static whirl_status prepare(departure *d, const whirl_family *family, const whir
     return d->room ? status : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
 }
 
-/// Hands the orbit over, and clears up.
+/// Hands the orbit over and frees the rest.
 static whirl_status finish(departure *d, whirl_status status, whirl_orbit **orbit, double *value) {
     if (status.code == WHIRL_OK) {
         *value = follower_value(&d->follower, d->at.u);

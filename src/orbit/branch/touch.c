@@ -6,13 +6,13 @@
 
 #include "numerics.h"
 
-/// The last instant that was seen of an orbit.
+/// The last instant of an orbit that was observed.
 typedef struct watch {
     const whirl_system *system;
     whirl_orbit *orbit;
     double t;
-    double *x, *slope;         ///< [dimension] there
-    double *x2, *slope2, *mid; ///< [dimension] at this instant, and between
+    double *x, *slope;         ///< [dimension] at the last instant
+    double *x2, *slope2, *mid; ///< [dimension] at this instant, and between both
     double *gradient;          ///< [dimension]
     double *values;            ///< [switch_count]
     double *from, *rate;       ///< [touch_count] values and their rates at the last instant
@@ -40,7 +40,7 @@ static double value_at(const watch *w, size_t index, double t, const double *x) 
     return w->values[index];
 }
 
-/// Its rate along a slope; a one-sided difference where the system gives no gradient.
+/// Rate of a switching function along a slope; a one-sided difference if the system gives no gradient.
 static double rate_at(const watch *w, size_t index, double t, const double *x, const double *slope) {
     const whirl_system *system = w->system;
     double sum = 0.0;
@@ -56,7 +56,7 @@ static double rate_at(const watch *w, size_t index, double t, const double *x, c
     return (ahead - value_at(w, index, t - h, w->gradient)) / (2.0 * h);
 }
 
-/// The state between the last instant and this one, by the cubic through both states and slopes, and its slope.
+/// State and slope between the last instant and this one, by the cubic through both states and slopes.
 static void between(const watch *w, double t, double theta, double h, double *x, double *slope) {
     const double a = theta * theta * (3.0 - 2.0 * theta), b = theta * (1.0 - theta);
     for (size_t i = 0; i < w->system->dimension; i++) {
@@ -66,7 +66,7 @@ static void between(const watch *w, double t, double theta, double h, double *x,
     slope_at(w, t + theta * h, x, slope);
 }
 
-/// The extreme between the last instant and this one, whose rates have different signs.
+/// The extreme between the last instant and this one, whose rates have opposite signs.
 static double extreme_between(const watch *w, size_t index, double t, double h, double rate) {
     double low = 0.0, high = 1.0, *slope = w->mid + w->system->dimension;
     for (int k = 0; k < 40; k++) {
@@ -90,12 +90,12 @@ static void look_at(watch *w, size_t which, double t, double h) {
     if (h == 0.0) return;
     const bool now = value > 0.0, before = from > 0.0;
     touch->intervals += now > before;
-    // The part of this piece that is closed, by a straight line where it changes.
+    // The closed part of this interval, by a straight line where it changes.
     touch->share += h * (now == before ? (double)now : fmax(value, from) / (fabs(value) + fabs(from)));
     if ((from_rate < 0.0) == (rate < 0.0)) return;
     const double extreme = extreme_between(w, touch->index, w->t, h, from_rate);
-    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, that they step over,
-    // about as long as that of a parabola with these ends.
+    // An extreme beyond zero between two instants on the same side: a contact, or a gap in one, between the instants.
+    // Its length is that of a parabola with these ends.
     if (now == before && (extreme > 0.0) != now) {
         const double height = fabs(extreme) + 0.5 * (fabs(value) + fabs(from));
         touch->intervals++;
@@ -104,7 +104,7 @@ static void look_at(watch *w, size_t which, double t, double h) {
     if (fabs(extreme) < fabs(touch->nearest)) touch->nearest = extreme;
 }
 
-/// x at t, the next instant.
+/// Observes x at t, the next instant.
 static void see(watch *w, double t, const double *x, double h) {
     whirl_orbit *orbit = w->orbit;
     const size_t d = orbit->dimension;
@@ -125,7 +125,7 @@ static void observe(void *observer, double t, const double *x) {
     see(w, t, x, t - w->t);
 }
 
-/// Bounds that what is seen will narrow, and which functions the touches are.
+/// Initializes bounds, to be narrowed, and the touches' functions.
 static void prepare(watch *w) {
     whirl_orbit *orbit = w->orbit;
     for (size_t i = 0; i < orbit->dimension; i++) {

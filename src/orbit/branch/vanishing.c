@@ -1,4 +1,4 @@
-// Functions of an orbit that vanish where it changes.
+// Test functions of an orbit, which vanish at special points.
 #include "follower.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ static void take_into(product *p, double real, double imaginary) {
     p->real = next;
 }
 
-/// ... over what its size may be, lest many of them leave the range of numbers.
+/// Multiplies by a factor over its possible size, lest many of them overflow.
 static void take_over(product *p, double real, double imaginary, double size) {
     take_into(p, real / size, imaginary / size);
 }
@@ -23,7 +23,7 @@ static double size_of(const whirl_orbit *orbit, size_t i) {
     return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
 }
 
-/// The product of (multiplier - at) over all of them, real because they come in pairs.
+/// Product of (multiplier - at) over all of them, real because they come in pairs.
 static double product_about(const whirl_orbit *orbit, double at) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};
@@ -33,8 +33,8 @@ static double product_about(const whirl_orbit *orbit, double at) {
     return all.real;
 }
 
-/// What vanishes where two multipliers are a pair on the unit circle, or each other's inverse, and two eigenvalues a
-/// pair on the imaginary axis, or each other's negative: their product less 1; their sum.
+/// Test function of two multipliers that are a pair on the unit circle, or reciprocal: their product less 1. Of two
+/// eigenvalues that are a pair on the imaginary axis, or opposite: their sum.
 static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
     const whirl_multiplier p = orbit->multipliers[i], q = orbit->multipliers[k];
     if (orbit->period == 0.0) return (product){p.real + q.real, p.imaginary + q.imaginary};
@@ -44,7 +44,7 @@ static product of_pair(const whirl_orbit *orbit, size_t i, size_t k) {
     return both;
 }
 
-/// The product of that over all pairs.
+/// Product of that over all pairs.
 static double product_of_pairs(const whirl_orbit *orbit) {
     const size_t own = orbit_own_multiplier(orbit);
     product all = {1.0, 0.0};

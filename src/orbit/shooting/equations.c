@@ -11,7 +11,7 @@ static void release(whirl_machine *machine) {
     *machine = (whirl_machine){.system = NULL};
 }
 
-/// Without the present machine, and that of which the workspace was made.
+/// Releases the present machine and the one for which the workspace was made.
 static void release_all(orbit_equations *e) {
     shooting_free(e->s);
     e->s = NULL;
@@ -65,11 +65,10 @@ void equations_take(const orbit_equations *e, const double *nodes, double *u) {
         for (size_t i = 0; i < s->kept_count; i++) u[j * s->kept_count + i] = nodes[j * s->dimension + s->kept[i]];
 }
 
-/// Below this size an orbit lies at zero and tells no size of its own.
+/// Size below which an orbit lies at zero and has no size of its own.
 static const double nothing = 1e-12;
 
-/// What the size of a branch's orbits counts as, at least: of an equilibrium that passes through zero, which is where
-/// many lie, and of an orbit whose section does.
+/// Least size of a branch's orbits: equilibria and sections may pass through zero.
 static double least_size(const orbit_equations *e) {
     return (shooting_rests(e->s) ? 0.1 : 0.01) * e->largest;
 }
@@ -94,7 +93,7 @@ void equations_begin_at(orbit_equations *e, const double *x) {
 
 // ---------------------------------------------------------------- another machine
 
-/// The machine at another value in the place of the present one.
+/// Replaces the present machine by the one at another value.
 static bool turn_to(orbit_equations *e, double value) {
     whirl_machine machine = {.system = NULL};
     shooting *s = NULL;
@@ -120,7 +119,7 @@ static bool turn_to(orbit_equations *e, double value) {
     return true;
 }
 
-/// Where the segments of a machine beside this one lead from the same nodes.
+/// Computes the ends of the segments of a neighbouring machine, from the same nodes.
 static bool ends_beside(const orbit_equations *e, double value, double period, double *ends) {
     whirl_machine machine = {.system = NULL};
     shooting *s = NULL;
@@ -130,7 +129,7 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     const bool rests = shooting_rests(e->s);
     const bool good =
         s && (rests ? rest_slope(s, e->nodes, s->ends, false) : shooting_carry(s, e->nodes, period, false));
-    // What an equilibrium's equations are stands where the ends of what is kept do.
+    // An equilibrium's equations take the place of the ends of kept coordinates.
     for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);
@@ -138,7 +137,7 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     return good;
 }
 
-/// The same of several, side by side where they go in lanes; ends [count][segments][dimension].
+/// Computes the ends of several machines, side by side in lanes; ends [count][segments][dimension].
 static bool all_ends_beside(const orbit_equations *e, size_t count, const double *values, double period, double *ends) {
     whirl_machine machines[MAX_BESIDE] = {0};
     const whirl_system *systems[MAX_BESIDE];
@@ -156,9 +155,8 @@ static bool all_ends_beside(const orbit_equations *e, size_t count, const double
     return true;
 }
 
-/// The derivative of the ends by the parameter, by central differences, into the first row of the workspace
-/// [segments][dimension]. Their error is a sixth of the third derivative times reach^2, and that of the ends over
-/// reach.
+/// Computes the derivative of the ends by the parameter, by central differences, into the first row of the workspace
+/// [segments][dimension]. Its error is a sixth of the third derivative times reach^2, and that of the ends over reach.
 static bool by_parameter(orbit_equations *e, double period) {
     const double values[2] = {e->value + e->reach, e->value - e->reach};
     const size_t size = e->s->count * e->s->dimension;
@@ -185,7 +183,7 @@ static void write_by_nodes(const orbit_equations *e, size_t columns, double *out
         }
 }
 
-/// By the period; and the condition that says which point is the first.
+/// Writes the derivative by the period, and the phase condition, which selects the first point.
 static void write_by_period(const orbit_equations *e, size_t columns, double *out) {
     const shooting *s = e->s;
     const size_t n = s->kept_count, own = s->count * n;

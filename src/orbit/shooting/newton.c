@@ -8,12 +8,12 @@
 
 typedef struct newton_work {
     double *value, *tried, *step, *at; ///< [count]
-    double *derivative, *there;        ///< [count][count] at u and where it was tried
+    double *derivative, *there;        ///< [count][count] at u and at the trial point
     double *own;                       ///< [count][count] factors of it
     size_t *own_order;                 ///< [count]
-    const double *factors;             ///< of what steps are taken with
+    const double *factors;             ///< factors of the derivative that steps use
     const size_t *order;
-    double trusted; ///< size of F before a step that was not looked at; 0: there was none
+    double trusted; ///< size of F before a step whose result was not evaluated; 0: none
 } newton_work;
 
 static bool decompose(const newton_problem *p, newton_work *w, const double *derivative) {
@@ -23,7 +23,7 @@ static bool decompose(const newton_problem *p, newton_work *w, const double *der
     return elimination_decompose(p->count, w->own, w->own_order);
 }
 
-/// The step that leads from a value of F to zero. False where it is not finite.
+/// Computes the Newton step from a value of F. False if it is not finite.
 static bool step_from(const newton_problem *p, const newton_work *w, const double *value, double *step) {
     memcpy(step, value, p->count * sizeof *step);
     elimination_solve(p->count, w->factors, w->order, step);
@@ -47,15 +47,16 @@ static double length(const newton_problem *p, const double *step) {
     return sqrt(sum);
 }
 
-/// Whether where it was tried lies nearer to the zero: F is smaller there, or the step that the same derivative would
-/// take from there is shorter, which does not hang on what the equations are measured in (Deuflhard 2011, 3.3).
+/// Returns true if the trial point is nearer to the zero: F is smaller there, or the step from there with the same
+/// derivative is shorter, which does not depend on the units of the equations (Deuflhard 2011, 3.3).
 static bool is_nearer(const newton_problem *p, newton_work *w, double size, double now, double share) {
     if (now < size) return true;
     return isfinite(now) && step_from(p, w, w->tried, w->at) &&
            length(p, w->at) < (1.0 - 0.5 * share) * length(p, w->step);
 }
 
-/// Goes along the step by as much as leads nearer to the zero; gives the size of F there, infinite where nothing does.
+/// Moves along the step as far as it leads nearer to the zero; returns the size of F there, infinite if no part of the
+/// step does.
 static double go(const newton_problem *p, newton_work *w, double size, double *u) {
     double share = 1.0, gone = 0.0;
     for (int k = 0; k <= p->most_halvings; k++, share *= 0.5) {
@@ -74,12 +75,13 @@ static double go(const newton_problem *p, newton_work *w, double size, double *u
     return INFINITY;
 }
 
-/// Whether another step is sure to be the last, by what the last one left of F.
+/// Returns true if another step will certainly be the last, by the last reduction of F.
 static bool is_last(const newton_problem *p, double size) {
     return p->share && 4.0 * *p->share * size <= p->tolerance;
 }
 
-/// Steps by the derivative from nearby, as long as each leaves a quarter of F at most; whether that is all it takes.
+/// Iterates with the derivative from nearby, as long as each step leaves at most a quarter of F; returns true if that
+/// converges.
 static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
     w->factors = p->nearby;
     w->order = p->nearby_order;
@@ -102,7 +104,7 @@ static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
 }
 
 static newton_result iterate(const newton_problem *p, newton_work *w, double *u) {
-    enum { FAR = 2 }; // what a derivative from nearby that did not do counts for
+    enum { FAR = 2 }; // cost in steps of a nearby derivative that failed
     const bool far = p->nearby && !iterate_nearby(p, w, u);
     newton_result result = {.size = measure(p, u, w->value, w->derivative)};
     if (w->trusted > 0.0) *p->share = result.size / w->trusted;

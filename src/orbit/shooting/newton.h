@@ -7,34 +7,34 @@
 
 /// Equations F(u) = 0.
 typedef struct newton_problem {
-    size_t count; ///< of equations and of unknowns
+    size_t count; ///< number of equations and of unknowns
     void *context;
-    /// Writes F(u) [count] and, unless NULL, the derivative [count][count]. False where it cannot be told.
+    /// Writes F(u) [count] and, unless NULL, the derivative [count][count]. False if they cannot be computed.
     bool (*evaluate)(void *context, const double *u, double *value, double *derivative);
-    /// The largest of F over what counts as 1 in it.
+    /// Returns the largest of F in units of the equations.
     double (*size)(void *context, const double *u, const double *value);
-    /// [count][count] and [count]: NULL, or a derivative from nearby, decomposed, with which steps are taken for as
-    /// long as they lead on well: they cost no derivative.
+    /// [count][count] and [count]: NULL, or the factors of a derivative from nearby, used as long as its steps converge
+    /// well: it saves a derivative.
     const double *nearby;
     const size_t *nearby_order;
-    /// NULL, or by what share such a step left F the last time (1: not known): where it promises to be enough, F is not
-    /// looked at before its derivative is.
+    /// NULL, or the part of F that such a step left the last time (1: unknown). If it promises convergence, F is
+    /// evaluated only together with its derivative.
     double *share;
-    const double *scale; ///< [count] what counts as 1 in u; NULL: 1
-    double tolerance;    ///< of that size
+    const double *scale; ///< [count] units of u; NULL: 1
+    double tolerance;    ///< tolerance of that size
     int most_steps, most_halvings;
 } newton_problem;
 
-/// What came of it.
+/// Result of Newton's method.
 typedef struct newton_result {
     bool found;
     int steps;
-    double size; ///< of F, at the last u
+    double size; ///< size of F at the last u
 } newton_result;
 
-/// Carries u [count] from a start to a zero, by steps that are halved, at most so often, until they lead nearer. The
-/// last call of evaluate is that of the final u, with the derivative, where it was found. F that cannot get smaller any
-/// more for rounding counts as zero up to 100 times the tolerance. Not found where memory is lacking, too.
+/// Moves u [count] from a start to a zero, by steps that are halved, up to a limit, until they lead nearer. If it is
+/// found, the last call of evaluate is that of the final u, with the derivative. F that rounding keeps from getting
+/// smaller counts as zero up to 100 times the tolerance. Also not found without memory.
 newton_result newton_solve(const newton_problem *problem, double *u);
 
 #endif

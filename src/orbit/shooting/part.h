@@ -4,8 +4,8 @@
 
 #include "whirl/engine/system.h"
 
-/// dx/dt = stretch f(from + stretch t, x) of `whole`, t from 0 to own.period. It stays where it was made: the system
-/// points to it.
+/// dx/dt = stretch f(from + stretch t, x) of `whole`, t from 0 to own.period. It must not be moved: the system points
+/// to it.
 typedef struct part {
     whirl_system own;
     const whirl_system *whole;

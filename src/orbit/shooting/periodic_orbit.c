@@ -12,13 +12,13 @@ whirl_orbit_options whirl_orbit_default(void) {
     whirl_orbit_options options = {
         .integrate = whirl_integrate_default(), .segments = 1, .tolerance = 1e-12, .most_steps = 25};
     strcpy(options.integrate.method, "dop853");
-    options.integrate.steps_per_revolution = 512; // instants at which contacts are looked for
+    options.integrate.steps_per_revolution = 512; // instants at which contacts are searched
     options.integrate.rtol = 1e-13;
     options.integrate.atol = 1e-15;
     return options;
 }
 
-/// Whether Newton's method came to rest at an equilibrium, which closes after any time.
+/// Returns true if Newton's method converged to an equilibrium, which closes after any time.
 static bool rests(orbit_equations *e) {
     double flow = 0.0, slope = 0.0;
     for (size_t i = 0; i < e->s->dimension; i++) flow = fmax(flow, fabs(e->flow[i]));
@@ -77,7 +77,7 @@ whirl_status whirl_orbit_find(const whirl_system *system, const double *start, s
     return find(system, start, revolutions, 0.0, options, orbit);
 }
 
-/// Whether the right-hand side depends on time, at instants without any symmetry between them.
+/// Returns true if the right-hand side depends on time, at instants without any symmetry between them.
 static bool is_driven(const whirl_system *system, const double *x, double *slopes) {
     enum { LOOKS = 5 };
     double forcing[WHIRL_MAX_FORCING], *other = slopes + system->dimension;

@@ -46,7 +46,7 @@ static whirl_status make_parts(shooting *s) {
     return status;
 }
 
-/// Lanes for the segments, where the machine goes in lanes.
+/// Makes lanes for the segments, if the machine runs in lanes.
 static whirl_status make_lanes(shooting *s) {
     if (!whirl_ensemble_flows(s->system, &s->integrate)) return whirl_ok();
     whirl_status status = whirl_ensemble_flow(s->system, &s->integrate, s->count, s->kept_count, &s->lanes);
@@ -116,7 +116,7 @@ void shooting_free(shooting *s) {
 
 // ---------------------------------------------------------------- segments, one after the other
 
-/// Writes a segment's derivative, and adds up the volume.
+/// Stores a segment's derivative, and adds up the volume.
 static void take_columns(shooting *s, size_t j, const whirl_perturbations *columns) {
     const size_t d = s->dimension, n = s->kept_count;
     double *matrix = s->matrices + j * n * n;
@@ -125,7 +125,7 @@ static void take_columns(shooting *s, size_t j, const whirl_perturbations *colum
     s->volume += columns->volume;
 }
 
-/// Unit perturbations of a segment.
+/// Sets the unit perturbations of a segment.
 static whirl_perturbations *begin_columns(shooting *s, size_t j) {
     const size_t size = s->kept_count * s->dimension;
     s->columns[j] = (whirl_perturbations){.count = s->kept_count, .vectors = s->vectors + j * size};
@@ -153,14 +153,14 @@ static void place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t 
     whirl_ensemble_place(lanes, lane, from);
 }
 
-/// Room for motions beside; false where lanes do not carry them.
+/// Makes lanes for motions of other machines; false if lanes do not carry them.
 static bool has_beside(shooting *s) {
     const size_t some = MAX_BESIDE * s->count, lanes = some > MAX_ABREAST ? some : MAX_ABREAST;
     if (!s->lanes || s->beside) return s->beside;
     return whirl_ensemble_flow(s->first, &s->integrate, lanes, 0, &s->beside).code == WHIRL_OK;
 }
 
-/// Carries `count` segments from the first.
+/// Carries `count` segments from the first on, in lanes.
 static bool carry_in_lanes(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
     const size_t d = s->dimension;
     bool good = true;
@@ -256,9 +256,9 @@ bool shooting_map(shooting *s, size_t count, double *x, double period) {
     return true;
 }
 
-/// Tells of a part as of the whole.
+/// Translates observations of a part into those of the whole orbit.
 typedef struct part_observer {
-    double before, stretch; ///< the orbit's time when the segment begins, and of a unit of the part's
+    double before, stretch; ///< the orbit's time at the segment's start, and per unit of the part's time
     whirl_observe_fn observe;
     void *observer;
 } part_observer;
@@ -279,7 +279,7 @@ static bool observe_alone(shooting *s, const double *nodes, part_observer *o, do
     return true;
 }
 
-/// What is seen of all segments at once, to be told of one after the other.
+/// Observations of all segments at once, to be reported segment by segment.
 typedef struct lane_watch {
     const shooting *s;
     double *next; ///< [instants][segments][dimension]

@@ -5,7 +5,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// Angle j of so many.
+/// Angle j of `count` equal ones.
 static double angle_of(size_t j, size_t count) {
     return two_pi * (double)j / (double)count;
 }
@@ -23,7 +23,7 @@ void harmonics_of(size_t count, size_t n, const double *points, double *series) 
     }
 }
 
-/// The first harmonics up to `most`.
+/// Evaluates the harmonics up to `most`.
 static void evaluate(size_t most, size_t n, const double *series, double angle, double *value, double *slope) {
     memcpy(value, series, n * sizeof *value);
     if (slope) memset(slope, 0, n * sizeof *slope);

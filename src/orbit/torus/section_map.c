@@ -88,7 +88,7 @@ void section_map_put(const section_map *map, const double *point, double *state)
 
 // ---------------------------------------------------------------- carrying points
 
-/// Unit perturbations of the point in a place.
+/// Sets the unit perturbations of the point in a place.
 static void begin_columns(section_map *map, size_t place) {
     const size_t n = map->count, d = map->dimension;
     double *vectors = map->vectors + place * n * d;
@@ -104,14 +104,14 @@ static void take_columns(const section_map *map, size_t place, double *derivativ
         for (size_t k = 0; k < n; k++) derivative[i * n + k] = vectors[k * d + map->kept[i]];
 }
 
-/// A revolution of the state alone, with its perturbations where `columns` is not NULL.
+/// Carries the state over a revolution in the integrator, with its perturbations unless `columns` is NULL.
 static bool revolve_alone(section_map *map, whirl_perturbations *columns) {
     const whirl_motion motion = columns ? whirl_integrator_carry(map->integrator, map->states, columns, NULL, NULL)
                                         : whirl_integrator_revolve(map->integrator, map->states, NULL, NULL);
     return motion == WHIRL_BOUNDED;
 }
 
-/// A revolution of the first `many` states.
+/// Carries the first `many` states over a revolution in lanes.
 static bool revolve_in_lanes(section_map *map, size_t many, whirl_perturbations *columns) {
     bool bounded = true;
     for (size_t j = 0; j < many; j++) {
@@ -126,7 +126,7 @@ static bool revolve_in_lanes(section_map *map, size_t many, whirl_perturbations 
     return bounded;
 }
 
-/// Points that are carried at once.
+/// Carries points that run at once.
 static bool carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
                   double *volume) {
     const size_t n = map->count;

@@ -43,7 +43,7 @@ static whirl_status check(const whirl_system *system, const double *points, size
     return torus_check_options(options);
 }
 
-/// Carries *u, which grows with the number of nodes, to a torus as accurate as the options ask.
+/// Moves *u, which grows with the number of nodes, to a torus as accurate as the options require.
 static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
     const whirl_torus_options *o = e->options;
     const double slight = 1e-8;

@@ -1,5 +1,5 @@
-// The first torus of a branch, at a Neimark-Sacker point: P = A there, up to second order, turns the ellipses Re(q
-// exp(i theta)) of its eigenvector q by the angle of its multiplier.
+// The first torus of a branch, at a Neimark-Sacker point: up to second order, the map turns the ellipses Re(q exp(i
+// theta)) of its derivative's eigenvector q by the angle of its multiplier.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,8 +9,8 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// The eigenvector of a [n][n] whose eigenvalue is nearest to exp(i angle): vector [n][2]. False where memory is
-/// lacking.
+/// Computes the eigenvector of a [n][n] with the eigenvalue nearest to exp(i angle): vector [n][2]. False without
+/// memory.
 static bool eigenvector(size_t n, double *a, double angle, double *vector) {
     double *real = calloc(2 * n + 2 * n * n, sizeof *real), *imaginary = real ? real + n : NULL;
     double *vectors = real ? imaginary + n : NULL;
@@ -25,7 +25,7 @@ static bool eigenvector(size_t n, double *a, double angle, double *vector) {
     return good;
 }
 
-/// The orbit with the ellipse around it as trial, the ellipse as direction and reference.
+/// Sets the trial to the orbit with the ellipse around it, and direction and reference to the ellipse.
 static bool place_ellipse(torus_follower *f, const whirl_branch_point *point, const double *vector, double step) {
     enum { FIRST_NODES = 11 };
     torus_equations *e = &f->equations;

@@ -1,4 +1,4 @@
-// Branches of tori by pseudo-arclength continuation, as those of orbits are followed.
+// Branches of tori by pseudo-arclength continuation, like those of orbits.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,13 +16,13 @@ whirl_torus_branch_options whirl_torus_branch_default(double from, double to) {
                                         .most_points = 200};
 }
 
-/// Where it is and where it tries to get.
+/// State of the continuation: its present and next waypoints.
 typedef struct torus_walk {
     torus_waypoint now, next;
     double step;
     double *before;     ///< [room] the present curve with as many nodes as the next one
-    bool rough, shrank; ///< what was wrong with the last try
-    size_t room;        ///< points that the branch has room for
+    bool rough, shrank; ///< reasons why the last try failed
+    size_t room;        ///< capacity of the branch in points
 } torus_walk;
 
 static double value_at(const torus_follower *f, const torus_waypoint *p) {
@@ -32,7 +32,7 @@ static double value_at(const torus_follower *f, const torus_waypoint *p) {
 // ---------------------------------------------------------------- points
 
 static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_waypoint *p, whirl_torus_branch *b) {
-    if (whirl_integrate_stopped(&f->options->torus.integrate)) { // what was found since means nothing
+    if (whirl_integrate_stopped(&f->options->torus.integrate)) { // what was found since a stop is discarded
         b->end = WHIRL_TORUS_STOPPED;
         return whirl_ok();
     }
@@ -57,7 +57,7 @@ static void go_to_next(torus_walk *w) {
     w->next = kept;
 }
 
-/// Lets the present curve have so many nodes, and its tangent be of length 1 by its size.
+/// Gives the present curve so many nodes, and its tangent length 1 in its size.
 static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
     torus_equations *e = &f->equations;
     torus_waypoint *now = &w->now;
@@ -71,8 +71,8 @@ static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
 
 // ---------------------------------------------------------------- steps
 
-/// Cosine between what two curves with as many nodes are off their means: below 0 where the second one has gone
-/// through a point and come out on the other side.
+/// Cosine between the deviations of two curves (with as many nodes) from their means: negative if the second one has
+/// shrunk through a point to the other side.
 static double likeness(const torus_equations *e, const double *a, const double *b) {
     const size_t n = e->n;
     double both = 0.0, first = 0.0, second = 0.0;
@@ -92,10 +92,10 @@ static double likeness(const torus_equations *e, const double *a, const double *
     return both / sqrt(first * second);
 }
 
-/// Tries a step; *good where it found a curve that goes on from the present one.
+/// Tries a step; *good if it found a curve that continues the branch.
 static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
     torus_equations *e = &f->equations;
-    enum { FEW = 4 }; // within so many steps a curve may be a point
+    enum { FEW = 4 }; // steps within which a curve may shrink to a point
     const double least_likeness = 0.5, least_turn = 0.9;
     *good = w->shrank = w->rough = false;
     if (!take_nodes(f, w, w->now.count)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
@@ -113,12 +113,13 @@ static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
     return status;
 }
 
-/// Where what falls evenly, `one` at the last point and `two` at the one before, comes to 0.
+/// Extrapolates the parameter to where a linear quantity, `one` at the last point and `two` at the one before,
+/// vanishes.
 static double vanishing_value(const whirl_torus_point *last, const whirl_torus_point *before, double one, double two) {
     return last->value - one * (before->value - last->value) / (two - one);
 }
 
-/// Where the square of the radius does.
+/// Extrapolates to where the square of the radius vanishes.
 static double shrinking_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
     const whirl_torus_point next = {value_at(f, &w->next), w->next.torus};
@@ -127,7 +128,7 @@ static double shrinking_value(const torus_follower *f, const torus_walk *w, cons
     return vanishing_value(last, other, one * one, two * two);
 }
 
-/// Where the square of the distance from a resonance does, to which the last two tori come nearer.
+/// Extrapolates to where the square of the distance from a resonance vanishes that the last two tori approach.
 static double locking_value(const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
     const double q = (double)last->torus->resonance, own = last->torus->rotation;
@@ -136,7 +137,7 @@ static double locking_value(const whirl_torus_branch *b) {
     return one * two > 0.0 && fabs(one) < fabs(two) ? vanishing_value(last, last - 1, one * one, two * two) : NAN;
 }
 
-/// The end, where no step that is as short as allowed leads on.
+/// Ends the branch where no step of allowed length continues it.
 static void give_up(const torus_follower *f, const torus_walk *w, whirl_torus_branch *b) {
     const double value = b->points[b->count - 1].value;
     char why[WHIRL_MESSAGE_SIZE];
@@ -161,7 +162,7 @@ static bool is_within(const torus_follower *f, const torus_waypoint *p) {
     return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
 }
 
-/// The last point, where the parameter is at its bound.
+/// Adds the last point, at the bound of the parameter.
 static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_branch *b) {
     const torus_equations *e = &f->equations;
     const size_t last = e->count * e->n + 1;
@@ -181,7 +182,7 @@ static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_b
     return add_point(f, w, &w->next, b);
 }
 
-/// One point further.
+/// Adds the next point.
 static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *b, bool *ended) {
     const whirl_torus_branch_options *o = f->options;
     bool good;
@@ -199,7 +200,7 @@ static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *
     status = add_point(f, w, &w->next, b);
     w->step = fmin(fmax(w->step * w->next.pace, o->least_step), o->most_step);
     go_to_next(w);
-    // Fewer nodes where many can be spared; more are taken where they are missed.
+    // Uses fewer nodes if many are unnecessary; more are used as soon as they are needed.
     if (10 * wanted < 7 * w->now.count && status.code == WHIRL_OK && !take_nodes(f, w, wanted))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
     return status;
@@ -207,7 +208,7 @@ static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *
 
 // ---------------------------------------------------------------- the branch
 
-/// The first point and its direction.
+/// Finds the first point and its direction.
 static whirl_status begin(torus_follower *f, torus_walk *w, const whirl_torus *start, double value, int direction,
                           whirl_torus_branch *b) {
     torus_equations *e = &f->equations;

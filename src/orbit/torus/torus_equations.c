@@ -9,7 +9,7 @@ static void release(whirl_machine *machine) {
     *machine = (whirl_machine){.system = NULL};
 }
 
-/// The map of the family's machine at a value.
+/// Makes the map of the family's machine at a value.
 static whirl_status map_at(const torus_equations *e, double value, whirl_machine *machine, section_map **map) {
     *machine = (whirl_machine){.system = NULL};
     *map = NULL;
@@ -73,7 +73,7 @@ size_t torus_equations_unknowns(const torus_equations *e) {
 
 void torus_equations_refer(torus_equations *e, const double *u) {
     harmonics_of(e->count, e->n, u, e->series);
-    // beside is free: nothing needs the values themselves.
+    // Stores the values in `beside`, which is unused here: only the slopes are needed.
     harmonics_spread(e->count, e->n, e->series, 0.0, e->count, e->beside, e->along);
 }
 
@@ -103,7 +103,7 @@ void torus_equations_scale(const torus_equations *e, const double *u, double spa
 
 // ---------------------------------------------------------------- another machine
 
-/// The machine at another value in the place of the present one.
+/// Replaces the present machine by the one at another value.
 static bool turn_to(torus_equations *e, double value) {
     whirl_machine machine;
     section_map *map;
@@ -127,8 +127,8 @@ static bool images_beside(torus_equations *e, double value, const double *u, dou
     return good;
 }
 
-/// The derivative of the images by the parameter, by central differences: their error, the square of 2^-12 of the span,
-/// slows Newton's method by no step, and leaves its zeros as they are.
+/// Computes the derivative of the images by the parameter, by central differences: their error, the square of 2^-12 of
+/// the span, costs Newton's method no step and does not move its zeros.
 static bool by_parameter(torus_equations *e, const double *u) {
     const size_t size = e->count * e->n;
     double *above = e->beside, *below = above + size;
@@ -140,7 +140,7 @@ static bool by_parameter(torus_equations *e, const double *u) {
 
 // ---------------------------------------------------------------- values and derivatives
 
-/// Node k's weight in the curve at theta_j + angle.
+/// Index of node k's weight in the curve at theta_j + angle.
 static size_t place(const torus_equations *e, size_t j, size_t k) {
     return (k + e->count - j) % e->count;
 }

@@ -1,7 +1,8 @@
-// Normal exponents of a torus: the map's derivative is multiplied up along the curve, node by node of a long walk by
-// its rotation, each factor interpolated between the nodes (Jorba 2001). What lies along the curve is taken out of
-// every factor, and what is left stays orthonormal; the logarithms of its lengths are smooth functions of the angle
-// where the torus is, so that their weighted Birkhoff averages converge faster than any power of the walk's length.
+// Normal exponents of a torus: multiplies the map's derivative along the curve, section by section of a long walk by
+// its rotation, each factor interpolated between the nodes (Jorba 2001). The curve's direction is removed from every
+// factor, and the remaining vectors are orthonormalized; the logarithms of their lengths are smooth functions of the
+// angle on a smooth torus, so that their weighted Birkhoff averages converge faster than any power of the walk's
+// length.
 #include "torus_follower.h"
 
 #include <math.h>
@@ -14,12 +15,12 @@ enum { SETTLING = 256, MIN_STEPS = 512, MAX_STEPS = 8192 };
 
 typedef struct walk {
     size_t n, count;       ///< coordinates, nodes
-    double angle, at;      ///< of a step; where it is
+    double angle, at;      ///< rotation of a step; present angle
     double *curve;         ///< [count][n] series of the curve
     double *factor;        ///< [count][n][n] series of the map's derivative
-    double *place, *along; ///< [n] where it is, and the curve's direction there, of length 1
+    double *place, *along; ///< [n] present point, and the curve's direction there, of length 1
     double *matrix;        ///< [n][n]
-    double *vectors;       ///< [n - 1][n] orthonormal, across the curve
+    double *vectors;       ///< [n - 1][n] orthonormal, orthogonal to the curve
     double *turned;        ///< [n]
     double *growth;        ///< [MAX_STEPS][n - 1]
 } walk;
@@ -42,7 +43,7 @@ static bool look_along(walk *w) {
     return isfinite(length) && length > 0.0;
 }
 
-/// Makes vector k orthonormal to those before and to the curve; its length before, 0 where nothing is left.
+/// Makes vector k orthonormal to those before and to the curve; returns its former length, 0 if nothing is left.
 static double straighten(walk *w, size_t k) {
     double *v = w->vectors + k * w->n;
     for (int twice = 0; twice < 2; twice++) {
@@ -54,7 +55,7 @@ static double straighten(walk *w, size_t k) {
     return length;
 }
 
-/// Vectors to begin with: units, of which the one nearest to the curve's direction is left out.
+/// Sets the initial vectors: units, without the one nearest to the curve's direction.
 static bool begin(walk *w) {
     size_t nearest = 0;
     if (!look_along(w)) return false;
@@ -68,7 +69,7 @@ static bool begin(walk *w) {
     return true;
 }
 
-/// One section further; growth [n - 1] gets the logarithms of the lengths.
+/// Moves one section further; growth [n - 1] gets the logarithms of the lengths.
 static bool step(walk *w, double *growth) {
     const size_t n = w->n;
     harmonics_at(w->count, n * n, w->factor, w->at, w->matrix, NULL);
@@ -94,8 +95,8 @@ static double average(const walk *w, size_t which, size_t first, size_t count) {
     return sum / weights;
 }
 
-/// Writes exponents with their errors; the largest of these that the walk makes. Between nodes the factor is off by
-/// `slight`, which an exponent feels over its own multiplier.
+/// Writes the exponents with their errors; returns the largest of the errors that the walk causes. Between nodes the
+/// factor is off by `slight`, which an exponent feels over its own multiplier.
 static double write_averages(const walk *w, size_t count, double slight, whirl_torus *torus) {
     const double share = 1.0 / (double)torus->revolutions;
     double largest = 0.0;
@@ -109,7 +110,7 @@ static double write_averages(const walk *w, size_t count, double slight, whirl_t
     return largest;
 }
 
-/// What the last two harmonics of the factor come to.
+/// Size of the last two harmonics of the factor.
 static double missing_of(const walk *w) {
     const size_t size = w->n * w->n, last = w->count / 2;
     return harmonics_size(size, w->factor, last) + harmonics_size(size, w->factor, last - 1);
@@ -128,7 +129,7 @@ static bool go(walk *w, whirl_torus *torus) {
     return true;
 }
 
-/// Where the walk ends before its time nothing is said of the exponents.
+/// Marks all exponents as unknown, after a walk that ended early.
 static void say_nothing(whirl_torus *torus) {
     for (size_t k = 0; k < torus->exponent_count; k++) torus->exponents[k] = torus->exponent_errors[k] = NAN;
 }

@@ -1,4 +1,4 @@
-// What beginning a branch of tori and following it share.
+// Steps shared by beginning a branch of tori and following it.
 #include "torus_follower.h"
 
 #include <math.h>
@@ -59,7 +59,7 @@ bool torus_follower_resize(torus_follower *f, size_t count, const double *u) {
     return true;
 }
 
-/// Goes over to more nodes: the search goes on from what was found.
+/// Changes to more nodes; the search continues from what was found.
 static bool refine(torus_follower *f, size_t wanted, const double *found) {
     const torus_equations *e = &f->equations;
     const size_t before = e->count;

@@ -13,15 +13,15 @@ static const double two_pi = 6.283185307179586476925;
 
 enum { MAX_SECTIONS = 2048, MAX_HARMONICS = 24 };
 
-/// The last sections, about their weighted mean.
+/// The last sections, relative to their weighted mean.
 typedef struct cloud {
     size_t count, n;
     double *points;  ///< [count][n]
-    double *left;    ///< [count][n] what a series leaves of them
+    double *left;    ///< [count][n] residual of a series
     double *weights; ///< [count] their sum is 1
     double *mean;    ///< [n]
-    double *real;    ///< [n] an average, of cosines and
-    double *minus;   ///< [n] ... of sines
+    double *real;    ///< [n] an average's cosine part
+    double *minus;   ///< [n] ... and sine part
     double *series;  ///< [2 MAX_HARMONICS + 1][n]
     double radius;   ///< largest coordinate of points
 } cloud;
@@ -56,12 +56,12 @@ static cloud *cloud_new(const torus_equations *e, const double *states, size_t c
 
 // ---------------------------------------------------------------- the rotation number
 
-/// The angle of section m at so many turns a section, from the middle one.
+/// Angle of section m at so many turns a section, from the middle one.
 static double angle_at(const cloud *c, size_t m, double turns) {
     return two_pi * fmod(turns * ((double)m - 0.5 * (double)c->count), 1.0);
 }
 
-/// The average of what is left at so many turns a section into `real` and `minus`; the square of its size.
+/// Averages the residual at so many turns a section into `real` and `minus`; returns the square of its size.
 static double average(cloud *c, double turns) {
     double square = 0.0;
     memset(c->real, 0, c->n * sizeof *c->real);
@@ -78,7 +78,7 @@ static double average(cloud *c, double turns) {
     return square;
 }
 
-/// Closes in on the largest average between two places, by the golden section.
+/// Finds the largest average between two places, by golden section.
 static double largest_between(cloud *c, double low, double high) {
     const double share = 0.6180339887498949;
     double left = high - share * (high - low), right = low + share * (high - low);
@@ -120,7 +120,7 @@ static double fold(double turns) {
     return fmin(part, 1.0 - part);
 }
 
-/// Takes a harmonic, 2 (real cos + minus sin), out of what is left.
+/// Subtracts a harmonic, 2 (real cos + minus sin), from the residual.
 static void take_out(cloud *c, double turns) {
     for (size_t m = 0; m < c->count; m++) {
         const double angle = angle_at(c, m, turns), by_cosine = 2.0 * cos(angle), by_sine = 2.0 * sin(angle);
@@ -128,8 +128,8 @@ static void take_out(cloud *c, double turns) {
     }
 }
 
-/// Writes the series by a rotation number; how far the points are off it, root mean square, over their own size. Each
-/// harmonic is found from what the lower ones leave: of two that few sections hardly tell apart the lower one counts.
+/// Fits the series for a rotation number; returns the residual, root mean square, over the points' size. Each harmonic
+/// is fitted to the residual of lower ones: of two that few sections cannot separate the lower one counts.
 static double misfit(cloud *c, double rotation) {
     const size_t n = c->n, size = c->count * n;
     const size_t most = c->count / 8 < MAX_HARMONICS ? c->count / 8 : MAX_HARMONICS;
@@ -152,8 +152,8 @@ static double misfit(cloud *c, double rotation) {
     return sqrt(off / all);
 }
 
-/// The largest line, or a half or a third of it where that fits and the line itself does not; the series is then its
-/// own.
+/// Finds the rotation number: the largest line, or a half or a third of it if that fits and the line itself does not;
+/// leaves its series.
 static double rotation_of(cloud *c, double *off) {
     const double line = largest_line(c);
     const double fits = 0.05;
@@ -172,7 +172,7 @@ static double rotation_of(cloud *c, double *off) {
     return best;
 }
 
-/// Sections after which the points repeat; 0: they do not.
+/// Number of sections after which the points repeat; 0: they do not.
 static size_t repeats_after(const cloud *c) {
     for (size_t q = 1; q <= c->count / 2; q++) {
         double away = 0.0;
@@ -186,7 +186,7 @@ static size_t repeats_after(const cloud *c) {
 
 // ---------------------------------------------------------------- the curve
 
-/// Harmonics up to where three in a row are small.
+/// Number of harmonics up to three small ones in a row.
 static size_t harmonics_needed(const cloud *c) {
     enum { FEWEST = 3 };
     double largest = 0.0;

@@ -1,7 +1,7 @@
-// What is seen of a torus: the bounds of its motion and of its sections, and the strongest line of its second frequency
-// in every coordinate. With phi = theta + 2 pi rho t/T, T the time of k revolutions, the motions that begin at all
-// angles theta are one function of phi and t that repeats after a turn and after T: its harmonic exp(i phi) has lines
-// at (rho + i)/T for whole numbers i.
+// The view of a torus: the bounds of its motion and of its sections, and the strongest line of its second frequency in
+// every coordinate. With phi = theta + 2 pi rho t/T, T the time of k revolutions, the motions that begin at all angles
+// theta are one function of phi and t that repeats after a turn and after T: its harmonic exp(i phi) has lines at (rho
+// + i)/T for whole numbers i.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -17,18 +17,18 @@ enum { INSTANTS = 64, MIN_ANGLES = 128 };
 
 static const double two_pi = 6.283185307179586476925;
 
-/// The motions that begin at the nodes, at equal instants of all revolutions: at each instant they lie on a closed
-/// curve with as many harmonics as that of the nodes.
+/// Motions that begin at the nodes, at equal instants of all revolutions: at each instant they lie on a closed curve
+/// with as many harmonics as that of the nodes.
 typedef struct grid {
     size_t dimension, nodes, instants, angles;
-    double *states;   ///< [instants][nodes][dimension]; instants follow the beginning, the last one closes T
-    size_t seen;      ///< states that have been put in
-    double *series;   ///< [nodes][dimension] room
-    double *curve;    ///< [angles][dimension] room: the closed curve of an instant
+    double *states;   ///< [instants][nodes][dimension]; instant 0 follows the beginning, the last one is at T
+    size_t seen;      ///< states that were stored
+    double *series;   ///< [nodes][dimension] scratch
+    double *curve;    ///< [angles][dimension] scratch: the closed curve of an instant
     double *low;      ///< [instants][dimension] its bounds
     double *high;     ///< [instants][dimension]
     number *harmonic; ///< [instants][dimension] its first harmonic exp(i phi)
-    number *turn;     ///< [2][instants] room
+    number *turn;     ///< [2][instants] scratch
 } grid;
 
 static void put_state(void *context, double t, const double *x) {
@@ -41,7 +41,7 @@ static void put_state(void *context, double t, const double *x) {
 
 // ---------------------------------------------------------------- bounds
 
-/// The largest of values around a cycle, `stride` apart, times `sign`, by the parabola through it and its neighbours.
+/// Largest of values around a cycle, `stride` apart, times `sign`, by the parabola through it and its neighbours.
 static double peak_of(const double *values, size_t count, size_t stride, double sign) {
     size_t at = 0;
     if (count == 0) return NAN;
@@ -53,7 +53,7 @@ static double peak_of(const double *values, size_t count, size_t stride, double 
     return bend == 0.0 ? top : top - slope * slope / (8.0 * bend);
 }
 
-/// The closed curve of an instant: its bounds and its first harmonic, (cosine - i sine)/2.
+/// Computes the bounds and the first harmonic, (cosine - i sine)/2, of an instant's closed curve.
 static void look_at(grid *g, size_t instant) {
     const size_t d = g->dimension;
     harmonics_of(g->nodes, d, g->states + instant * g->nodes * d, g->series);
@@ -78,8 +78,8 @@ static void find_bounds(const grid *g, size_t coordinate, whirl_torus_view *view
 
 // ---------------------------------------------------------------- lines
 
-/// The size of the line of a coordinate at `whole` + rotation turns in all revolutions: `turn` [instants] are
-/// exp(-2 pi i m/instants), `slow` [instants] those of the rotation at instant m + 1.
+/// Size of a coordinate's line at `whole` + rotation turns in all revolutions: `turn` [instants] are exp(-2 pi i
+/// m/instants), `slow` [instants] those of the rotation at instant m + 1.
 static double size_at(const grid *g, size_t coordinate, size_t whole, const number *turn, const number *slow) {
     number line = 0.0;
     for (size_t m = 0; m < g->instants; m++)
@@ -87,7 +87,7 @@ static double size_at(const grid *g, size_t coordinate, size_t whole, const numb
     return cabs(line) / (double)g->instants;
 }
 
-/// Whole turns from -instants/2 on, which are those from 0 on in another order.
+/// Finds the strongest line. Whole turns run from -instants/2 on, which are those from 0 on in another order.
 static void find_strongest(const grid *g, size_t coordinate, const whirl_torus *torus, whirl_torus_view *view) {
     const number *turn = g->turn, *slow = turn + g->instants;
     const size_t half = g->instants / 2;
