@@ -105,15 +105,16 @@ static bool may_write(const bearing_arguments *arguments) {
     return may;
 }
 
-/// Writes one file; `station`: of an element, or NULL for CSV.
-static int write_file(const whirl_bearing_table *table, const char *path, const char *station, bool over_frequency) {
+/// Writes one file; `station`: of an element, or NULL for CSV, whose warnings are in `units`.
+static int write_file(const whirl_bearing_table *table, const char *path, const char *station, bool over_frequency,
+                      const char *units) {
     FILE *stream = fopen(path, "w");
     if (!stream) {
         complain("'%s' cannot be written", path);
         return EXIT_FAILED;
     }
     const whirl_status status = station ? whirl_bearing_write_element(table, station, over_frequency, stream)
-                                        : whirl_bearing_write_csv(table, stream);
+                                        : whirl_bearing_write_csv(table, units, stream);
     const bool closed = fclose(stream) == 0;
     if (status.code != WHIRL_OK || !closed) remove(path);
     if (status.code != WHIRL_OK) return complain_of(&status);
@@ -148,10 +149,11 @@ static int print(const whirl_bearing_table *table, const bearing_arguments *argu
 
 static int write_all(const whirl_bearing_table *table, const bearing_arguments *arguments) {
     int outcome = print(table, arguments);
-    if (outcome == EXIT_DONE && arguments->csv) outcome = write_file(table, arguments->csv, NULL, false);
+    if (outcome == EXIT_DONE && arguments->csv)
+        outcome = write_file(table, arguments->csv, NULL, false, arguments->found.units);
     if (outcome == EXIT_DONE && arguments->table)
         outcome = write_file(table, arguments->table, arguments->station ? arguments->station : "journal",
-                             arguments->over_frequency);
+                             arguments->over_frequency, NULL);
     if (outcome == EXIT_DONE && arguments->output) outcome = write_figure(table, arguments);
     return outcome;
 }

@@ -216,9 +216,10 @@ whirl_status whirl_result_figure(const whirl_result *result, const char *name, c
 
 /// Answers a balancing file as `whirl balance` does (docs/guide/14-balancing.md), as a JSON document. `name` is the
 /// file's name in messages; the model is searched for in its folder. Writes every problem of the file or its model to
-/// `problems` as whirl_case_check does. *json is freed by whirl_text_free.
-whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
-                                char **json);
+/// `problems` as whirl_case_check does. Findings are in `units`, or (NULL) those of the file. *json is freed by
+/// whirl_text_free.
+whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,
+                                size_t size, char **json);
 
 /// Lists the figures of a result, one line each: name, tab, title. *lines is freed by whirl_text_free.
 whirl_status whirl_result_figures(const whirl_result *result, const char *units, char **lines);
@@ -238,10 +239,11 @@ void whirl_text_free(char *text); ///< Frees a text returned by these functions;
 
 /// Answers a bearing file as `whirl bearing` does (docs/guide/15-bearings.md), as a JSON document, and writes its
 /// figures (curves, sommerfeld, locus) as a list of the documents of docs/figures.md; figures NULL: not wanted. `name`
-/// is the file's name in messages; threads 0: one a core. Writes every problem of the file to `problems` as
+/// is the file's name in messages; findings, warnings and figures are in `units`, or (NULL) those of the file; threads
+/// 0: one a core. Writes every problem of the file to `problems` as
 /// whirl_case_check does. *json and *figures are freed by whirl_text_free.
-whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
-                                size_t size, char **json, char **figures);
+whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
+                                char *problems, size_t size, char **json, char **figures);
 
 #ifdef __cplusplus
 }

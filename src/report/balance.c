@@ -98,7 +98,7 @@ static whirl_status view_begin(balance_view *v, const whirl_balance *of, const w
     if (status.code != WHIRL_OK) return status;
     v->amplitude = amplitude_unit(v, asked);
     v->influence = influence_unit(v);
-    v->to = (finder){find_begin(), &v->units, NULL, &balance_alone};
+    v->to = (finder){find_begin(), &v->units, NULL, &balance_alone, NULL};
     return v->to.findings ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
 }
 
@@ -232,21 +232,21 @@ static bool phrase_taken(balance_view *v, const whirl_phrase *phrase, char text[
 }
 
 bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
-                         size_t n, char text[STATEMENT_SIZE]) {
+                         const char *units, size_t n, char text[STATEMENT_SIZE]) {
     balance_view v;
     whirl_phrase phrase = {0};
     *text = '\0';
-    if (view_begin(&v, of, model, found, "").code != WHIRL_OK) return false;
+    if (view_begin(&v, of, model, found, units).code != WHIRL_OK) return false;
     phrase_reason(&v, n, &phrase);
     return phrase_taken(&v, &phrase, text);
 }
 
-bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, size_t index,
+bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, const char *units, size_t index,
                           char text[STATEMENT_SIZE]) {
     balance_view v;
     whirl_phrase phrase = {0};
     *text = '\0';
-    if (view_begin(&v, of, NULL, found, "").code != WHIRL_OK) return false;
+    if (view_begin(&v, of, NULL, found, units).code != WHIRL_OK) return false;
     phrase_warning(&v, index, &phrase);
     return phrase_taken(&v, &phrase, text);
 }

@@ -76,13 +76,13 @@ static json_t *set_of(bool *well, const whirl_balance *of, const whirl_balance_m
 }
 
 static json_t *proposal_of(bool *well, const whirl_balance *of, const whirl_balance_model *model,
-                           const whirl_correction *found, size_t n) {
+                           const whirl_correction *found, const char *units, size_t n) {
     static const char *const reasons[] = {"force", "least", "most", "limit", "nothing"};
     const whirl_balance_proposal *own = &found->proposals[n];
     json_t *made = vector(well, own->moment, "moment", balance_way_of_angles(of));
     double weights[WHIRL_MAX_PLANES][2];
     char text[STATEMENT_SIZE];
-    *well = balance_reason_text(of, model, found, n, text) && *well;
+    *well = balance_reason_text(of, model, found, units, n, text) && *well;
     for (size_t p = 0; p < of->plane_count; p++) whirl_balance_proposed(found, n, p, weights[p]);
     if (of->mode_count > 0)
         document_put(well, made, "set", json_integer((json_int_t)n + 1));
@@ -136,10 +136,11 @@ static void put_correction(bool *well, json_t *all, const whirl_balance *of, con
     document_put(well, all, "couple", vector(well, half, "moment", way));
 }
 
-static void put_warnings(bool *well, json_t *warnings, const whirl_balance *of, const whirl_correction *found) {
+static void put_warnings(bool *well, json_t *warnings, const whirl_balance *of, const whirl_correction *found,
+                         const char *units) {
     char text[STATEMENT_SIZE] = "";
     for (size_t i = 0; *well; i++) {
-        *well = balance_warning_text(of, found, i, text);
+        *well = balance_warning_text(of, found, units, i, text);
         if (!*text) return;
         document_append(well, warnings, document_text(text));
     }
@@ -171,8 +172,8 @@ whirl_status whirl_balance_write_json(const whirl_balance *of, const whirl_balan
         document_append(&well, rows, row_of(&well, of, found, &found->rows[r]));
     for (size_t n = 0; n < found->set_count; n++) document_append(&well, sets, set_of(&well, of, model, found, n));
     for (size_t n = 0; n < found->proposal_count; n++)
-        document_append(&well, trials, proposal_of(&well, of, model, found, n));
-    put_warnings(&well, warnings, of, found);
+        document_append(&well, trials, proposal_of(&well, of, model, found, units, n));
+    put_warnings(&well, warnings, of, found, units);
     document_put(&well, all, "vibration", rows);
     document_put(&well, all, "sets", sets);
     document_put(&well, all, "proposals", trials);

@@ -27,12 +27,13 @@ double balance_sum(const whirl_balance *of, const whirl_correction *found);
 /// Names the plane or set of an unknown.
 void balance_name(const whirl_balance *of, size_t n, char *text, size_t size);
 
-/// Writes why a trial weight has its size, and its expected effect, in um, rpm and N. Returns false without memory.
+/// Says why a trial weight is as large as it is, and what it does, in the units of `units`, or else of the file. False
+/// without memory.
 bool balance_reason_text(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *found,
-                         size_t n, char text[STATEMENT_SIZE]);
+                         const char *units, size_t n, char text[STATEMENT_SIZE]);
 
-/// A warning by its index in um and rpm, "" past the last. False without memory.
-bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, size_t index,
+/// A warning by its index, "" past the last; units likewise. False without memory.
+bool balance_warning_text(const whirl_balance *of, const whirl_correction *found, const char *units, size_t index,
                           char text[STATEMENT_SIZE]);
 
 #endif

@@ -330,7 +330,7 @@ whirl_status whirl_bearing_findings(const whirl_bearing_table *table, const char
     *findings = NULL;
     const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &shown);
     if (status.code != WHIRL_OK) return status;
-    const finder of = {find_begin(), &shown, NULL, &bearing_alone};
+    const finder of = {find_begin(), &shown, NULL, &bearing_alone, NULL};
     if (of.findings) {
         find_shape(&of, table->bearing);
         find_oil(&of, table->bearing);
@@ -344,13 +344,13 @@ whirl_status whirl_bearing_findings(const whirl_bearing_table *table, const char
     return find_made(of.findings, findings);
 }
 
-bool bearing_remark_text(const whirl_bearing *bearing, const whirl_bearing_point *point, whirl_bearing_remark remark,
-                         char text[STATEMENT_SIZE]) {
+bool bearing_remark_text(const whirl_bearing *bearing, const char *units, const whirl_bearing_point *point,
+                         whirl_bearing_remark remark, char text[STATEMENT_SIZE]) {
     whirl_shown_units shown;
     whirl_phrase phrase = {0};
     *text = '\0';
-    whirl_shown_units_alone(NULL, &shown);
-    const finder of = {find_begin(), &shown, NULL, &bearing_alone};
+    if (whirl_shown_units_alone(units ? units : bearing->units, &shown).code != WHIRL_OK) return false;
+    const finder of = {find_begin(), &shown, NULL, &bearing_alone, NULL};
     if (!of.findings) return false;
     phrase_remark(&of, bearing, point, remark, &phrase);
     const bool well = !of.findings->failed;

@@ -23,12 +23,12 @@ static json_t *matrix(bool *well, size_t size, size_t row_size, const double *of
 }
 
 /// Warnings of a point, or of the table (point NULL).
-static json_t *warnings_of(bool *well, const whirl_bearing *of, const whirl_bearing_point *point,
+static json_t *warnings_of(bool *well, const whirl_bearing *of, const char *units, const whirl_bearing_point *point,
                            const whirl_bearing_remark *remarks, size_t count) {
     char text[STATEMENT_SIZE];
     json_t *made = json_array();
     for (size_t i = 0; i < count; i++) {
-        *well = bearing_remark_text(of, point, remarks[i], text) && *well;
+        *well = bearing_remark_text(of, units, point, remarks[i], text) && *well;
         document_append(well, made, document_text(text));
     }
     return made;
@@ -135,7 +135,7 @@ static void put_tilting(bool *well, json_t *made, const whirl_bearing *of, const
     document_put(well, made, "pads", pads);
 }
 
-static json_t *point_of(bool *well, const whirl_bearing *of, const whirl_bearing_point *point) {
+static json_t *point_of(bool *well, const whirl_bearing *of, const char *units, const whirl_bearing_point *point) {
     json_t *made = json_object(), *error = json_object(), *place = json_array();
     document_put(well, made, "speed", document_number(point->speed));
     document_put(well, made, "load", document_number(point->load));
@@ -166,7 +166,7 @@ static json_t *point_of(bool *well, const whirl_bearing *of, const whirl_bearing
     document_put(well, error, "stiffness", document_number(point->error_stiffness));
     document_put(well, error, "damping", document_number(point->error_damping));
     document_put(well, made, "error", error);
-    document_put(well, made, "warnings", warnings_of(well, of, point, point->remarks, point->remark_count));
+    document_put(well, made, "warnings", warnings_of(well, of, units, point, point->remarks, point->remark_count));
     return made;
 }
 
@@ -178,9 +178,10 @@ whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, const ch
     json_t *all = json_object(), *points = json_array();
     put_bearing(&well, all, table->bearing);
     for (size_t i = 0; i < table->count; i++)
-        document_append(&well, points, point_of(&well, table->bearing, &table->points[i]));
+        document_append(&well, points, point_of(&well, table->bearing, units, &table->points[i]));
     document_put(&well, all, "points", points);
-    document_put(&well, all, "warnings", warnings_of(&well, table->bearing, NULL, table->remarks, table->remark_count));
+    document_put(&well, all, "warnings",
+                 warnings_of(&well, table->bearing, units, NULL, table->remarks, table->remark_count));
     document_put(&well, all, "statements", statements_json(&well, findings));
     document_put(&well, all, "sheets", sheets_json(&well, findings));
     whirl_findings_free(findings);
@@ -196,7 +197,10 @@ static void put_number(FILE *out, double value, const char *end) {
     fprintf(out, "%s%s", text, end);
 }
 
-whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out) {
+whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, const char *units, FILE *out) {
+    whirl_shown_units shown;
+    const whirl_status status = whirl_shown_units_alone(units ? units : table->bearing->units, &shown);
+    if (status.code != WHIRL_OK) return status;
     const whirl_bearing *of = table->bearing;
     char text[STATEMENT_SIZE];
     fputs("speed (rad/s),load (N),sommerfeld,eccentricity ratio,attitude (rad),x (m),y (m),film (m),pressure (Pa),"
@@ -228,7 +232,7 @@ whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *out
         put_number(out, point->temperature, ",");
         fprintf(out, "\"%s", point->failure);
         for (size_t k = 0; k < point->remark_count; k++) {
-            if (!bearing_remark_text(of, point, point->remarks[k], text))
+            if (!bearing_remark_text(of, units, point, point->remarks[k], text))
                 return whirl_fail(WHIRL_NO_MEMORY, "no memory for the warnings of a bearing");
             fprintf(out, "%s%s", k ? "; " : "", text);
         }

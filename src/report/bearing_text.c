@@ -7,13 +7,20 @@
 #include "whirl/engine/figure.h"
 #include "whirl/handles.h"
 
+/// A table, and the units in which it is shown.
+typedef struct answer {
+    const whirl_bearing_table *table;
+    const char *units;
+} answer;
+
 /// All figures of the table, as a list.
-static whirl_status write_figures(const void *table, FILE *stream) {
+static whirl_status write_figures(const void *of, FILE *stream) {
+    const answer *const own = of;
     static const char *const names[] = {"curves", "sommerfeld", "locus"};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof names / sizeof *names && status.code == WHIRL_OK; i++) {
         whirl_figure *figure;
-        status = whirl_bearing_figure(table, names[i], NULL, &figure);
+        status = whirl_bearing_figure(own->table, names[i], own->units, &figure);
         fputs(i ? "," : "[", stream);
         if (status.code == WHIRL_OK) status = whirl_figure_write_json(figure, stream);
         whirl_figure_free(figure);
@@ -22,17 +29,19 @@ static whirl_status write_figures(const void *table, FILE *stream) {
     return status;
 }
 
-static whirl_status write_answer(const void *table, FILE *stream) {
-    return whirl_bearing_write_json(table, NULL, stream);
+static whirl_status write_answer(const void *of, FILE *stream) {
+    const answer *const own = of;
+    return whirl_bearing_write_json(own->table, own->units, stream);
 }
 
-static whirl_status compute(const whirl_bearing *bearing, int threads, char **json, char **figures) {
+static whirl_status compute(const whirl_bearing *bearing, const char *units, int threads, char **json, char **figures) {
     const whirl_bearing_options options = {.threads = threads};
     whirl_bearing_table *table;
     whirl_status status = whirl_bearing_solve(bearing, &options, &table);
     if (status.code != WHIRL_OK) return status;
-    status = text_written(write_answer, table, "for a bearing", json);
-    if (status.code == WHIRL_OK && figures) status = text_written(write_figures, table, "for a bearing", figures);
+    const answer shown = {table, units};
+    status = text_written(write_answer, &shown, "for a bearing", json);
+    if (status.code == WHIRL_OK && figures) status = text_written(write_figures, &shown, "for a bearing", figures);
     whirl_bearing_table_free(table);
     if (status.code == WHIRL_OK) return status;
     free(*json);
@@ -40,8 +49,8 @@ static whirl_status compute(const whirl_bearing *bearing, int threads, char **js
     return status;
 }
 
-whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
-                                size_t size, char **json, char **figures) {
+whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
+                                char *problems, size_t size, char **json, char **figures) {
     whirl_problems found = {0};
     whirl_bearing *bearing;
     *json = NULL;
@@ -49,7 +58,7 @@ whirl_status whirl_bearing_json(const char *text, size_t length, const char *nam
     whirl_status status = whirl_bearing_parse(text, length, name, &found, &bearing);
     whirl_problems_text(&found, problems, size);
     whirl_problems_free(&found);
-    if (status.code == WHIRL_OK) status = compute(bearing, threads, json, figures);
+    if (status.code == WHIRL_OK) status = compute(bearing, units, threads, json, figures);
     whirl_bearing_free(bearing);
     return status;
 }

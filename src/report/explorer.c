@@ -137,14 +137,12 @@ static void write_verdict(FILE *stream, const whirl_verdict *verdict) {
     fputc('}', stream);
 }
 
-/// Writes the whole motion at the opening point, so that the page can show it before it computes anything.
-static bool write_opening(FILE *stream, const whirl_result *result) {
+/// All that the run knows of the motion where the page opens, so that it is seen before anything is computed.
+static void write_opening(FILE *stream, const whirl_result *result, const whirl_case *machine) {
     size_t point;
-    whirl_case *machine;
     const whirl_table *table = find_opening(result, &point);
-    if (!table) return true;
+    if (!table) return;
     const whirl_verdict verdict = whirl_table_verdict(table, point);
-    if (machine_of(result, &machine).code != WHIRL_OK) return false;
     script_key(stream, ',', "opening");
     script_text_member(stream, '{', "parameter", table->parameter);
     script_number_member(stream, ',', "value", *table->parameter ? table->values[point] : (double)NAN);
@@ -157,11 +155,10 @@ static bool write_opening(FILE *stream, const whirl_result *result) {
     write_verdict(stream, &verdict);
     explorer_write_point(stream, table, point);
     fputc('}', stream);
-    whirl_case_free(machine);
-    return true;
 }
 
-static bool write_run(FILE *stream, const whirl_result *result, const char *name, const char *units) {
+static bool write_run(FILE *stream, const whirl_result *result, const whirl_case *machine, const char *name,
+                      const char *units) {
     bool well = true;
     script_text_member(stream, '{', "name", name);
     script_text_member(stream, ',', "title", result->title);
@@ -182,8 +179,8 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
         well = explorer_write_table(stream, &result->tables[t], &result->tables[t] == diagram) && well;
     }
     fputc(']', stream);
-    well = write_opening(stream, result) && well;
-    well = explorer_write_contents(stream, result, units) && well;
+    write_opening(stream, result, machine);
+    well = explorer_write_contents(stream, result, machine, units) && well;
     fputc('}', stream);
     return well;
 }
@@ -191,21 +188,22 @@ static bool write_run(FILE *stream, const whirl_result *result, const char *name
 /// Writes the template up to `place`, the runs, and the rest of the template after the mark. Returns false without
 /// memory.
 static bool write_page(FILE *stream, const char *page, const char *place, const whirl_result *const *results,
-                       const char *const *names, size_t count, const char *units) {
+                       const whirl_case *const *machines, const char *const *names, size_t count, const char *units) {
     bool well = true;
     fwrite(page, 1, (size_t)(place - page), stream);
     fputc('[', stream);
     for (size_t r = 0; r < count; r++) {
         if (r > 0) fputs(",\n", stream);
-        well = write_run(stream, results[r], names[r], units) && well;
+        well = write_run(stream, results[r], machines[r], names[r], units) && well;
     }
     fputc(']', stream);
     fputs(place + strlen(mark), stream);
     return well;
 }
 
-whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
-                            size_t count, const char *directory, const char *units) {
+whirl_status explorer_write(const char *template_path, const whirl_result *const *results,
+                            const whirl_case *const *machines, const char *const *names, size_t count,
+                            const char *directory, const char *units) {
     char *page;
     whirl_status status = read_template(template_path, &page);
     if (status.code != WHIRL_OK) return status;
@@ -214,7 +212,7 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
         report_file file = {0};
         status = report_file_open(&file, directory, "explorer.html");
         if (status.code == WHIRL_OK) {
-            if (write_page(file.stream, page, place, results, names, count, units)) {
+            if (write_page(file.stream, page, place, results, machines, names, count, units)) {
                 status = report_file_close(&file);
             } else {
                 report_file_drop(&file);
@@ -229,5 +227,11 @@ whirl_status explorer_write(const char *template_path, const whirl_result *const
 
 whirl_status whirl_explorer_write(const char *template_path, const whirl_result *const *results,
                                   const char *const *names, size_t count, const char *directory) {
-    return explorer_write(template_path, results, names, count, directory, NULL);
+    whirl_case **machines;
+    whirl_status status = machines_of(results, count, &machines);
+    if (status.code == WHIRL_OK)
+        status =
+            explorer_write(template_path, results, (const whirl_case *const *)machines, names, count, directory, NULL);
+    machines_free(machines, count);
+    return status;
 }

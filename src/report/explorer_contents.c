@@ -17,7 +17,7 @@ typedef struct contents {
     FILE *stream;
     whirl_result *view; ///< the result with every attractor once
     whirl_shown_units units;
-    whirl_case *machine;
+    const whirl_case *machine;
     whirl_findings *findings;
     figure_list figures;
 } contents;
@@ -59,7 +59,7 @@ static json_t *notes_of(bool *well, const contents *of, const whirl_table *table
     char motions[MOTIONS_TOLD_SIZE], text[RANGES_TOLD_SIZE];
     json_t *notes = json_array();
     if (motions_beside(table)) {
-        *well = motions_told(&of->units, of->view, table, motions).code == WHIRL_OK && *well;
+        motions_told(&of->units, of->view, of->machine, table, motions);
         document_append(well, notes, document_text(motions));
     }
     for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
@@ -155,19 +155,17 @@ static bool put_warnings(const contents *of) {
     return put_value(of->stream, "warnings", well, warnings);
 }
 
-bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units) {
-    contents of = {.stream = stream};
+bool explorer_write_contents(FILE *stream, const whirl_result *result, const whirl_case *machine, const char *units) {
+    contents of = {.stream = stream, .machine = machine};
     if (!has_contents(result)) return true;
     bool well = whirl_result_by_attractor(result, &of.view).code == WHIRL_OK &&
                 whirl_result_shown_units(of.view, units, &of.units).code == WHIRL_OK &&
-                findings_of(of.view, &of.units, &of.findings).code == WHIRL_OK &&
-                machine_of(of.view, &of.machine).code == WHIRL_OK;
+                findings_of(of.view, &of.units, machine, &of.findings).code == WHIRL_OK;
     const drawing drawn = {of.view, &of.units, of.machine};
     well = well && figures_list(&drawn, &of.figures).code == WHIRL_OK && put_tables(&of) && put_findings(&of) &&
            put_figures(&of) && put_warnings(&of);
     free(of.figures.items);
     whirl_findings_free(of.findings);
-    whirl_case_free(of.machine);
     whirl_result_view_free(of.view);
     return well;
 }

@@ -25,6 +25,19 @@ whirl_status machine_of(const whirl_result *result, whirl_case **machine) {
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
+whirl_status machines_of(const whirl_result *const *results, size_t count, whirl_case ***machines) {
+    whirl_status status = whirl_ok();
+    *machines = calloc(count + 1, sizeof **machines);
+    if (!*machines) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the cases of %zu results", count);
+    for (size_t r = 0; r < count && status.code == WHIRL_OK; r++) status = machine_of(results[r], &(*machines)[r]);
+    return status;
+}
+
+void machines_free(whirl_case **machines, size_t count) {
+    for (size_t r = 0; machines && r < count; r++) whirl_case_free(machines[r]);
+    free((void *)machines);
+}
+
 whirl_batch *machine_batch(const whirl_case *machine, const whirl_table *table, size_t point, whirl_study *study) {
     if (!machine || whirl_case_study(machine, study).code != WHIRL_OK) return NULL;
     for (size_t i = 0; i < study->batch_count; i++) {

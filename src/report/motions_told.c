@@ -181,13 +181,10 @@ static void add_beside(const paragraph *p) {
         100.0 * whirl_missed_share(table->source->starts));
 }
 
-whirl_status motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
-                          char text[MOTIONS_TOLD_SIZE]) {
-    whirl_case *machine;
-    const whirl_status status = machine_of(view, &machine);
+void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
+                  const whirl_table *table, char text[MOTIONS_TOLD_SIZE]) {
     const paragraph p = {machine, view, table, whirl_shown_parameter(units, table->parameter), text};
     *text = '\0';
-    if (status.code != WHIRL_OK) return status;
     const bool judged = whirl_layout_has_verdict(&table->layout);
     judged ? add_regimes(&p) : add_count(&p);
     add(&p, ", ");
@@ -199,8 +196,6 @@ whirl_status motions_told(const whirl_shown_units *units, const whirl_result *vi
         add_beside(&p);
     else
         add(&p, ".");
-    whirl_case_free(machine);
-    return status;
 }
 
 // ---------------------------------------------------------------- ranges_told

@@ -18,6 +18,7 @@ typedef struct report {
     whirl_shown_units *units;
     whirl_result **views;      ///< [count] results with every attractor once
     whirl_findings **findings; ///< [count] of these
+    whirl_case **machines;     ///< [count] of the results (machine_of)
     size_t count;
 } report;
 
@@ -31,6 +32,7 @@ static void report_free(report *made) {
     free((void *)made->views);
     for (size_t r = 0; made->findings && r < made->count; r++) whirl_findings_free(made->findings[r]);
     free((void *)made->findings);
+    machines_free(made->machines, made->count);
 }
 
 /// A folder name for every result, no two alike.
@@ -104,11 +106,9 @@ static whirl_status draw_figure(report *made, const drawing *of, const figure_pl
 }
 
 static whirl_status draw_result(report *made, const whirl_result *result, size_t index) {
-    whirl_case *machine;
-    whirl_status status = machine_of(result, &machine);
-    const drawing of = {result, &made->units[index], machine};
+    const drawing of = {result, &made->units[index], made->machines[index]};
     figure_list list = {.count = 0};
-    if (status.code == WHIRL_OK) status = folder_make_own(made->paths[index]);
+    whirl_status status = folder_make_own(made->paths[index]);
     if (status.code == WHIRL_OK) status = figures_list(&of, &list);
     drawn_figure *items = realloc(made->figures.items, (made->figures.count + list.count + 1) * sizeof *items);
     if (items)
@@ -118,7 +118,6 @@ static whirl_status draw_result(report *made, const whirl_result *result, size_t
     for (size_t i = 0; i < list.count && status.code == WHIRL_OK; i++)
         status = draw_figure(made, &of, &list.items[i], index);
     free(list.items);
-    whirl_case_free(machine);
     return status;
 }
 
@@ -177,6 +176,7 @@ static whirl_status write_page(const report *made, const whirl_result *const *re
         .figures = &made->figures,
         .units = made->units,
         .findings = made->findings,
+        .machines = (const whirl_case *const *)made->machines,
         .failed = &failed,
         .explorer = options->explorer != NULL,
         .printed = lateral,
@@ -208,7 +208,8 @@ static whirl_status make(report *made, const whirl_result *const *results, const
     if (options->claims) compare(made, results, count, options->claims);
     status = write_page(made, results, names, count, directory, options, false);
     if (status.code == WHIRL_OK && options->explorer)
-        status = explorer_write(options->explorer, results, names, count, directory, options->units);
+        status = explorer_write(options->explorer, results, (const whirl_case *const *)made->machines, names, count,
+                                directory, options->units);
     if (status.code == WHIRL_OK && options->lateral)
         status = write_lateral(made, results, names, count, directory, options);
     return status.code == WHIRL_OK ? drawn : status;
@@ -239,10 +240,11 @@ whirl_status whirl_report_write(const whirl_result *const *results, const char *
     whirl_status status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a report of %zu results", count);
     if (made.folders && made.paths && made.outcomes && made.units && made.views && made.findings)
         status = view_results(&made, results);
+    if (status.code == WHIRL_OK) status = machines_of(results, count, &made.machines);
     for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
         status = whirl_result_shown_units(results[r], options->units, &made.units[r]);
     for (size_t r = 0; r < count && status.code == WHIRL_OK; r++)
-        status = findings_of(made.views[r], &made.units[r], &made.findings[r]);
+        status = findings_of(made.views[r], &made.units[r], made.machines[r], &made.findings[r]);
     if (status.code == WHIRL_OK) {
         name_folders(made.folders, names, count);
         status = make(&made, (const whirl_result *const *)made.views, names, count, directory, options);

@@ -42,9 +42,11 @@ bool document_write(bool well, json_t *value, FILE *stream);
 // ---------------------------------------------------------------- explorer
 // The explorer's page in units that a report asks for.
 
-/// Like whirl_explorer_write; `units` override those of the case (whirl_result_shown_units), NULL: none.
-whirl_status explorer_write(const char *template_path, const whirl_result *const *results, const char *const *names,
-                            size_t count, const char *directory, const char *units);
+/// Like whirl_explorer_write; `units` override those of the case (whirl_result_shown_units), NULL: none. machines
+/// [count]: cases of the results (machine_of).
+whirl_status explorer_write(const char *template_path, const whirl_result *const *results,
+                            const whirl_case *const *machines, const char *const *names, size_t count,
+                            const char *directory, const char *units);
 
 // ---------------------------------------------------------------- explorer_tables
 // Tables in the explorer's page, thinned to what a browser takes in.
@@ -60,15 +62,17 @@ void explorer_write_point(FILE *stream, const whirl_table *table, size_t point);
 
 /// Writes `,"parts": [...],"statements": [...],"sheets": [...],"figures": [...]` of a result that has tables of
 /// machines at rest, or of motions that the page does not compute; of all others nothing. False without memory.
-bool explorer_write_contents(FILE *stream, const whirl_result *result, const char *units);
+bool explorer_write_contents(FILE *stream, const whirl_result *result, const whirl_case *machine, const char *units);
 
 // ---------------------------------------------------------------- findings
 // Parts shared by renderers of findings.
 
 enum { STATEMENT_SIZE = 2048 };
 
-/// Finds the findings of a view of a result (whirl_result_by_attractor). WHIRL_NO_MEMORY.
-whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings);
+/// Finds the findings of a view of a result (whirl_result_by_attractor); machine: its case (machine_of), or NULL.
+/// WHIRL_NO_MEMORY.
+whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, const whirl_case *machine,
+                         whirl_findings **findings);
 
 /// Writes "separation margin, asked for 16 % (amplification 5): 12 % above: left at 3000 rpm: fails: 1 of 4 peaks".
 void statement_text(const whirl_statement *statement, char *text, size_t size);
@@ -88,10 +92,10 @@ void sheet_write_latex(FILE *stream, const whirl_sheet *sheet);
 /// others. Returns false without memory.
 bool findings_write_table(FILE *stream, const whirl_findings *findings, const char *table, size_t points, size_t rows);
 
-/// Words a warning of a point of a bearing, or of the bearing as a whole (point NULL), in um and degC. False without
-/// memory.
-bool bearing_remark_text(const whirl_bearing *bearing, const whirl_bearing_point *point, whirl_bearing_remark remark,
-                         char text[STATEMENT_SIZE]);
+/// Words a warning of a point of a bearing, or of the bearing as a whole (point NULL), in the units of `units`, or else
+/// of its file. False without memory.
+bool bearing_remark_text(const whirl_bearing *bearing, const char *units, const whirl_bearing_point *point,
+                         whirl_bearing_remark remark, char text[STATEMENT_SIZE]);
 
 /// A sheet as a JSON document. WHIRL_NO_MEMORY, WHIRL_IO_ERROR.
 whirl_status sheet_write_json(const whirl_sheet *sheet, FILE *stream);
@@ -106,6 +110,10 @@ json_t *sheets_json(bool *well, const whirl_findings *findings);
 /// Makes the case of a result, with the parameters of the run; free it with whirl_case_free. NULL if the result has
 /// none that can be read. WHIRL_NO_MEMORY.
 whirl_status machine_of(const whirl_result *result, whirl_case **machine);
+
+/// Makes the cases of several results [count], freed by machines_free, also after a failure. WHIRL_NO_MEMORY.
+whirl_status machines_of(const whirl_result *const *results, size_t count, whirl_case ***machines);
+void machines_free(whirl_case **machines, size_t count);
 
 /// Returns the batch of a table in the study of a case, with the second and third parameter of a point; NULL if there
 /// is none. A part of *study.
@@ -153,9 +161,9 @@ bool motions_beside(const whirl_table *table);
 
 enum { MOTIONS_TOLD_SIZE = 4096 };
 
-/// Describes a table of motions in a view (whirl_result_by_attractor) of the result. WHIRL_NO_MEMORY.
-whirl_status motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_table *table,
-                          char text[MOTIONS_TOLD_SIZE]);
+/// Describes a table of motions in a view (whirl_result_by_attractor) of the result; machine: its case, or NULL.
+void motions_told(const whirl_shown_units *units, const whirl_result *view, const whirl_case *machine,
+                  const whirl_table *table, char text[MOTIONS_TOLD_SIZE]);
 
 // ---------------------------------------------------------------- named_lines
 // Lines of spectra by the names that the machine has for their orders.

@@ -6,7 +6,8 @@
 - What is asked for: every statement of JSON that has a clause stands in the table of the document, word for word, and
   its verdict in the summary.
 - "What was found" names those that fail or are not known, and counts those that hold.
-- Every other statement of a whole table stands in "What was found" and in the summary, word for word.
+- Every other statement of a whole table stands in "What was found" and in the summary, word for word; those of the
+  machine as a whole in a chapter.
 - Every number in "What was found" stands in a table or a sentence of a later chapter, to the digits that it has.
 """
 import html
@@ -58,7 +59,9 @@ def main(result, page):
                 faults.append(f"the summary lacks {text!r} of JSON")
             if "clause" in row and text not in table:
                 faults.append(f"the table of what is asked for lacks {text!r} of JSON")
-            if "clause" not in row and "at" not in row and text not in plain(first):
+            if not row["table"] and text not in rest:
+                faults.append(f"the chapters lack {text!r} of JSON")
+            if row["table"] and "clause" not in row and "at" not in row and text not in plain(first):
                 faults.append(f"what was found lacks {text!r} of JSON")
         if "clause" not in row:
             continue

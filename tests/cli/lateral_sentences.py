@@ -311,6 +311,16 @@ def weight(result, own):
     check_weight(result, own["found"]["text"])
 
 
+def unknown_bearings(result, own):
+    """Their stations have a bearing of coefficients, or a film of a force scale, in the case."""
+    case = result.file["case/text"].asstr("utf-8")[0]
+    stations, _, what = own["found"]["text"].partition(": the case gives ")
+    kind = "film" if what.startswith("the force scale") else "bearing"
+    assert stations and what.endswith(" are not known")
+    for station in stations.split(", "):
+        assert re.search(rf"- {kind}:\s*(\{{\s*)?at: {station}\b", case), f"{station} has no such {kind}"
+
+
 def check_weight(result, text):
     """What acts along the shafts and across makes up the gravity of the case."""
     case = result.file["case/text"].asstr("utf-8")[0]
@@ -342,6 +352,7 @@ STATEMENTS = {
     "scaled responses": scaled,
     "runout": runout,
     "weight": weight,
+    "bearings": unknown_bearings,
     "sub-synchronous lines": lines_beside,
     "super-synchronous lines": lines_beside,
     "stability, Level I": level_one,

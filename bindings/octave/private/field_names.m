@@ -150,6 +150,7 @@ names.statics_unloaded = 'statics/unloaded';
 names.statics_eccentricity = 'statics/eccentricity';
 names.statics_attitude = 'statics/attitude';
 names.statics_film = 'statics/film';
+names.statics_place = 'statics/place';
 names.statics_stiffness = 'statics/stiffness';
 names.statics_damping = 'statics/damping';
 names.statics_influence = 'statics/influence';

@@ -1,5 +1,6 @@
 """Modes balanced by sets of weights, trial weights that models propose, and a rotor on films balanced in simulation."""
 
+import re
 import numpy as np
 import pytest
 from conftest import ROOT
@@ -303,8 +304,13 @@ def propose(tmp_path, unbalance, speed, second=0.5 * np.exp(1j), **probe):
 def test_trial_weight_by_its_force(tmp_path):
     """A tenth of the weight on the bearing, half of the shaft's, where that changes probes by 30 to 100 %."""
     found, before, after = propose(tmp_path, 1.2e-4, 250.0)
+    rows = shaft_readings([("s3", 1.2e-4), ("s8", 0.6e-4 * np.exp(1j))], [250.0], probes={"s3": "s3", "s7": "s7"})
+    file = model_file(tmp_path, vibration=rows, probes=[{"name": "s3"}])
     for one, seen in zip(found.proposals, after):
         assert one.reason == "force" and "a tenth of the 57.67 N" in one.sentence
+        pounds = [own for own in whirl.balance(file, units="US").proposals if own.plane == one.plane]
+        force = float(re.search(r"a tenth of the (\S+) lbf", pounds[0].sentence)[1])
+        assert force == pytest.approx(57.67 / 4.4482216, rel=1e-3) and pounds[0].moment == one.moment
         assert one.moment == pytest.approx(0.1 * MASS * LENGTH * 9.80665 / 2 / 250.0**2, rel=1e-6)
         assert 0.3 < one.change < 1 and (seen < before).all()
     assert not found.warnings and not found.correction and found.proposals[0].plane == "s3"

@@ -1,5 +1,7 @@
 """Bearings by themselves: growth.md B3 and B4 in SI, and what is asked of dicts, files and figures."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -189,6 +191,24 @@ def test_heavy_loads_warn_and_impossible_ones_are_told():
     assert all("no place was found" in point["failure"] for point in found.document["points"])
     heavy = whirl.bearing({**TWO_GROOVE, "load": load_of(0.005)})
     assert any("um thin, below 5 um" in warning for warning in heavy.warnings)
+
+
+def test_warnings_are_in_the_units_asked_for():
+    """The same numbers, converted by hand, in warnings, documents and statements; arrays stay in SI."""
+    file = {**TWO_GROOVE, "load": load_of(0.005), "fineness": 192}
+    metric, own = whirl.bearing(file), whirl.bearing(file, units="US")
+    np.testing.assert_array_equal(metric.film, own.film)
+    (warning,) = [text for text in own.warnings if "thin, below" in text]
+    place, _, told = warning.partition(": ")
+    speed, force = re.fullmatch(r"at (\S+) rpm, (\S+) lbf", place).groups()
+    film, least = re.search(r"the film is (\S+) mil thin, below (\S+) mil", told).groups()
+    assert float(speed) == pytest.approx(own.speed[0] * 30 / np.pi, rel=1e-5)
+    assert float(force) == pytest.approx(own.load[0] / 4.4482216, rel=1e-5)
+    assert (float(film), float(least)) == pytest.approx((own.film[0] / 25.4e-6, 5 / 25.4), rel=5e-3)
+    assert told in own.document["points"][0]["warnings"]
+    assert whirl.bearing({**file, "units": "US"}).warnings == own.warnings
+    with pytest.raises(whirl.BadInput, match="did you mean"):
+        whirl.bearing(file, units="rpn")
 
 
 def test_figures_and_mistakes(tmp_path):

@@ -127,11 +127,11 @@ whirl_status whirl_result_figures(const whirl_result *result, const char *units,
 whirl_status whirl_result_findings(const whirl_result *result, const char *sheet, const char *units, const char *format,
                                    char **text);
 whirl_status whirl_result_sheets(const whirl_result *result, const char *units, char **lines);
-whirl_status whirl_balance_json(const char *text, size_t length, const char *name, char *problems, size_t size,
-                                char **json);
+whirl_status whirl_balance_json(const char *text, size_t length, const char *name, const char *units, char *problems,
+                                size_t size, char **json);
 void whirl_text_free(char *text);
-whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, int threads, char *problems,
-                                size_t size, char **json, char **figures);
+whirl_status whirl_bearing_json(const char *text, size_t length, const char *name, const char *units, int threads,
+                                char *problems, size_t size, char **json, char **figures);
 
 whirl_status whirl_signals_threshold(const double *voltage, size_t count, double *threshold, double *hysteresis);
 whirl_status whirl_signals_pulses(const double *time, const double *voltage, size_t count, double threshold,

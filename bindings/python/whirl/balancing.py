@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple, Optional
 
 import numpy as np
 
-from ._library import ffi, lib, path_bytes, text
+from ._library import ffi, lib, path_bytes, text, word_bytes
 from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
 from .fields import FIELD
@@ -211,7 +211,7 @@ def _made(of) -> Balance:
     )
 
 
-def balance(source: str | os.PathLike | Mapping, *, name: str | None = None) -> Balance:
+def balance(source: str | os.PathLike | Mapping, *, name: str | None = None, units: str | None = None) -> Balance:
     """Finds the weights that balance a rotor, or proposes trial weights.
 
     Parameters
@@ -221,6 +221,9 @@ def balance(source: str | os.PathLike | Mapping, *, name: str | None = None) -> 
         SI and radians, texts may have units. Keys that are None count as absent.
     name : str, optional
         Stands for the file in messages; its folder is where a ``model`` is looked for.
+    units : str, optional
+        In which statements, sheets and warnings are shown: "US", or words such as "um, g"; default: those of the file.
+        Numbers of the other fields are in SI.
 
     Raises
     ------
@@ -231,7 +234,8 @@ def balance(source: str | os.PathLike | Mapping, *, name: str | None = None) -> 
         source = {**source, "model": os.fspath(source["model"])}
     data, name = _document(source, "balance", name)
     problems, out = ffi.new("char[]", _PROBLEMS), ffi.new("char **")
-    status = lib.whirl_balance_json(data, len(data), path_bytes(name), problems, _PROBLEMS, out)
+    shown = ffi.NULL if units is None else word_bytes(units)
+    status = lib.whirl_balance_json(data, len(data), path_bytes(name), shown, problems, _PROBLEMS, out)
     _accept(status, problems)
     try:
         return _made(json.loads(text(out[0])))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._library import ffi, lib, path_bytes, text
+from ._library import ffi, lib, path_bytes, text, word_bytes
 from .case import _PROBLEMS, _accept, _document
 from .errors import BadInput
 from .findings import Sheet, Statements, sheets_in, statements_in
@@ -57,7 +57,7 @@ class Bearing:
     damping: np.ndarray  #: N s/m, [points][2][2], at the first whirl ratio
     critical_mass: np.ndarray  #: kg, of a rigid rotor; NaN of tilting pads and where there is none
     error: np.ndarray  #: [points][3]: m of the place, shares of stiffness and damping, against a mesh half as fine
-    warnings: list[str]  #: of the bearing and of its points
+    warnings: list[str]  #: of the bearing and of its points, in the units of the statements
     statements: Statements = field(repr=False)  #: what was found, in sentences, in the units of the file
     sheets: dict[str, Sheet] = field(repr=False)  #: tables: pads, rest, coefficients, in these units
     document: dict = field(repr=False)  #: all of it as ``whirl bearing --json`` prints it
@@ -89,14 +89,13 @@ def _array(points, *keys):
     return np.array([value(point) for point in points], dtype=float)
 
 
-def _warnings(of) -> list[str]:
-    rpm = np.pi / 30.0
-    at = [f"at {p['speed'] / rpm:.6g} rpm, {p['load']:.6g} N: {w}" for p in of["points"] for w in p["warnings"]]
-    return of["warnings"] + at
+def _warnings(of: Statements) -> list[str]:
+    """Warnings with the points that they are of, in the units of the findings."""
+    return [f"at {own.at}: {own.found}" if own.at else own.found for own in of if own.what == "warning"]
 
 
 def _made(of: dict[str, Any], figures: list) -> Bearing:
-    points = of["points"]
+    points, statements = of["points"], statements_in(of)
     arrays = ("speed", "load", "sommerfeld", "place", "eccentricity_ratio", "attitude", "film", "pressure", "flow")
     arrays += ("power", "temperature", "outlet", "stiffness", "damping", "critical_mass")
     return Bearing(
@@ -106,15 +105,17 @@ def _made(of: dict[str, Any], figures: list) -> Bearing:
         **{key: _array(points, key) for key in arrays},
         film_viscosity=_array(points, "viscosity"),
         error=np.stack([_array(points, "error", key) for key in ("place", "stiffness", "damping")], axis=-1),
-        warnings=_warnings(of),
-        statements=statements_in(of),
+        warnings=_warnings(statements),
+        statements=statements,
         sheets=sheets_in(of),
         document=of,
         figures={figure["name"].removeprefix("bearing-"): figure for figure in figures},
     )
 
 
-def bearing(source: str | os.PathLike | Mapping, *, name: str | None = None, threads: int = 0) -> Bearing:
+def bearing(
+    source: str | os.PathLike | Mapping, *, name: str | None = None, units: str | None = None, threads: int = 0
+) -> Bearing:
     """Computes a journal bearing over load and speed.
 
     Parameters
@@ -124,6 +125,9 @@ def bearing(source: str | os.PathLike | Mapping, *, name: str | None = None, thr
         SI and radians, texts may have units. Keys that are None count as absent.
     name : str, optional
         Stands for the file in messages.
+    units : str, optional
+        In which statements, sheets, warnings and figures are shown: "US", or words such as "um, N"; default: those of
+        the file. Arrays are in SI.
     threads : int
         0: one for every core.
 
@@ -136,7 +140,10 @@ def bearing(source: str | os.PathLike | Mapping, *, name: str | None = None, thr
         source = {key: _plain(value) for key, value in source.items()}
     data, name = _document(source, "bearing", name)
     problems, out, drawn = ffi.new("char[]", _PROBLEMS), ffi.new("char **"), ffi.new("char **")
-    status = lib.whirl_bearing_json(data, len(data), path_bytes(name), int(threads), problems, _PROBLEMS, out, drawn)
+    shown = ffi.NULL if units is None else word_bytes(units)
+    status = lib.whirl_bearing_json(
+        data, len(data), path_bytes(name), shown, int(threads), problems, _PROBLEMS, out, drawn
+    )
     _accept(status, problems)
     try:
         return _made(json.loads(text(out[0])), json.loads(text(drawn[0])))

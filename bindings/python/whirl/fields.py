@@ -152,6 +152,7 @@ class FIELD:
     STATICS_ECCENTRICITY = "statics/eccentricity"
     STATICS_ATTITUDE = "statics/attitude"
     STATICS_FILM = "statics/film"
+    STATICS_PLACE = "statics/place"
     STATICS_STIFFNESS = "statics/stiffness"
     STATICS_DAMPING = "statics/damping"
     STATICS_INFLUENCE = "statics/influence"

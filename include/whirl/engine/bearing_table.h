@@ -162,7 +162,8 @@ bool whirl_bearing_pad_idle(const whirl_bearing_point *point, size_t pad);
 whirl_status whirl_bearing_write_json(const whirl_bearing_table *table, const char *units, FILE *stream);
 
 /// Writes the table as CSV: a heading, a row a point, in SI and radians; coefficients at the first whirl ratio.
-whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, FILE *stream);
+/// Warnings are in the units of `units`, or else of the file. WHIRL_BAD_INPUT for words that are not units.
+whirl_status whirl_bearing_write_csv(const whirl_bearing_table *table, const char *units, FILE *stream);
 
 /// Writes the coefficients at the first whirl ratio over speed as an element `bearing` at a station, for the list of
 /// elements of a case; with `over_frequency` those of tilting pads over speed and frequency of whirl, from 0 to the

@@ -167,6 +167,7 @@
 #define WHIRL_FIELD_STATICS_ECCENTRICITY "statics/eccentricity"
 #define WHIRL_FIELD_STATICS_ATTITUDE "statics/attitude"
 #define WHIRL_FIELD_STATICS_FILM "statics/film"
+#define WHIRL_FIELD_STATICS_PLACE "statics/place"
 #define WHIRL_FIELD_STATICS_STIFFNESS "statics/stiffness"
 #define WHIRL_FIELD_STATICS_DAMPING "statics/damping"
 #define WHIRL_FIELD_STATICS_INFLUENCE "statics/influence"

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "whirl/engine/bearing.h"
 #include "whirl/engine/rotor.h"
 #include "whirl/status.h"
 
@@ -41,11 +42,25 @@ typedef enum whirl_model_role {
     WHIRL_ROLE_OTHER    ///< it is a mass, a load, or the runout of a probe's track
 } whirl_model_role;
 
-/// An element with its stations.
+/// Value of a key of an element, as given or by default.
+typedef struct whirl_model_value {
+    const whirl_key *key; ///< static, or of the custom type
+    bool given;           ///< false: by default, or missing
+    double number;        ///< in the unit of the key; the first of a list; NaN if the key has neither value nor default
+    double last;          ///< the last of a list; else the number
+    size_t count;         ///< length of a list; 0 for a single number
+    int choice;           ///< index of the word of a choice
+} whirl_model_value;
+
+/// An element with its stations and values.
 typedef struct whirl_model_element {
     const char *kind;      ///< "film"; static, or of the custom type
     whirl_model_role role; ///< role in the machine
     size_t station[2];     ///< one or both WHIRL_MODEL_NONE for ends on the ground
+    size_t value_count;
+    const whirl_model_value *values; ///< [value_count] in the order of its keys
+    double viscosity;                ///< of its oil, Pa s, at the temperature given for the film; NaN without oil
+    const whirl_pads *pads; ///< pads of a bearing, pivots at their angles in the machine, from x to y; NULL: none
 } whirl_model_element;
 
 /// Mass of a shaft with everything on it.
@@ -60,6 +75,8 @@ typedef struct whirl_model {
     whirl_model_mass *stations;    ///< [station_count]
     whirl_model_total *shafts;     ///< [shaft_count]
     whirl_model_element *elements; ///< [element_count] without segments, in the order of the design
+    whirl_model_value *values;     ///< of all elements
+    whirl_pads *pads;              ///< of all elements
     bool stands;                   ///< weight acts along the shafts
     bool rises;                    ///< positions along standing shafts are counted upwards
 } whirl_model;
@@ -71,6 +88,9 @@ struct whirl_case;
 
 /// Builds the model of a case at its own parameters.
 whirl_status whirl_case_model(const struct whirl_case *object, whirl_model *out);
+
+/// Returns the value of a key of an element, or NULL if its kind has no such key.
+const whirl_model_value *whirl_model_value_of(const whirl_model_element *of, const char *key);
 
 /// Frees the contents, not the struct; accepts {0}.
 void whirl_model_free(whirl_model *model);

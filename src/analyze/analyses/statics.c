@@ -19,6 +19,7 @@ enum {
     ECCENTRICITY,
     ATTITUDE,
     FILM,
+    PLACE,
     SEAL,
     UNLOADED,
     STIFFNESS,
@@ -63,6 +64,9 @@ static const field_plan fields[FIELD_COUNT] = {
                   NULL},
     [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest, of pads that have one",
               WHIRL_PER_STATION, 1, NULL},
+    [PLACE] = {WHIRL_FIELD_STATICS_PLACE, "length",
+               "x, y (of the journal at rest, from the middle of its bearing or seal as assembled)", WHIRL_PER_STATION,
+               2, NULL},
     [SEAL] = {WHIRL_FIELD_STATICS_SEAL, "1", "1 where this film is that of a seal, which carries nothing, else 0",
               WHIRL_PER_STATION, 1, NULL},
     [UNLOADED] =
@@ -107,6 +111,7 @@ static void fill_film(const whirl_system *system, const double *x, size_t which,
     const double along = -force[0] * at[0] - force[1] * at[1];
     whirl_film_gap gap;
     *view_numbers(view, ECCENTRICITY, which) = radius / probe->clearance;
+    memcpy(view_numbers(view, PLACE, which), at, sizeof at);
     if (system->film && system->film(system->model, x, which, &gap)) {
         double unloaded = 0.0;
         for (size_t pad = 0; pad < gap.pads; pad++)

@@ -71,8 +71,7 @@ static void add_stator(whirl_figure *figure, whirl_panel *panel, double radius) 
     }
 }
 
-/// The wall of a bearing or seal; gives how far it is away at most.
-static double add_wall(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale) {
+double wall_line(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale) {
     whirl_series *line = panel_series(figure, panel, WHIRL_LINE, "#9A9A9A", 0.9);
     double most = 0.0;
     for (size_t k = 0; k <= WALL_ANGLES; k += 2) {
@@ -103,7 +102,7 @@ static double add_walls(whirl_figure *figure, whirl_panel *panel, const drawing 
         if (film && walls.clearance > 0.0) {
             machine_wall wall;
             machine_wall_at(of->machine, table, motions[k], station, walls.clearance, &wall);
-            widest = fmax(widest, add_wall(figure, panel, &wall, scale));
+            widest = fmax(widest, wall_line(figure, panel, &wall, scale));
         }
         if (stator) add_stator(figure, panel, gaps[k]);
     }

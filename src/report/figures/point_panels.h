@@ -30,6 +30,9 @@ typedef struct subject {
 void orbit_marks(whirl_figure *figure, whirl_panel *panel, const numbers *samples, size_t turn, double length,
                  double size, const char *colour, double dot);
 
+/// Draws the wall of a bearing or seal, its radii times `scale`; returns the largest.
+double wall_line(whirl_figure *figure, whirl_panel *panel, const machine_wall *wall, double scale);
+
 /// add_half_spectrum: spectra of x and y over the order. add_full_spectrum: spectrum of x + iy, backward lines on the
 /// left. add_lines: only the largest lines, if the whole spectrum was not stored.
 void add_half_spectrum(whirl_figure *figure, whirl_panel *panel, const subject *of);

@@ -19,11 +19,15 @@ static void find_table(const finder *of) {
         kind->find(of);
 }
 
-whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, whirl_findings **findings) {
+whirl_status findings_of(const whirl_result *view, const whirl_shown_units *units, const whirl_case *machine,
+                         whirl_findings **findings) {
+    static const whirl_table whole = {.name = ""};
     const int before = exhausted_watch();
     whirl_findings *all = find_begin();
-    for (size_t t = 0; all && t < view->table_count; t++) find_table(&(finder){all, units, view, &view->tables[t]});
-    // Functions for peaks, scales and mode lines find nothing when out of memory.
+    if (all) find_machine(&(finder){all, units, view, &whole, machine});
+    for (size_t t = 0; all && t < view->table_count; t++)
+        find_table(&(finder){all, units, view, &view->tables[t], machine});
+    // Peaks, scales and lines of modes are looked for in functions that find none without memory.
     if (all && exhausted(before)) all->failed = true;
     return find_made(all, findings);
 }
@@ -31,11 +35,14 @@ whirl_status findings_of(const whirl_result *view, const whirl_shown_units *unit
 whirl_status whirl_findings_new(const whirl_result *result, const char *units, whirl_findings **findings) {
     whirl_shown_units shown;
     whirl_result *view;
+    whirl_case *machine = NULL;
     *findings = NULL;
     whirl_status status = whirl_result_by_attractor(result, &view);
     if (status.code != WHIRL_OK) return status;
     status = whirl_result_shown_units(view, units, &shown);
-    if (status.code == WHIRL_OK) status = findings_of(view, &shown, findings);
+    if (status.code == WHIRL_OK) status = machine_of(view, &machine);
+    if (status.code == WHIRL_OK) status = findings_of(view, &shown, machine, findings);
+    whirl_case_free(machine);
     whirl_result_view_free(view);
     return status;
 }

@@ -86,6 +86,11 @@ static bool findings_has(const whirl_findings *findings, const char *table) {
 
 /// Writes the findings of each table below its name.
 static whirl_status findings_write_tables(const findings_asked *asked, FILE *stream) {
+    if (findings_has(asked->findings, "")) {
+        fputs("machine:\n", stream);
+        if (!findings_write_table(stream, asked->findings, "", SIZE_MAX, SIZE_MAX))
+            return whirl_fail(WHIRL_NO_MEMORY, "no memory for what was found");
+    }
     for (size_t t = 0; t < asked->result->table_count; t++) {
         const char *const table = asked->result->tables[t].name;
         if (!findings_has(asked->findings, table)) continue;

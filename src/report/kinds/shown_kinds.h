@@ -19,6 +19,9 @@ typedef struct shown_kind {
 /// Returns the kind of a table; NULL for motions.
 const shown_kind *shown_kind_of(const whirl_table *table);
 
+/// Finds the bearings, seals, dampers, magnets and supports of the machine.
+void find_machine(const finder *of);
+
 /// Finds spectral lines of motions along a parameter, below and above the synchronous one.
 void find_lines(const finder *of);
 

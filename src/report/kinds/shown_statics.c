@@ -1,6 +1,9 @@
 // Findings of a machine at rest: weight and sag, positions in films, coefficients of bearings.
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "shown_kinds.h"
 
@@ -86,30 +89,76 @@ static const char *pads_of(const finder *of, double unloaded) {
     return find_text(of->findings, "%s", list);
 }
 
-/// Reports rest positions of shafts in films and seals.
+/// Points of which the places of rest are listed: not more than a page has room for.
+enum { MAX_RESTS = 9 };
+
+/// The done point whose value is nearest to a speed; SIZE_MAX without any.
+static size_t rest_nearest(const finder *of, double speed) {
+    size_t nearest = SIZE_MAX;
+    for (size_t point = 0; point < of->table->count; point++) {
+        const double value = of->table->values[point];
+        if (!whirl_table_done(of->table, point)) continue;
+        if (nearest == SIZE_MAX || fabs(value - speed) < fabs(of->table->values[nearest] - speed)) nearest = point;
+    }
+    return nearest;
+}
+
+/// Fills listed [points of the table]: all of a few points; of many the first, the last, those nearest to the running
+/// speeds that any table of the result has, and some between.
+static void rest_choose(const finder *of, const size_t *ends, size_t count, bool *listed) {
+    enum { EVEN = 5 };
+    const bool few = of->table->count <= MAX_RESTS;
+    for (size_t point = 0; point < of->table->count; point++) listed[point] = few;
+    for (size_t i = 0; i < count; i++) listed[ends[i]] = true;
+    for (size_t i = 1; i < EVEN - 1 && count == 2; i++) listed[ends[0] + (ends[1] - ends[0]) * i / (EVEN - 1)] = true;
+    if (few || count == 0 || strcmp(whirl_result_parameter_unit(of->result, of->table->parameter), "rad/s") != 0)
+        return;
+    for (size_t t = 0; t < of->result->table_count; t++) {
+        double running[2];
+        if (!margin_running(&of->result->tables[t], &running[0], &running[1])) continue;
+        for (size_t i = 0; i < 2; i++) listed[rest_nearest(of, running[i])] = true;
+        return;
+    }
+}
+
+/// Rows of one point.
+static void find_rest(const finder *of, whirl_sheet *sheet, size_t point) {
+    for (size_t station = 0; station < of->result->station_count; station++) {
+        const double film = length(of, point, WHIRL_FIELD_STATICS_FILM, station);
+        if (!isfinite(film)) continue;
+        const bool seal = number(of, point, WHIRL_FIELD_STATICS_SEAL, station) == 1.0;
+        sheet_row(of, sheet);
+        cell_value(of, sheet, point);
+        cell_station(of, sheet, station);
+        cell_text(of, sheet, seal ? "seal" : "film");
+        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STATICS_LOAD, station));
+        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
+        cell_number(of, sheet, number(of, point, WHIRL_FIELD_STATICS_ATTITUDE, station));
+        cell_number(of, sheet, film);
+        cell_text(of, sheet, pads_of(of, number(of, point, WHIRL_FIELD_STATICS_UNLOADED, station)));
+    }
+}
+
+/// Where shafts rest in their films and seals.
 static void find_films(const finder *of, const size_t *ends, size_t count) {
     whirl_sheet *sheet = find_sheet(of, "films", "Shafts at rest in films and seals");
+    bool *listed = calloc(of->table->count + 1, sizeof *listed);
+    if (!listed) of->findings->failed = true;
+    sheet->about = "The weight carried is that of each shaft on its bearings alone: seals and springs may take a part "
+                   "of it. The eccentricity ratio is over the clearance "
+                   "as assembled, the attitude from the load with the rotation.";
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "station", "station");
     sheet_texts(of, sheet, "in", "in");
+    sheet_column(of, sheet, "load", "weight carried", WHIRL_QUANTITY_FORCE, 5);
     sheet_column(of, sheet, "eccentricity", "eccentricity ratio", WHIRL_QUANTITY_NUMBER, 4);
     sheet_column(of, sheet, "attitude", "attitude", WHIRL_QUANTITY_DEGREES, 4);
     sheet_column(of, sheet, "film", "least thickness", WHIRL_QUANTITY_LENGTH, 4);
     sheet_texts(of, sheet, "unloaded", "pads that carry nothing");
-    for (const size_t *point = ends; point < ends + count; point++)
-        for (size_t station = 0; station < of->result->station_count; station++) {
-            const double film = length(of, *point, WHIRL_FIELD_STATICS_FILM, station);
-            if (!isfinite(film)) continue;
-            const bool seal = number(of, *point, WHIRL_FIELD_STATICS_SEAL, station) == 1.0;
-            sheet_row(of, sheet);
-            cell_value(of, sheet, *point);
-            cell_station(of, sheet, station);
-            cell_text(of, sheet, seal ? "seal" : "film");
-            cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_ECCENTRICITY, station));
-            cell_number(of, sheet, number(of, *point, WHIRL_FIELD_STATICS_ATTITUDE, station));
-            cell_number(of, sheet, film);
-            cell_text(of, sheet, pads_of(of, number(of, *point, WHIRL_FIELD_STATICS_UNLOADED, station)));
-        }
+    if (listed) rest_choose(of, ends, count, listed);
+    for (size_t point = 0; listed && point < of->table->count; point++)
+        if (listed[point] && whirl_table_done(of->table, point)) find_rest(of, sheet, point);
+    free(listed);
     find_sheet_end(of);
 }
 

@@ -15,14 +15,12 @@ static double second_frequency(const finder *of, const whirl_tori *own, size_t p
 static double *clocks_of(const finder *of) {
     if (!(of->units->frequency > 0.0) || of->table->count == 0) return NULL;
     double *clock = malloc(of->table->count * sizeof *clock);
-    whirl_case *machine = NULL;
-    bool known = clock && machine_of(of->result, &machine).code == WHIRL_OK;
+    bool known = clock != NULL;
     if (!known) of->findings->failed = true;
     for (size_t point = 0; point < of->table->count && known; point++) {
-        clock[point] = machine_clock(machine, of->result, of->table, point);
+        clock[point] = machine_clock(of->machine, of->result, of->table, point);
         known = isfinite(clock[point]);
     }
-    whirl_case_free(machine);
     if (known) return clock;
     free(clock);
     return NULL;

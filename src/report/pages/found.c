@@ -64,7 +64,7 @@ void found_at_rest(const page *to) {
         for (size_t i = 0; i < to->findings[r]->statement_count; i++) {
             const whirl_statement *own = &to->findings[r]->statements[i];
             char text[STATEMENT_SIZE];
-            if (*own->clause || own->at.count > 0) continue;
+            if (!*own->table || *own->clause || own->at.count > 0) continue;
             statement_text(own, text, sizeof text);
             fputs("<li><strong>", to->stream);
             html_text(to->stream, own->table);
@@ -146,9 +146,9 @@ static bool is_single(const whirl_table *table) {
 static void tell_motions(const page *to, size_t index, const whirl_table *table) {
     const whirl_shown_units *units = &to->units[index];
     if (!whirl_layout_has_verdict(&table->layout)) {
-        summarize_motions(to->stream, units, table);
+        summarize_motions(to->stream, units, to->machines[index], table);
     } else if (is_single(table)) {
-        summarize_response(to->stream, units, table);
+        summarize_response(to->stream, units, to->machines[index], table);
     } else {
         summarize_notes(to->stream, units, table);
     }

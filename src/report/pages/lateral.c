@@ -18,7 +18,7 @@
 static void tell_motions(const page *to, size_t result, const whirl_table *table, void *context) {
     size_t *const told = context;
     char text[MOTIONS_TOLD_SIZE];
-    if (motions_told(&to->units[result], to->results[result], table, text).code != WHIRL_OK) *to->failed = true;
+    motions_told(&to->units[result], to->results[result], to->machines[result], table, text);
     html_printf(to->stream, "%s%s: %s", (*told)++ ? " " : "", table->name, text);
 }
 
@@ -93,7 +93,7 @@ static void write_section(const page *to, const whirl_table *table, const char *
 /// Writes motions in time: a paragraph on all of them, then each one.
 static void write_motions(const page *to, size_t result, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    if (motions_told(&to->units[result], to->results[result], table, text).code != WHIRL_OK) *to->failed = true;
+    motions_told(&to->units[result], to->results[result], to->machines[result], table, text);
     fputs("<p>", to->stream);
     html_text(to->stream, text);
     fputs("</p>\n", to->stream);
@@ -152,40 +152,53 @@ static void write_table(const page *to, size_t result, const whirl_table *table,
 /// A chapter: all tables that have a field, or (NULL) all motions.
 typedef struct chapter {
     const char *title, *about, *field;
+    bool parts; ///< it begins with the parts of the machine that carry, drag and damp
 } chapter;
 
 static const chapter chapters[] = {
     {"Bearings and weight",
-     "The weight carried by each bearing, sag and bending moments, places of rest, stiffness and damping of bearings; "
-     "what elevations couplings ask for.",
-     WHIRL_FIELD_STATICS_LOAD},
+     "Bearings, seals, dampers and supports as the case gives them; the weight carried by each bearing, sag and "
+     "bending "
+     "moments, places of rest, stiffness and damping of bearings; what elevations couplings ask for.",
+     WHIRL_FIELD_STATICS_LOAD, true},
     {"Undamped critical speed map",
      "Critical speeds of the machine without damping, over the stiffness of its supports where the study says so.",
-     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED},
+     WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, false},
     {"Damped modes",
      "Natural frequencies over the speed (Campbell diagram), critical speeds with damping, thresholds of stability, "
      "and "
      "shapes.",
-     WHIRL_FIELD_MODES_FREQUENCY},
+     WHIRL_FIELD_MODES_FREQUENCY, false},
     {"Response to unbalance",
      "Amplitudes and lags that probes see, amplification factors and separation margins of the peaks, and responses "
      "scaled "
      "to the vibration limit beside clearances.",
-     WHIRL_FIELD_UNBALANCE_AMPLITUDE},
-    {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC},
-    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL},
+     WHIRL_FIELD_UNBALANCE_AMPLITUDE, false},
+    {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC,
+     false},
+    {"Nonlinear motions", "Motions in the real films with contacts, computed in time.", NULL, false},
 };
 enum { CHAPTERS = sizeof chapters / sizeof *chapters, FIRST_CHAPTER = 3 };
+
+/// Bearings, seals, dampers and supports of every machine.
+static void write_parts(const page *to) {
+    for (size_t r = 0; r < to->count; r++) {
+        page_statements(to, r, NULL);
+        page_sheets(to, r, NULL);
+    }
+}
 
 static void write_chapter(const page *to, size_t index) {
     const chapter *own = &chapters[index];
     chapter_told told = {.kind = NULL};
     fprintf(to->stream, "<section id=\"chapter-%zu\">\n<h2>%zu. %s</h2>\n<p>%s</p>\n", index, index + FIRST_CHAPTER,
             own->title, own->about);
+    if (own->parts) write_parts(to);
     if (found_each(to, own->field, NULL, NULL) > 0)
         found_each(to, own->field, write_table, &told);
     else
-        fputs("<p>Not asked for.</p>\n", to->stream);
+        fprintf(to->stream, "<p>%s</p>\n",
+                own->parts ? "Weight and places of rest: not asked for (study: statics)." : "Not asked for.");
     free(told.section);
     fputs("</section>\n", to->stream);
 }
@@ -273,7 +286,7 @@ static void write_machine(const page *to) {
     fputs("<section id=\"machine\">\n<h2>2. Machine and model</h2>\n", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         const whirl_result *result = to->results[r];
-        whirl_case *machine = page_case(to, result);
+        const whirl_case *machine = to->machines[r];
         fputs("<h3>", to->stream);
         html_text(to->stream, *result->title ? result->title : to->names[r]);
         fputs("</h3>\n", to->stream);
@@ -291,7 +304,6 @@ static void write_machine(const page *to) {
         write_stations(to, result, known ? &model : NULL);
         whirl_model_free(&model);
         page_parameters(to, r);
-        whirl_case_free(machine);
     }
     fputs("</section>\n", to->stream);
 }

@@ -156,6 +156,17 @@ static void write_contents(const page *to) {
     fputs("</ul></nav>\n", to->stream);
 }
 
+/// Bearings, seals, dampers and supports, which are looked up rather than read.
+static void page_parts(const page *to, size_t result) {
+    bool any = false;
+    for (size_t i = 0; i < to->findings[result]->sheet_count; i++) any = any || !*to->findings[result]->sheets[i].table;
+    if (!any) return;
+    fputs("<details><summary>Bearings, seals, dampers and supports</summary>\n", to->stream);
+    page_statements(to, result, NULL);
+    page_sheets(to, result, NULL);
+    fputs("</details>\n", to->stream);
+}
+
 static void write_result(const page *to, size_t result) {
     fprintf(to->stream, "<section id=\"result-%zu\">\n<h2>", result + 1);
     // The title of a page of one result is that of the result.
@@ -165,6 +176,7 @@ static void write_result(const page *to, size_t result) {
     html_text(to->stream, to->names[result]);
     fputs("</span></h2>\n", to->stream);
     page_machine(to, result);
+    page_parts(to, result);
     page_found(to, result);
     page_figures(to, result);
     page_intervals(to, result);

@@ -38,11 +38,12 @@ typedef struct page {
     const whirl_claims *claims;    ///< NULL: none
     const claim_outcome *outcomes; ///< [claims->count][count]
     const drawn_figures *figures;
-    const whirl_shown_units *units;  ///< [count]
-    whirl_findings *const *findings; ///< [count]
-    bool *failed;                    ///< memory was lacking for a part of the page
-    bool explorer;                   ///< explorer.html is next to the page
-    bool printed;                    ///< it is to be printed: all of its figures are loaded at once
+    const whirl_shown_units *units;    ///< [count]
+    whirl_findings *const *findings;   ///< [count]
+    const whirl_case *const *machines; ///< [count] cases of the results (machine_of)
+    bool *failed;                      ///< memory was lacking for a part of the page
+    bool explorer;                     ///< explorer.html is next to the page
+    bool printed;                      ///< it is to be printed: all of its figures are loaded at once
 } page;
 
 /// Writes the whole page.
@@ -77,10 +78,10 @@ const drawn_figure *page_main_figure(const page *to,
 // ---------------------------------------------------------------- page_findings
 // Statements and sheets.
 
-/// All statements of a table as items of a list; a sentence each.
+/// All statements of a table, or (NULL) of the machine as a whole, as items of a list; a sentence each.
 void page_statements(const page *to, size_t result, const whirl_table *table);
 
-/// All sheets of a table.
+/// All sheets of a table, or (NULL) of the machine as a whole.
 void page_sheets(const page *to, size_t result, const whirl_table *table);
 
 /// Writes the acceptance criteria of all results: criterion, required, found, verdict, clause.
@@ -89,10 +90,6 @@ void page_asked(const page *to);
 /// Writes a part of a page as a text, to be freed; NULL, and noted in page.failed, without memory.
 typedef void page_part(const page *to, size_t result, const whirl_table *table);
 char *page_text(const page *to, page_part *write, size_t result, const whirl_table *table);
-
-/// Returns the case of a result (machine_of), to be freed; NULL if it has none and, noted in page.failed, without
-/// memory.
-whirl_case *page_case(const page *to, const whirl_result *result);
 
 // ---------------------------------------------------------------- found
 // Findings as sentences, each an item of a list.

@@ -6,12 +6,17 @@
 
 enum { CELL_SIZE = 1024, MAX_ROWS = 80 };
 
+/// What a table is called in findings; "" for what is found of the machine as a whole.
+static const char *name_of(const whirl_table *table) {
+    return table ? table->name : "";
+}
+
 void page_statements(const page *to, size_t result, const whirl_table *table) {
     const whirl_findings *findings = to->findings[result];
     size_t count = 0;
     for (size_t i = 0; i < findings->statement_count; i++) {
         char text[STATEMENT_SIZE];
-        if (strcmp(findings->statements[i].table, table->name) != 0) continue;
+        if (strcmp(findings->statements[i].table, name_of(table)) != 0) continue;
         statement_text(&findings->statements[i], text, sizeof text);
         fputs(count++ ? "<li>" : "<ul class=\"notes\">\n<li>", to->stream);
         html_text(to->stream, text);
@@ -63,7 +68,7 @@ static void write_sheet(const page *to, const whirl_sheet *sheet) {
 void page_sheets(const page *to, size_t result, const whirl_table *table) {
     const whirl_findings *findings = to->findings[result];
     for (size_t i = 0; i < findings->sheet_count; i++)
-        if (strcmp(findings->sheets[i].table, table->name) == 0) write_sheet(to, &findings->sheets[i]);
+        if (strcmp(findings->sheets[i].table, name_of(table)) == 0) write_sheet(to, &findings->sheets[i]);
 }
 
 // ---------------------------------------------------------------- acceptance criteria
@@ -117,10 +122,4 @@ char *page_text(const page *to, page_part *write, size_t result, const whirl_tab
     if (own.stream) free(text);
     *to->failed = true;
     return NULL;
-}
-
-whirl_case *page_case(const page *to, const whirl_result *result) {
-    whirl_case *machine;
-    if (machine_of(result, &machine).code != WHIRL_OK) *to->failed = true;
-    return machine;
 }

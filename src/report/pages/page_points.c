@@ -463,13 +463,11 @@ static void write_watched(const point_page *to, whirl_extent extent, const char 
 void page_motions(const page *to, size_t index, const whirl_table *table) {
     const whirl_result *result = to->results[index];
     const whirl_shown_units *units = &to->units[index];
-    whirl_case *const machine = page_case(to, result);
-    const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
-                               machine};
+    const point_page points = {
+        to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size, to->machines[index]};
     write_verdicts(&points);
     write_sizes(&points);
     write_watched(&points, WHIRL_PER_CONTACT, "What was watched of the contacts", "Contact");
-    whirl_case_free(machine);
 }
 
 void page_points(const page *to, size_t index) {
@@ -477,9 +475,8 @@ void page_points(const page *to, size_t index) {
     const whirl_table *table = detail_table(result);
     if (!table || table->count == 0 || result->station_count == 0) return;
     const whirl_shown_units *units = &to->units[index];
-    whirl_case *const machine = page_case(to, result);
-    const point_page points = {to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size,
-                               machine};
+    const point_page points = {
+        to->stream, result, table, units, whirl_shown_parameter(units, table->parameter).size, to->machines[index]};
     fprintf(to->stream, "<h3 id=\"points-%zu\">Points in detail</h3>\n", index + 1);
     write_verdicts(&points);
     write_sizes(&points);
@@ -488,5 +485,4 @@ void page_points(const page *to, size_t index) {
     write_watched(&points, WHIRL_PER_CONTACT, "What was watched of the contacts", "Contact");
     fputs("</details>\n", to->stream);
     write_running_speed(&points);
-    whirl_case_free(machine);
 }

@@ -49,11 +49,10 @@ static void print_given(FILE *out, const whirl_shown_units *units, const whirl_t
     if (*whirl_result_fact(units->result, name)) fprintf(out, "  with %s\n", whirl_result_fact(units->result, name));
 }
 
-whirl_status summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table) {
     char text[MOTIONS_TOLD_SIZE];
-    const whirl_status status = motions_told(units, units->result, table, text);
-    if (status.code == WHIRL_OK) fprintf(out, "  %s\n", text);
-    return status;
+    motions_told(units, units->result, machine, table, text);
+    fprintf(out, "  %s\n", text);
 }
 
 static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
@@ -68,12 +67,12 @@ static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_
 enum { MAX_POINTS = 2, MAX_ROWS = 24 };
 
 static whirl_status print_table(FILE *out, const whirl_findings *findings, const whirl_shown_units *units,
-                                const whirl_table *table) {
+                                const whirl_case *machine, const whirl_table *table) {
     const shown_kind *kind = shown_kind_of(table);
     const bool single = !*table->parameter && whirl_table_planned(table) == 1;
     if (table->integrate.chosen) fprintf(out, "method auto took %s for the %s\n", table->integrate.method, table->name);
     if (!kind && single && !motions_beside(table)) {
-        const whirl_status status = summarize_response(out, units, table);
+        const whirl_status status = summarize_response(out, units, machine, table);
         summarize_refinement(out, table->source ? table->source : table);
         return status;
     }
@@ -81,10 +80,10 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     print_given(out, units, table);
     if (table->count > 0 && table->row == 0)
         whirl_result_write_end(units->result, table->name, table->parameter, table->values[0], out);
-    whirl_status status = !kind && motions_beside(table) ? summarize_motions(out, units, table) : whirl_ok();
-    if (status.code != WHIRL_OK) return status;
+    whirl_status status = whirl_ok();
+    if (!kind && motions_beside(table)) summarize_motions(out, units, machine, table);
     if (!kind) {
-        status = single ? summarize_response(out, units, table) : summarize_points(out, units, table);
+        status = single ? summarize_response(out, units, machine, table) : summarize_points(out, units, table);
     } else if (table->count == 0 && !whirl_analysis_kind(table->analyses)->found) {
         fputs("  no point was computed\n", out);
         return status;
@@ -92,6 +91,17 @@ static whirl_status print_table(FILE *out, const whirl_findings *findings, const
     if (status.code == WHIRL_OK && !findings_write_table(out, findings, table->name, MAX_POINTS, MAX_ROWS))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
     return status;
+}
+
+/// Bearings, seals, dampers and supports, where machines at rest are looked at.
+static whirl_status print_parts(FILE *out, const whirl_result *view, const whirl_findings *findings) {
+    bool any = false;
+    for (size_t t = 0; t < view->table_count; t++) {
+        const whirl_kind *kind = whirl_analysis_kind(view->tables[t].analyses);
+        any = any || !(kind->moves || kind->found);
+    }
+    if (!any || findings_write_table(out, findings, "", MAX_ROWS, MAX_ROWS)) return whirl_ok();
+    return whirl_fail(WHIRL_NO_MEMORY, "no memory for a summary");
 }
 
 whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
@@ -118,12 +128,16 @@ whirl_status whirl_result_write_summary(const whirl_result *result, FILE *out) {
     whirl_shown_units units;
     whirl_result_shown_units(view, NULL, &units); // what a file says that is no unit chooses nothing
     whirl_findings *findings = NULL;
-    status = findings_of(view, &units, &findings);
+    whirl_case *machine = NULL;
+    status = machine_of(view, &machine);
+    if (status.code == WHIRL_OK) status = findings_of(view, &units, machine, &findings);
+    if (status.code == WHIRL_OK) status = print_parts(out, view, findings);
     for (size_t i = 0; i < view->table_count && status.code == WHIRL_OK; i++) {
-        status = print_table(out, findings, &units, &view->tables[i]);
+        status = print_table(out, findings, &units, machine, &view->tables[i]);
         print_ranges(out, &units, &view->tables[i]);
     }
     whirl_findings_free(findings);
+    whirl_case_free(machine);
     whirl_result_view_free(view);
     return status;
 }

@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "whirl/engine/case.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/shown.h"
 
@@ -28,11 +29,13 @@ size_t summary_counts(const whirl_table *table, verdict_count counts[SUMMARY_VER
 /// Unit of lengths: the one asked for, else the one in the case.
 whirl_unit summary_length_unit(const whirl_shown_units *units);
 
-/// The one point of a response, or every attractor that its starts lead to. WHIRL_NO_MEMORY.
-whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table);
+/// The one point of a response, or every attractor that its starts lead to; machine: the case of the result, or NULL.
+/// WHIRL_NO_MEMORY.
+whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
+                                const whirl_table *table);
 
-/// Writes a paragraph on motions, clearances and contacts (motions_told). WHIRL_NO_MEMORY.
-whirl_status summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_table *table);
+/// Writes a paragraph on motions, clearances and contacts (motions_told).
+void summarize_motions(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table);
 
 /// Writes what refinement computed again.
 void summarize_refinement(FILE *out, const whirl_table *table);

@@ -78,17 +78,13 @@ static void print_named(FILE *out, const whirl_shown_units *units, const whirl_t
 }
 
 /// The same, of the machine at that point.
-static whirl_status print_named_of(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
-    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES)) return whirl_ok();
-    whirl_case *machine;
+static void print_named_of(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
+                           const whirl_table *table, size_t point) {
     whirl_machine own;
-    const whirl_status status = machine_of(units->result, &machine);
-    if (machine_at(machine, table, point, &own)) {
-        print_named(out, units, table, point, own.system);
-        own.release(own.owner);
-    }
-    whirl_case_free(machine);
-    return status;
+    if (!whirl_layout_field(&table->layout, WHIRL_FIELD_SPECTRUM_LINES)) return;
+    if (!machine_at(machine, table, point, &own)) return;
+    print_named(out, units, table, point, own.system);
+    own.release(own.owner);
 }
 
 /// Writes "lines of its spectrum hold 61 % of the motion of disc" for stations with less than FEW_LINES in them.
@@ -133,31 +129,31 @@ static void print_failed_exponents(FILE *out, const whirl_table *table, size_t p
             whirl_table_number(table, point, WHIRL_FIELD_EXPONENTS_SUM_EXACT, 0));
 }
 
-static whirl_status print_point(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
+static void print_point(FILE *out, const whirl_shown_units *units, const whirl_case *machine, const whirl_table *table,
+                        size_t point) {
     if (!whirl_table_done(table, point)) {
         fprintf(out, "%s: not computed\n", table->name);
-        return whirl_ok();
+        return;
     }
     const whirl_verdict verdict = whirl_table_verdict(table, point);
     if (whirl_layout_has_verdict(&table->layout))
         print_verdict(out, table->name, &verdict);
     else
         fprintf(out, "%s: no verdict, as the analyses have no regime\n", table->name);
-    if (verdict.regime == WHIRL_DIVERGING) return whirl_ok();
+    if (verdict.regime == WHIRL_DIVERGING) return;
     print_failed_exponents(out, table, point);
     print_rubs(out, units, table, point);
     print_radii(out, units, table, point);
     print_synchronous(out, units, table, point);
-    const whirl_status status = print_named_of(out, units, table, point);
+    print_named_of(out, units, machine, table, point);
     print_shares(out, units->result, table, point);
-    return status;
 }
 
-whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_table *table) {
+whirl_status summarize_response(FILE *out, const whirl_shown_units *units, const whirl_case *machine,
+                                const whirl_table *table) {
     const size_t count = table->attractors ? table->count : 1;
     for (size_t point = 0; point < count; point++) {
-        const whirl_status status = print_point(out, units, table, point);
-        if (status.code != WHIRL_OK) return status;
+        print_point(out, units, machine, table, point);
         summarize_share(out, table, point, "  ");
         if (table->attractors) fputc('\n', out);
     }

@@ -26,7 +26,7 @@ static const char *shape_name(bool tilting, int choice) {
     return tilting ? free[choice] : fixed[choice];
 }
 
-/// The pads that the keys tell.
+/// Reads the pads as the keys give them, for a shaft that turns from x to y.
 static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads *out) {
     const key_value *pivots = &values[PADS_PIVOTS];
     const double preload = values[PADS_PRELOAD].number;
@@ -59,6 +59,17 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
     size_t one, other;
     if (!whirl_pads_overlap(out, &one, &other)) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "has pad %zu over pad %zu, expected pads beside each other", other + 1, one + 1);
+}
+
+whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise, whirl_pads *out) {
+    const whirl_status status = read_pads(values, tilting, out);
+    for (size_t i = 0; i < out->count; i++) {
+        // Usual shapes are given for shafts that turn from x to y: of others they are the mirror image.
+        const bool mirrored = clockwise && values[PADS_SHAPE].given;
+        if (mirrored) out->pads[i].pivot = 3.14159265358979323846 - out->pads[i].pivot;
+        out->pads[i].pivot += values[PADS_TURNED].number;
+    }
+    return status;
 }
 
 /// The numbers of one pad, which may tilt without inertia, whose angles are those of a shaft that turns from x to y.
@@ -154,14 +165,14 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     const oil own = oil_of(values);
     whirl_pads bearing;
     double viscosity, ratio;
-    whirl_status status = read_pads(values, tilting, &bearing);
+    whirl_status status = journal_ratio(values, to, &ratio);
+    if (status.code == WHIRL_OK) status = pads_of_keys(values, tilting, ratio * to->turn < 0.0, &bearing);
     if (status.code == WHIRL_OK && !(bearing.ratio >= 0.02 && bearing.ratio <= 20.0))
         status =
             whirl_fail(WHIRL_BAD_INPUT, "is %.3g times as long as its diameter, expected 0.02 to 20", bearing.ratio);
     if (status.code == WHIRL_OK) status = oil_viscosity(&own, &viscosity);
     if (status.code == WHIRL_OK && bearing.turbulence != WHIRL_LAMINAR && !values[PADS_OIL + OIL_DENSITY].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "is turbulent by an unknown Reynolds number, expected the oil's density");
-    if (status.code == WHIRL_OK) status = journal_ratio(values, to, &ratio);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[PADS_AT], &values[PADS_FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     const double turn = ratio * to->turn, sign = copysign(1.0, turn), speed = fabs(ratio * to->speed);
@@ -178,9 +189,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
     out->number[PADS_SIGN] = sign;
     for (size_t i = 0; i < bearing.count && status.code == WHIRL_OK; i++) {
         whirl_pad pad = bearing.pads[i];
-        // Usual shapes are told of shafts that turn from x to y: of others they are the mirror image.
-        if (sign < 0.0 && values[PADS_SHAPE].given) pad.pivot = 3.14159265358979323846 - pad.pivot;
-        pad.pivot = sign * (pad.pivot + values[PADS_TURNED].number);
+        pad.pivot *= sign;
         status = put_pad(&bearing, &pad, light, out->number + PADS_FIRST + i * PAD_NUMBERS);
     }
     if (tilting) put_tilts(values, to, fabs(turn), strength, out->number);

@@ -4,6 +4,7 @@
 
 #include "element.h"
 #include "laws.h"
+#include "whirl/engine/bearing.h"
 
 /// Pads that tilt on pivots that yield: what tilting_pad is made then.
 extern const element_type tilting_pad_yielding_type;
@@ -65,6 +66,10 @@ enum {
     [PADS_RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the journal"),                 \
     [PADS_LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length of the bearing along the shaft")
 // clang-format on
+
+/// Reads the pads of a bearing from its keys, with the angles that they have in the machine. WHIRL_BAD_INPUT where keys
+/// contradict each other.
+whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise, whirl_pads *out);
 
 /// Ports, law (the number of pads) and numbers. WHIRL_BAD_INPUT where keys contradict each other; errors of tables.
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out);

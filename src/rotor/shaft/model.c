@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "building.h"
+#include "laws.h"
+#include "pads_build.h"
 #include "shafts.h"
 
 static bool is_even(const shaft_piece *piece) {
@@ -96,7 +98,51 @@ static bool is_above_zero(const key_value *value) {
     return value && value->number > 0.0;
 }
 
-static void model_add_element(const design_element *own, whirl_model *out) {
+/// Pa s of the oil or liquid of an element; NaN where its keys give none.
+static double model_viscosity(const design_element *own) {
+    const key_value *const dynamic = building_value(own, "viscosity");
+    const key_value *const kinematic = building_value(own, "kinematic_viscosity");
+    const key_value *const density = building_value(own, "density");
+    double viscosity = NAN;
+    if (!dynamic || !kinematic || !density) return NAN;
+    if (building_value(own, "grade")) {
+        const oil liquid = {dynamic};
+        return oil_viscosity(&liquid, &viscosity).code == WHIRL_OK ? viscosity : (double)NAN;
+    }
+    if (kinematic->given && density->given) return kinematic->number * density->number;
+    return dynamic->given ? dynamic->number : (double)NAN;
+}
+
+static void model_add_values(const design_element *own, size_t *used, whirl_model *out, whirl_model_element *to) {
+    const whirl_group *const group = &own->type->group;
+    whirl_model_value *const values = out->values + *used;
+    to->values = values;
+    to->value_count = group->key_count;
+    *used += group->key_count;
+    for (size_t k = 0; k < group->key_count; k++) {
+        const key_value *from = &own->values[k];
+        const whirl_key *key = &group->keys[k];
+        const bool any = from->given || *key->fallback;
+        values[k] = (whirl_model_value){.key = key,
+                                        .given = from->given,
+                                        .number = from->count > 0 ? from->list[0]
+                                                  : any           ? from->number
+                                                                  : (double)NAN,
+                                        .count = from->count,
+                                        .choice = from->choice};
+        values[k].last = from->count > 0 ? from->list[from->count - 1] : values[k].number;
+    }
+}
+
+/// The pads of a bearing that has any.
+static void model_add_pads(const building *b, const design_element *own, whirl_pads *pads, whirl_model_element *to) {
+    const bool tilting = building_value(own, "pivot_stiffness") != NULL;
+    if (!building_value(own, "pivots") || to->station[0] == WHIRL_MODEL_NONE) return;
+    const double turn = b->assembly.turn * b->assembly.stations[to->station[0]].ratio;
+    if (pads_of_keys(own->values, tilting, turn < 0.0, pads).code == WHIRL_OK) to->pads = pads;
+}
+
+static void model_add_element(const building *b, const design_element *own, size_t *used, whirl_model *out) {
     whirl_model_element *next = &out->elements[out->element_count];
     if (strcmp(own->type->group.name, "segment") == 0) return;
     next->kind = own->type->group.name;
@@ -107,7 +153,9 @@ static void model_add_element(const design_element *own, whirl_model *out) {
     }
     model_stations(own, next->station);
     next->role = model_role(own, next->station);
-    out->element_count++;
+    next->viscosity = model_viscosity(own);
+    model_add_values(own, used, out, next);
+    model_add_pads(b, own, &out->pads[out->element_count++], next);
     const bool unbalances = strncmp(next->kind, "unbalance", strlen("unbalance")) == 0;
     if ((unbalances || is_above_zero(building_value(own, "eccentricity"))) && next->station[0] < out->station_count)
         out->stations[next->station[0]].unbalanced = true;
@@ -124,8 +172,9 @@ static void model_add_station(const building *b, size_t station, whirl_model *ou
 
 static void fill(const building *b, whirl_model *out) {
     const mesh *from = &b->mesh;
+    size_t used = 0;
     for (size_t s = 0; s < out->station_count; s++) model_add_station(b, s, out);
-    for (size_t i = 0; i < b->design->element_count; i++) model_add_element(&b->design->elements[i], out);
+    for (size_t i = 0; i < b->design->element_count; i++) model_add_element(b, &b->design->elements[i], &used, out);
     take_pieces(b, out);
     for (size_t i = 0; i < from->piece_count; i++) add_piece(from, i, out);
     for (size_t n = 0; n < from->node_count; n++) {
@@ -139,6 +188,8 @@ static void fill(const building *b, whirl_model *out) {
 
 whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
     building b = {0};
+    size_t keys = 0;
+    for (size_t i = 0; i < design->element_count; i++) keys += design->elements[i].type->group.key_count;
     *out = (whirl_model){0};
     whirl_status status = building_assemble(&b, design, NULL);
     if (status.code == WHIRL_OK) {
@@ -148,7 +199,9 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
         out->stations = calloc(out->station_count + 1, sizeof *out->stations);
         out->shafts = calloc(out->shaft_count + 1, sizeof *out->shafts);
         out->elements = calloc(design->element_count + 1, sizeof *out->elements);
-        if (out->sections && out->stations && out->shafts && out->elements)
+        out->values = calloc(keys + 1, sizeof *out->values);
+        out->pads = calloc(design->element_count + 1, sizeof *out->pads);
+        if (out->sections && out->stations && out->shafts && out->elements && out->values && out->pads)
             fill(&b, out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
@@ -158,7 +211,15 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
     return status;
 }
 
+const whirl_model_value *whirl_model_value_of(const whirl_model_element *of, const char *key) {
+    for (size_t k = 0; k < of->value_count; k++)
+        if (strcmp(of->values[k].key->name, key) == 0) return &of->values[k];
+    return NULL;
+}
+
 void whirl_model_free(whirl_model *model) {
+    free(model->values);
+    free(model->pads);
     free(model->sections);
     free(model->stations);
     free(model->shafts);

@@ -25,7 +25,7 @@ static made made_in(const char *units) {
     assert_int_equal(whirl_result_shown_units(own.result, units, &own.units).code, WHIRL_OK);
     const size_t tables = own.result->table_count;
     own.result->table_count = 0; // in which nothing is found
-    assert_int_equal(findings_of(own.result, &own.units, &own.findings).code, WHIRL_OK);
+    assert_int_equal(findings_of(own.result, &own.units, NULL, &own.findings).code, WHIRL_OK);
     own.result->table_count = tables;
     own.of = (finder){.findings = own.findings, .result = own.result, .table = own.result->tables};
     return own;
