@@ -306,8 +306,9 @@ static void find_largest(const double *matrix, size_t n, double *largest) {
     }
 }
 
-/// The terms of one kind.
-static void reduce_kind(const reducing *r, const body *old, body_kind kind, double *matrix, double *largest) {
+/// The terms of one kind, which become `done` [count].
+static void reduce_kind(const reducing *r, const body *old, body_kind kind, bool *done, double *matrix,
+                        double *largest) {
     const size_t n = r->degrees;
     size_t zero = 0;
     double whole = 1.0;
@@ -315,9 +316,10 @@ static void reduce_kind(const reducing *r, const body *old, body_kind kind, doub
     memset(matrix, 0, n * n * sizeof *matrix);
     for (size_t k = 0; k < old->count; k++) {
         const body_term *term = &old->terms[k];
-        if (body_compare_kinds(term->kind, kind) == 0)
-            spread_over(&r->old[term->row], kind.source == BODY_ONE ? &one : &r->old[term->column], term->number, n,
-                        matrix);
+        if (done[k] || body_compare_kinds(term->kind, kind) != 0) continue;
+        done[k] = true;
+        spread_over(&r->old[term->row], kind.source == BODY_ONE ? &one : &r->old[term->column], term->number, n,
+                    matrix);
     }
     find_largest(matrix, n, largest);
     for (size_t i = 0; i < n; i++)
@@ -328,13 +330,12 @@ static void reduce_kind(const reducing *r, const body *old, body_kind kind, doub
 
 static void reduce_body(reducing *r, double *matrix, double *largest) {
     body old = r->of->body;
-    r->of->body = (body){0};
-    for (size_t i = 0; i < old.count; i++) {
-        bool known = false;
-        for (size_t j = 0; j < i && !known; j++) known = body_compare_kinds(old.terms[i].kind, old.terms[j].kind) == 0;
-        if (!known) reduce_kind(r, &old, old.terms[i].kind, matrix, largest);
-    }
+    bool *done = calloc(old.count + 1, sizeof *done);
+    r->of->body = (body){.no_memory = !done};
+    for (size_t i = 0; i < old.count && done; i++)
+        if (!done[i]) reduce_kind(r, &old, old.terms[i].kind, done, matrix, largest);
     r->of->body.no_memory = r->of->body.no_memory || old.no_memory;
+    free(done);
     body_clear(&old);
 }
 
