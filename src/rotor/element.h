@@ -152,6 +152,10 @@ typedef struct whirl_element_type {
     /// touched). Idle ones may stay where they are.
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
+    /// Optional: which of its states only tells the time, from its start on; own->states: none does. Linear analyses
+    /// leave it at its start.
+    size_t (*clock)(const element *own);
+
     /// Optional: sees to it that what its kernels read beside its numbers is there until `release`; gives up where
     /// *stop becomes true (NULL: never). WHIRL_NO_MEMORY, WHIRL_STOPPED: then nothing is held.
     whirl_status (*hold)(const element *own, const whirl_stop *stop);
@@ -187,11 +191,18 @@ typedef struct whirl_element_type {
     /// of a single element: bearing, or another word.
     bool carries, drags;
 
-    /// For bearings: the clearance in length scales around its station; 0 where the housing moves.
+    /// For bearings and seals: the radial clearance in length scales around its station, as assembled.
     double (*bearing_clearance)(const element *own);
 
-    /// Optional, with a clearance: its film with the journal at rest where q [MAX_PORTS] and its states say. NULL: the
-    /// wall is a circle of the clearance.
+    /// Optional: that around the ring whose ports are 2 and 3. The first film then lies between ports 0, 1 and 4, 5,
+    /// this one between 2, 3 and 6, 7.
+    double (*ring_clearance)(const element *own);
+
+    /// What holds its journal moves, though the housing may stand: the journal has no wall in any place.
+    bool yields;
+
+    /// Optional, with a clearance: `least`, `wall` and pads of its film with the journal at rest where q [MAX_PORTS]
+    /// and its states say. NULL: the wall is a circle of the clearance.
     void (*film)(const element *own, const double *q, const double *states, element_film *out);
 
     /// Optional: the order, from number 0 on, at which it may show in spectra, and its name; false beyond the last.

@@ -243,7 +243,7 @@ static void note_element(whirl_rotor *rotor, size_t index, size_t degrees) {
     if (own->type->slides && own->type->slides(own)) rotor->lanes.slides = true;
     if (own->type->jumps && own->type->jumps(own)) rotor->lanes.jumps = true;
     if (own->type->contact_gap) note_contact(rotor, index);
-    if (!own->type->bearing_clearance) return;
+    if (!own->type->bearing_clearance || own->type->yields || !element_housing_stands(own)) return;
     whirl_probe *probe = &rotor->probes[own->station];
     const double clearance = own->type->bearing_clearance(own);
     if (clearance > 0.0 && (probe->clearance == 0.0 || clearance < probe->clearance)) probe->clearance = clearance;

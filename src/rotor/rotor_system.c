@@ -254,6 +254,10 @@ static void loop(const void *model, const double *x, size_t index, double *input
     }
 }
 
+static bool tells_time(const element *own) {
+    return own->type->clock && own->type->clock(own) < own->states;
+}
+
 static bool settle(const void *model, double *x, whirl_settled *kinds) {
     const whirl_rotor *rotor = model;
     bool balanced = true;
@@ -262,6 +266,7 @@ static bool settle(const void *model, double *x, whirl_settled *kinds) {
         const element *own = &rotor->elements[i];
         const size_t first = rotor->lanes.degrees + own->state;
         bool idle[MAX_ELEMENT_STATES] = {false};
+        if (tells_time(own)) kinds[first + own->type->clock(own)] = WHIRL_IDLE;
         if (!own->type->settle) continue;
         const element_place at = see(rotor, own, x);
         balanced = own->type->settle(own, at.q, x + first, idle) && balanced;
@@ -270,20 +275,41 @@ static bool settle(const void *model, double *x, whirl_settled *kinds) {
     return balanced;
 }
 
+/// The station that moves with any of two ports; station_count where none does.
+static size_t station_of_ports(const whirl_rotor *rotor, const size_t port[2]) {
+    size_t station = 0;
+    for (; station < rotor->station_count; station++)
+        for (size_t i = 0; i < 2; i++)
+            if (port[i] == rotor->probes[station].x || port[i] == rotor->probes[station].y) return station;
+    return station;
+}
+
+/// The film of an element between journal ports 2 index, 2 index + 1 and those of its housing.
+static element_film film_of(const whirl_rotor *rotor, const element *own, const double *x, size_t index) {
+    const element_type *type = own->type;
+    const element_place at = see(rotor, own, x);
+    const size_t journal = 2 * index, housing = journal + (type->ring_clearance ? 4 : 2);
+    element_film out = {.clearance = index > 0 ? type->ring_clearance(own) : type->bearing_clearance(own)};
+    out.least = out.wall = out.clearance;
+    out.least -= hypot(at.q[journal] - at.q[housing], at.q[journal + 1] - at.q[housing + 1]);
+    if (type->film) type->film(own, at.q, x + rotor->lanes.degrees + own->state, &out);
+    for (size_t a = 0; a < 2; a++) out.place[a] = at.q[journal + a] - at.q[housing + a];
+    out.housing = station_of_ports(rotor, own->port + housing);
+    return out;
+}
+
 static bool film(const void *model, const double *x, size_t probe, whirl_film_gap *out) {
     const whirl_rotor *rotor = model;
     bool found = false;
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];
-        const double clearance =
-            own->station == probe && own->type->bearing_clearance ? own->type->bearing_clearance(own) : 0.0;
-        if (!(clearance > 0.0)) continue;
-        const element_place at = see(rotor, own, x);
-        const double radius = hypot(at.q[0], at.q[1]);
-        element_film one = {.least = clearance - radius, .wall = clearance};
-        if (own->type->film) own->type->film(own, at.q, x + rotor->lanes.degrees + own->state, &one);
-        if (!found || one.least < out->least) *out = one;
-        found = true;
+        const size_t films = !own->type->bearing_clearance ? 0 : own->type->ring_clearance ? 2 : 1;
+        for (size_t k = 0; k < films; k++) {
+            if ((k == 0 ? own->station : station_of_ports(rotor, own->port + 2 * k)) != probe) continue;
+            const element_film one = film_of(rotor, own, x, k);
+            if (!found || one.least < out->least) *out = one;
+            found = true;
+        }
     }
     return found;
 }
@@ -311,7 +337,7 @@ static void adopt(const void *model, double *x, const whirl_system *other, const
 
 static bool settles(const whirl_rotor *rotor) {
     for (size_t i = 0; i < rotor->element_count; i++)
-        if (rotor->elements[i].type->settle) return true;
+        if (rotor->elements[i].type->settle || tells_time(&rotor->elements[i])) return true;
     return false;
 }
 

@@ -107,6 +107,10 @@ const element_machine element_machines[] = {
      "2 MN/m, "
      "proportional: 20000 A/m, derivative: 40 A.s/m, derivative_filter: 0.2 ms, amplifier_bandwidth: 2 kHz}",
      0},
+    {"magnetic",
+     "magnetic: {at: rotor, from: stator, angle: @30, gap: 0.5 mm, bias: 3 A, turns: 120, area: 400 mm2, "
+     "max_current: 5 A, proportional: 20000 A/m, derivative: 40 A.s/m, derivative_filter: 0.2 ms, fails_after: 1000}",
+     0},
     {"blade_rub",
      "blade_rub: {at: rotor, from: stator, blades: 4, radius: 300 mm, gap: 20 um, stiffness: [2e7, 1.8e7, 2e7, "
      "1.8e7], friction: 0.1, angle: @70}",

@@ -62,6 +62,126 @@ static void films(void **state) {
         }
 }
 
+// ---------------------------------------------------------------- journals in housings that move
+
+/// Eccentricity ratio, attitude and least thickness at a station.
+static void look_at_film(const char *text, size_t station, double out[3]) {
+    static const char *const names[] = {WHIRL_FIELD_STATICS_ECCENTRICITY, WHIRL_FIELD_STATICS_ATTITUDE,
+                                        WHIRL_FIELD_STATICS_FILM};
+    whirl_result *result = result_of_text(text);
+    for (size_t i = 0; i < 3; i++) out[i] = whirl_table_number(&result->tables[0], 0, names[i], station);
+    whirl_result_free(result);
+}
+
+/// A disc of 40 kg between two bearings, which each have a housing of 5 kg on springs of k, or (k = 0) one that stands;
+/// rings are at stations "ring_left" and "ring_right".
+static const char *in_housings(const char *bearing, const char *inner, bool clockwise, double k) {
+    static char text[SIZE];
+    static const char *const sides[] = {"left", "right"};
+    const bool ring = strcmp(bearing, "floating_ring") == 0;
+    size_t used = (size_t)snprintf(text, sizeof text,
+                                   "whirl: 1\nrotor:\n  speed: 300 rad/s\n  rotation: %s\n  length_scale: 0.1 mm\n"
+                                   "  materials: {light: {modulus: 200 GPa, poisson: 0.3, density: 1e-4 kg/m3}}\n"
+                                   "  shafts: {shaft: {material: light}}\n  stations:\n    left: {position: 0 m}\n"
+                                   "    disc: {position: 0.1 m, mass: 40 kg}\n    right: {position: 0.2 m}\n",
+                                   clockwise ? "clockwise" : "counter-clockwise");
+    for (size_t i = 0; i < 2; i++)
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s%s%s%s%s", ring ? "    ring_" : "",
+                                 ring ? sides[i] : "", ring ? ": {mass: 0.4 kg}\n" : "", k > 0.0 ? "    housing_" : "",
+                                 k > 0.0 ? sides[i] : "", k > 0.0 ? ": {mass: 5 kg}\n" : "");
+    used += (size_t)snprintf(text + used, sizeof text - used,
+                             "  elements:\n    - gravity: {}\n    - segment: {length: 0.2 m, outer: 40 mm}\n");
+    for (size_t i = 0; i < 2; i++) {
+        used += (size_t)snprintf(text + used, sizeof text - used, "    - %s: {at: %s%s%s%s%s, %s}\n", bearing, sides[i],
+                                 ring ? ", ring: ring_" : "", ring ? sides[i] : "", k > 0.0 ? ", from: housing_" : "",
+                                 k > 0.0 ? sides[i] : "", inner);
+        if (k > 0.0)
+            used += (size_t)snprintf(text + used, sizeof text - used,
+                                     "    - spring: {between: [housing_%s, ground], stiffness: %.17g}\n", sides[i], k);
+    }
+    snprintf(text + used, sizeof text - used, "study:\n  statics: {}\n");
+    return text;
+}
+
+/// A film carries the weight of its journal, wherever that moves its housing: as in a housing that stands, on springs
+/// that give way by .025 to 2500 clearances.
+static void films_in_housings(void **state) {
+#define OIL_IN "clearance: 0.1 mm, viscosity: 10 mPa.s, radius: 20 mm, length: 20 mm"
+    static const struct {
+        const char *name, *bearing, *inner;
+    } bearings[] = {{"short film", "film", "law: short, " OIL_IN},
+                    {"film of finite length", "film", "law: finite, " OIL_IN},
+                    {"pads", "pad_bearing", "shape: three-lobe, preload: 0.4, " OIL_IN},
+                    {"tilting pads", "tilting_pad", "shape: tilting-4, preload: 0.3, " OIL_IN},
+                    {"floating ring", "floating_ring",
+                     "inertia: 1e-5 kg.m2, outer_clearance: 0.12 mm, outer_radius: 26 mm, "
+                     "outer_length: 20 mm, " OIL_IN}};
+    static const double k[] = {1e8, 1e3};
+    (void)state;
+    for (size_t i = 0; i < sizeof bearings / sizeof *bearings; i++)
+        for (int clockwise = 0; clockwise < 2; clockwise++) {
+            double stands[3], moves[3];
+            look_at_film(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, 0.0), 0, stands);
+            for (size_t n = 0; n < 2; n++) {
+                look_at_film(in_housings(bearings[i].bearing, bearings[i].inner, clockwise, k[n]), 0, moves);
+                const char *const what = words("%s, %s, housing on %g N/m", bearings[i].name,
+                                               clockwise ? "clockwise" : "counter-clockwise", k[n]);
+                relative("Films in housings", words("%s: eccentricity ratio", what), stands[0], moves[0], 1e-6);
+                check_within("Films in housings", words("%s: attitude, deg", what), stands[1], moves[1], 1e-4);
+                relative("Films in housings", words("%s: least thickness", what), stands[2], moves[2], 1e-6);
+            }
+        }
+}
+
+/// Load of a short film that half of fills, by Ocvirk's formula, over mu omega R L (L/c)^2 of one turning side.
+static double short_load(double e) {
+    const double q = 1.0 - e * e;
+    return e * sqrt(16.0 * e * e + pi * pi * q) / (4.0 * q * q);
+}
+
+/// The eccentricity ratio with that load.
+static double short_place(double load) {
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < 100; i++) *(short_load(0.5 * (low + high)) < load ? &low : &high) = 0.5 * (low + high);
+    return low;
+}
+
+/// Closed forms of the short film in a housing that moves, and of both films of a floating ring: their loads, and
+/// Petroff's drags, which balance at the speed of the ring.
+static void housings_closed(void **state) {
+    const double mu = 0.01, c[] = {1e-4, 1.2e-4}, R[] = {0.02, 0.026}, L = 0.02, mass = 20.0, ring_mass = 0.4;
+    double size[2], drag[2], e[2], low = 0.0, high = 1.0, found[3];
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        size[i] = mu * 300.0 * R[i] * L * L * L / (c[i] * c[i]);
+        drag[i] = pow(R[i], 3.0) / c[i];
+    }
+    look_at_film(in_housings("film", "law: short, " OIL_IN, false, 1e4), 0, found);
+    const double alone = short_place(mass * g / size[0]);
+    relative("Films in housings", "short film on 1e4 N/m, Ocvirk: eccentricity ratio", alone, found[0], 1e-6);
+    relative("Films in housings", "short film on 1e4 N/m, Ocvirk: attitude, deg",
+             atan2(pi * sqrt(1.0 - alone * alone), 4.0 * alone) * 180.0 / pi, found[1], 1e-5);
+    relative("Films in housings", "short film on 1e4 N/m, Ocvirk: least thickness", 1.0 - alone, found[2], 1e-5);
+    for (int i = 0; i < 100; i++) {
+        const double r = 0.5 * (low + high);
+        e[0] = short_place(mass * g / ((1.0 + r) * size[0]));
+        e[1] = short_place((mass + ring_mass) * g / (r * size[1]));
+        const double drive = drag[0] * (1.0 - r) / sqrt(1.0 - e[0] * e[0]),
+                     hold = drag[1] * r / sqrt(1.0 - e[1] * e[1]);
+        *(drive > hold ? &low : &high) = r;
+    }
+    const char *const inner = "inertia: 1e-5 kg.m2, outer_clearance: 0.12 mm, outer_radius: 26 mm, "
+                              "outer_length: 20 mm, " OIL_IN;
+    for (size_t i = 0; i < 2; i++) {
+        const char *const name = i == 0 ? "within a ring" : "around a ring";
+        look_at_film(in_housings("floating_ring", inner, false, 1e5), i == 0 ? 0 : 3, found);
+        relative("Films in housings", words("%s: eccentricity ratio", name), e[i], found[0], 1e-6);
+        relative("Films in housings", words("%s: attitude, deg", name),
+                 atan2(pi * sqrt(1.0 - e[i] * e[i]), 4.0 * e[i]) * 180.0 / pi, found[1], 1e-5);
+        relative("Films in housings", words("%s: least thickness", name), (1.0 - e[i]) * c[i] / 1e-4, found[2], 1e-5);
+    }
+}
+
 // ---------------------------------------------------------------- bows
 
 /// A shaft almost without mass, bent by `bow` in the middle, with a disc of 50 kg there; both bearings are springs.
@@ -230,8 +350,13 @@ static void screening(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(films),  cmocka_unit_test(jeffcott_with_a_bow), cmocka_unit_test(slow_roll),
-        cmocka_unit_test(raised), cmocka_unit_test(raised_in_a_housing), cmocka_unit_test(screening)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(films),
+                                       cmocka_unit_test(films_in_housings),
+                                       cmocka_unit_test(housings_closed),
+                                       cmocka_unit_test(jeffcott_with_a_bow),
+                                       cmocka_unit_test(slow_roll),
+                                       cmocka_unit_test(raised),
+                                       cmocka_unit_test(raised_in_a_housing),
+                                       cmocka_unit_test(screening)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

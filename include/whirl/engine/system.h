@@ -95,19 +95,22 @@ typedef struct whirl_law_range {
     size_t probe;                   ///< probe of the part
 } whirl_law_range;
 
-/// Film thickness of a bearing or seal with the journal at rest, in the state's units of length.
+/// The film of a bearing or seal with the journal at rest, in the state's units of length.
 typedef struct whirl_film_gap {
     double least; ///< smallest radial thickness; pads without a film do not count
     double wall;  ///< distance from the centre at which the journal touches in the direction of its eccentricity
     size_t pads;  ///< number of tilting pads, else 0
     bool held[WHIRL_MAX_TILTING]; ///< [pads] true if a film carries the pad
+    double clearance;             ///< radial clearance, as assembled
+    double place[2];              ///< x and y of the journal, from its housing
+    size_t housing;               ///< probe of the station that is the housing; probe_count: the ground
 } whirl_film_gap;
 
 /// Kinds of coordinates in whirl_system.settle.
 typedef enum whirl_settled {
     WHIRL_NOT_SETTLED, ///< the coordinate has no balance of its own
     WHIRL_SETTLED,     ///< the forces on it balance
-    WHIRL_IDLE         ///< no force acts on it, and it acts on nothing: a pad without a film
+    WHIRL_IDLE         ///< nothing holds it, and it acts on nothing (a pad without a film), or it only counts time
 } whirl_settled;
 
 /// A system's data for vector lanes; private to the library.
@@ -220,7 +223,7 @@ typedef struct whirl_system {
     /// such balance. Searches for equilibria then vary only the other coordinates.
     bool (*settle)(const void *model, double *x, whirl_settled *kinds);
 
-    /// Optional: describes the film at a probe with a clearance, with the machine at rest at x; the thinnest of several
+    /// Optional: describes the film whose journal is a probe, with the machine at rest at x; the thinnest of several
     /// films. False if there is none.
     bool (*film)(const void *model, const double *x, size_t probe, whirl_film_gap *out);
 

@@ -148,6 +148,10 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
 /// [count][SPECTRUM_COLUMNS].
 void spectrum_rows(const whirl_spectrum *spectrum, double *lines, double *bins);
 
+// ---------------------------------------------------------------- films
+/// Whether any journal lies in a film, with the machine at rest at x.
+bool films_any(const whirl_system *system, const double *x);
+
 // ---------------------------------------------------------------- bearings
 // Bearings alone on stations of 1 kg (WHIRL_BEARINGS_OF_IT).
 

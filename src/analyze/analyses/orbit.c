@@ -6,9 +6,10 @@
 enum { WHIRL_WATCHED_OF_STATIONS(WATCHED_INDEX) ECCENTRICITY, LOW, HIGH, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [ECCENTRICITY] = {WHIRL_FIELD_ORBIT_ECCENTRICITY, "1",
-                      "largest eccentricity ratio of the journal (missing where there is no bearing)",
-                      WHIRL_PER_STATION, 1, NULL},
+    [ECCENTRICITY] =
+        {WHIRL_FIELD_ORBIT_ECCENTRICITY, "1",
+         "largest eccentricity ratio of the journal (missing where there is no bearing, or its housing moves)",
+         WHIRL_PER_STATION, 1, NULL},
     [LOW] = {WHIRL_FIELD_ORBIT_LOW, "length", "x, y (least at any instant, from the centre)", WHIRL_PER_STATION, 2,
              NULL},
     [HIGH] = {WHIRL_FIELD_ORBIT_HIGH, "length", "x, y (most at any instant, from the centre)", WHIRL_PER_STATION, 2,

@@ -56,8 +56,8 @@ static const field_plan fields[FIELD_COUNT] = {
                    "load of the bearings here by raising those at each station (0: there are none)", WHIRL_PER_STATION,
                    1, every_station},
     [ECCENTRICITY] = {WHIRL_FIELD_STATICS_ECCENTRICITY, "1",
-                      "of the journal in its film at rest, over the clearance as assembled (missing where there is no "
-                      "film)",
+                      "of the journal in its film at rest, from the housing, over the clearance as assembled (missing "
+                      "where there is no film)",
                       WHIRL_PER_STATION, 1, NULL},
     [ATTITUDE] = {WHIRL_FIELD_STATICS_ATTITUDE, "deg",
                   "from the load of the film to where the journal rests, with the rotation", WHIRL_PER_STATION, 1,
@@ -81,8 +81,24 @@ static const field_plan fields[FIELD_COUNT] = {
                  WHIRL_PER_STATION, 4, NULL},
 };
 
-/// Computes the bearings' forces on stations of 1 kg, with the machine at rest at x, as accelerations [probes][2]; NaN
-/// without a film.
+static bool film_of_probe(const whirl_system *system, const double *x, size_t probe, whirl_film_gap *out) {
+    return system->film && system->film(system->model, x, probe, out);
+}
+
+/// Adds the force of a film on its journal, force [2]: that on the station, by slope, and the forces on the journals of
+/// the films around it, such as the inner one of a floating ring.
+static void force_of_film(const whirl_system *alone, const double *x, const double *slope, size_t probe, size_t inner,
+                          double *force) {
+    enum { MAX_INNER = 4 };
+    whirl_film_gap gap;
+    for (size_t c = 0; c < 2; c++) force[c] += whirl_probe_value(&alone->probes[probe], slope, 2 + c);
+    for (size_t p = 0; p < alone->probe_count && inner < MAX_INNER; p++)
+        if (film_of_probe(alone, x, p, &gap) && gap.housing == probe)
+            force_of_film(alone, x, slope, p, inner + 1, force);
+}
+
+/// Computes the forces of the bearings' films on their journals (stations of 1 kg), with the machine at rest at x, as
+/// accelerations [probes][2]; NaN without a film.
 static whirl_status forces_at(const whirl_resting *point, const double *x, double *force) {
     whirl_machine alone;
     whirl_status status = point->at_speed(point->context, point->speed, WHIRL_BEARINGS_OF_IT, 0.0, &alone);
@@ -93,53 +109,56 @@ static whirl_status forces_at(const whirl_resting *point, const double *x, doubl
     if (!at) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the forces of films");
     if (at) bearings_place(system, at, point->system, x);
     if (at) status = whirl_rest_slope(system, at, slope, slope + d);
-    for (size_t p = 0; p < system->probe_count && at; p++)
-        for (size_t c = 0; c < 2; c++)
-            force[2 * p + c] =
-                system->probes[p].clearance > 0.0 ? whirl_probe_value(&system->probes[p], slope, 2 + c) : NAN;
+    for (size_t p = 0; p < system->probe_count && at; p++) {
+        whirl_film_gap gap;
+        const bool film = film_of_probe(system, at, p, &gap);
+        force[2 * p] = force[2 * p + 1] = film ? 0.0 : NAN;
+        if (film) force_of_film(system, at, slope, p, 0, force + 2 * p);
+    }
     free(at);
     if (alone.release) alone.release(alone.owner);
     return status;
 }
 
-/// Fills in the fields of a film, with the machine at rest at x.
-static void fill_film(const whirl_system *system, const double *x, size_t which, const double *force,
+/// Fills in the fields of a film, which has force [2] on its journal.
+static void fill_film(const whirl_probe *probe, const whirl_film_gap *gap, const double *force, size_t which,
                       const block_view *view) {
-    const whirl_probe *probe = &system->probes[which];
-    const double at[] = {whirl_probe_value(probe, x, 0), whirl_probe_value(probe, x, 1)};
-    const double radius = hypot(at[0], at[1]), across = force[1] * at[0] - force[0] * at[1];
-    const double along = -force[0] * at[0] - force[1] * at[1];
-    whirl_film_gap gap;
-    *view_numbers(view, ECCENTRICITY, which) = radius / probe->clearance;
-    memcpy(view_numbers(view, PLACE, which), at, sizeof at);
-    if (system->film && system->film(system->model, x, which, &gap)) {
-        double unloaded = 0.0;
-        for (size_t pad = 0; pad < gap.pads; pad++)
-            if (!gap.held[pad]) unloaded = 10.0 * unloaded + (double)pad + 1.0;
-        *view_numbers(view, FILM, which) = gap.least;
-        if (gap.pads > 0) *view_numbers(view, UNLOADED, which) = unloaded;
-    }
+    const double *at = gap->place, radius = hypot(at[0], at[1]);
+    const double across = force[1] * at[0] - force[0] * at[1], along = -force[0] * at[0] - force[1] * at[1];
+    double unloaded = 0.0;
+    for (size_t pad = 0; pad < gap->pads; pad++)
+        if (!gap->held[pad]) unloaded = 10.0 * unloaded + (double)pad + 1.0;
+    *view_numbers(view, ECCENTRICITY, which) = radius / gap->clearance;
+    *view_numbers(view, FILM, which) = gap->least;
+    memcpy(view_numbers(view, PLACE, which), at, sizeof gap->place);
+    if (gap->pads > 0) *view_numbers(view, UNLOADED, which) = unloaded;
     *view_numbers(view, SEAL, which) = isnan(force[0]) ? 1.0 : 0.0;
     // The film carries the load. A centred journal (within rounding) has no attitude angle.
-    if (hypot(force[0], force[1]) > 0.0 && radius > 1e-9 * probe->clearance)
+    if (hypot(force[0], force[1]) > 0.0 && radius > 1e-9 * gap->clearance)
         *view_numbers(view, ATTITUDE, which) =
             whirl_probe_way(probe) * atan2(across, along) * (180.0 / 3.14159265358979323846);
+}
+
+bool films_any(const whirl_system *system, const double *x) {
+    whirl_film_gap gap;
+    for (size_t p = 0; p < system->probe_count; p++)
+        if (film_of_probe(system, x, p, &gap)) return true;
+    return false;
 }
 
 /// Fills in the journals' equilibria in their films, if the machine turns and has an equilibrium.
 static whirl_status fill_films(const whirl_resting *point, const block_view *view) {
     const whirl_system *system = point->system;
     const size_t d = system->dimension, probes = system->probe_count;
-    bool any = false;
-    for (size_t p = 0; p < probes; p++) any = any || system->probes[p].clearance > 0.0;
-    if (!any) return whirl_ok();
+    whirl_film_gap gap;
+    if (!films_any(system, point->start)) return whirl_ok();
     double *x = calloc(d + 2 * probes + 1, sizeof *x), *force = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for films at rest");
     memcpy(x, point->start, d * sizeof *x);
     whirl_status status = whirl_equilibrium(system, x);
     if (status.code == WHIRL_OK) status = forces_at(point, x, force);
     for (size_t p = 0; p < probes && status.code == WHIRL_OK; p++)
-        if (system->probes[p].clearance > 0.0) fill_film(system, x, p, force + 2 * p, view);
+        if (film_of_probe(system, x, p, &gap)) fill_film(&system->probes[p], &gap, force + 2 * p, p, view);
     free(x);
     return status.code == WHIRL_NUMERICAL_FAILURE ? whirl_ok() : status;
 }

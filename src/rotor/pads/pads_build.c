@@ -245,7 +245,6 @@ void pads_note(const element *own, double length, double clock, char *text, size
 /// Where no pad tilts, the largest displacement in any direction is at least that by which pads lie apart.
 double pads_clearance(const element *own) {
     const double *pad = own->number + PADS_FIRST;
-    if (!element_housing_stands(own)) return 0.0;
     return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];
 }
 

@@ -172,7 +172,7 @@ void film_coefficients(double length, double *number) {
 }
 
 static double bearing_clearance(const element *own) {
-    return element_housing_stands(own) ? own->number[FILM_CLEARANCE] : 0.0;
+    return own->number[FILM_CLEARANCE];
 }
 
 static void note(const element *own, double scale, double clock, char *text, size_t size) {

@@ -142,6 +142,14 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     }
 }
 
+static double bearing_clearance(const element *own) {
+    return 1.0 / own->number[RING_INNER_OVER_CLEARANCE];
+}
+
+static double ring_clearance(const element *own) {
+    return 1.0 / own->number[RING_OUTER_OVER_CLEARANCE];
+}
+
 KERNELS_OF_EVERY_ISA(floating_ring_kernels);
 
 const element_type floating_ring_element = {
@@ -152,6 +160,8 @@ const element_type floating_ring_element = {
     .kernels = kernels,
     .build = build,
     .carries = true,
+    .bearing_clearance = bearing_clearance,
+    .ring_clearance = ring_clearance,
     .doubt = doubt,
 };
 #endif

@@ -39,7 +39,8 @@ static void pad_bearing_film(const element *own, const double *q, const double *
         const double middle = 0.5 * (free + touching);
         *(thinnest(own, (const double[]){middle * along[0], middle * along[1]}) > 0.0 ? &free : &touching) = middle;
     }
-    *out = (element_film){.least = unit * thinnest(own, journal), .wall = unit * free};
+    out->least = unit * thinnest(own, journal);
+    out->wall = unit * free;
 }
 
 static const whirl_key keys[PADS_FIXED_KEYS] = {PADS_KEYS("two-groove|elliptical|three-lobe|four-lobe|offset-half")};

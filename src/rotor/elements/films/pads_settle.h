@@ -201,7 +201,9 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
 static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
-    *out = (element_film){.least = INFINITY, .wall = PADS_YIELD ? 0.0 : INFINITY, .pads = (size_t)own->law};
+    out->least = INFINITY;
+    out->wall = PADS_YIELD ? 0.0 : INFINITY;
+    out->pads = (size_t)own->law;
     for (size_t p = 0; p < (size_t)own->law; p++) {
         pads_rest at = {.view = &view, .pad = own->number + PADS_FIRST + p * PAD_NUMBERS};
         double place[2];

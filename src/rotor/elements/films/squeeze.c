@@ -77,9 +77,8 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
             reynolds, most);
 }
 
-/// Around a place that does not move.
 static double bearing_clearance(const element *own) {
-    return element_housing_stands(own) ? 1.0 / own->number[SQUEEZE_OVER_CLEARANCE] : 0.0;
+    return 1.0 / own->number[SQUEEZE_OVER_CLEARANCE];
 }
 
 KERNELS_OF_EVERY_ISA(squeeze_kernels);

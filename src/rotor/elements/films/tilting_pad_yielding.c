@@ -16,12 +16,6 @@ const element_kernels ISA(tilting_pad_yielding_kernels) = GENERIC_KERNELS;
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include "elements/films/pads_settle.h"
-/// Pads move on their pivots, so the circle in which the journal does is not known.
-static double no_clearance(const element *own) {
-    (void)own;
-    return 0.0;
-}
-
 KERNELS_OF_EVERY_ISA(tilting_pad_yielding_kernels);
 
 const element_type tilting_pad_yielding_type = {
@@ -32,7 +26,8 @@ const element_type tilting_pad_yielding_type = {
     .begin = pads_begin,
     .settle = pads_settle,
     .film = pads_film,
-    .bearing_clearance = no_clearance,
+    .bearing_clearance = pads_clearance,
+    .yields = true,
     .hold = pads_hold,
     .release = pads_release,
     .note = pads_note,

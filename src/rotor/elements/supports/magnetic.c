@@ -398,6 +398,11 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
                     most);
 }
 
+/// Where it fails, the last state.
+static size_t tells_time(const element *own) {
+    return own->law & MAGNETIC_FAILS ? own->states - 1 : own->states;
+}
+
 KERNELS_OF_EVERY_ISA(magnetic_kernels);
 
 const element_type magnetic_element = {
@@ -407,6 +412,7 @@ const element_type magnetic_element = {
     .state_count = KERNEL_STATES,
     .kernels = kernels,
     .build = build,
+    .clock = tells_time,
     GENERIC_SWITCHES,
     .touches = touches,
     .jumps = jumps,

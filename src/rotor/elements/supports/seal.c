@@ -196,7 +196,7 @@ static void note(const element *own, double length, double clock, char *text, si
 }
 
 static double bearing_clearance(const element *own) {
-    return element_housing_stands(own) ? 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]) : 0.0;
+    return 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
 }
 
 /// Coefficients of the middle hold to about half the clearance: Childs 1993.
