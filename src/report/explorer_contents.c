@@ -65,6 +65,7 @@ static json_t *notes_of(bool *well, const contents *of, const whirl_table *table
     for (size_t i = 0; *whirl_result_law_range(of->view, i); i++)
         if (ranges_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
     if (unfound_told(&of->units, table, text)) document_append(well, notes, document_text(text));
+    if (elsewhere_told(&of->units, table, text)) document_append(well, notes, document_text(text));
     for (size_t i = 0; i < of->view->contact_count; i++)
         if (held_told(&of->units, table, i, text)) document_append(well, notes, document_text(text));
     return notes;

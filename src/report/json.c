@@ -280,6 +280,23 @@ static bool dump_unfound(const whirl_result *result, FILE *stream) {
 }
 
 /// Version of the document, raised when a key is removed or changes its meaning; the schema is
+/// Writes the tables of machines at rest with points that have another equilibrium.
+static bool dump_elsewhere(const whirl_result *result, FILE *stream) {
+    bool well = true;
+    json_t *all = json_array();
+    whirl_left left;
+    for (size_t t = 0; t < result->table_count; t++) {
+        if (whirl_table_elsewhere(&result->tables[t], &left) == 0) continue;
+        json_t *one = json_object();
+        document_put(&well, one, "table", document_text(result->tables[t].name));
+        document_put(&well, one, "distance", document_number(left.reached));
+        document_put(&well, one, "growth", document_number(left.most));
+        put_points(&well, one, &left);
+        document_append(&well, all, one);
+    }
+    return dump_member(",\n", "elsewhere", all, stream) && well;
+}
+
 /// docs/reference/result.schema.json.
 enum { DOCUMENT_FORMAT = 1 };
 
@@ -298,6 +315,7 @@ static bool dump_head(const whirl_result *result, FILE *stream) {
            dump_member(",\n", "force_scale", document_number(result->force_scale), stream) &&
            dump_member(",\n", "partial", json_boolean(partial), stream) && dump_warnings(result, stream) &&
            dump_beyond(result, stream) && dump_held(result, stream) && dump_unfound(result, stream) &&
+           dump_elsewhere(result, stream) &&
            dump_member(",\n", "table", first ? document_text(first->name) : json_null(), stream) &&
            dump_methods(result, stream);
 }
@@ -308,7 +326,7 @@ static whirl_status check_names(const whirl_result *result) {
         "format",     "whirl",          "title",      "case",       "speed",   "length_scale", "force_scale",
         "partial",    "table",          "points",     "parameters", "jumps",   "integrated",   "fits",
         "keyphasor",  "keyphasor_rate", "attractors", "refined",    "beyond",  "warnings",     "film_tables",
-        "amplitudes", "statements",     "sheets",     "held",       "unfound", "weight"};
+        "amplitudes", "statements",     "sheets",     "held",       "unfound", "elsewhere",    "weight"};
     for (size_t t = 0; t < result->table_count; ++t)
         for (size_t i = 0; i < sizeof taken / sizeof *taken; ++i)
             if (strcmp(result->tables[t].name, taken[i]) == 0 || strpbrk(result->tables[t].name, "\"\\\n"))

@@ -240,6 +240,16 @@ bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char
     return true;
 }
 
+bool elsewhere_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]) {
+    whirl_left left;
+    if (whirl_table_elsewhere(table, &left) == 0) return false;
+    snprintf(text, RANGES_TOLD_SIZE,
+             "there is another one, up to %.4g %s away, to which that of the value before or after leads, %s",
+             units->length * left.reached, units->length_name, left.most < 0.0 ? "stable" : "unstable");
+    add_points(units, table, &left, text);
+    return true;
+}
+
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]) {
     whirl_left left;
     if (whirl_table_held(table, contact, &left) == 0) return false;

@@ -189,6 +189,10 @@ bool ranges_told(const whirl_shown_units *units, const whirl_table *table, size_
 /// to 74.3 % of the static load, ...". Returns false if all points have one.
 bool unfound_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
 
+/// Describes points at rest with another equilibrium: "there is another one, up to 0.12 mm away, to which that of the
+/// value before or after leads, stable (2 of 53 points, first at 8 MN/m)". Returns false if there are none.
+bool elsewhere_told(const whirl_shown_units *units, const whirl_table *table, char text[RANGES_TOLD_SIZE]);
+
 /// Describes a contact (index) that is closed at rest: "rub at disc with up to 120 N (14 of 171 points, first at 500
 /// rpm), which small motions leave as it is there". Returns false if it is open everywhere.
 bool held_told(const whirl_shown_units *units, const whirl_table *table, size_t contact, char text[RANGES_TOLD_SIZE]);

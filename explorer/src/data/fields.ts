@@ -16,6 +16,8 @@ export const FIELD = {
   RUB_POWER: 'rub/power',
   RUB_CONTACT: 'rub/contact',
   RANGES_REST: 'ranges/rest',
+  RANGES_ELSEWHERE: 'ranges/elsewhere',
+  RANGES_ELSEWHERE_GROWTH: 'ranges/elsewhere_growth',
   RANGES_LEFT: 'ranges/left',
   RANGES_REACHED: 'ranges/reached',
   RANGES_HELD: 'ranges/held',

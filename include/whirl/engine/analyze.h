@@ -497,6 +497,9 @@ typedef struct whirl_resting {
     const void *context;        ///< passed to at_speed and at_frequency
     size_t placed_count;        ///< number of placed unbalances
     const whirl_placed *placed; ///< [placed_count] unbalances that replace its own
+    const double *rest;         ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`
+    const double *elsewhere;    ///< [dimension] another equilibrium, found from a neighbouring value's; NULL: none
+    double elsewhere_growth;    ///< largest real part of all eigenvalues there, per unit of the system's time
 } whirl_resting;
 
 /// Computes kxx, kxy, ... of the bearings at a speed (rad/s) about the machine's equilibrium, coefficients

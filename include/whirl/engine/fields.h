@@ -23,6 +23,8 @@
 #define WHIRL_FIELD_RUB_CONTACT "rub/contact"
 
 #define WHIRL_FIELD_RANGES_REST "ranges/rest"
+#define WHIRL_FIELD_RANGES_ELSEWHERE "ranges/elsewhere"
+#define WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH "ranges/elsewhere_growth"
 #define WHIRL_FIELD_RANGES_LEFT "ranges/left"
 #define WHIRL_FIELD_RANGES_REACHED "ranges/reached"
 #define WHIRL_FIELD_RANGES_HELD "ranges/held"

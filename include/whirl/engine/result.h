@@ -199,6 +199,11 @@ size_t whirl_table_held(const whirl_table *table, size_t contact, whirl_left *ou
 /// stages, at another speed) has no equilibrium.
 size_t whirl_table_unfound(const whirl_table *table, whirl_left *out);
 
+/// Finds the points of a table of machines at rest with another equilibrium, to which that of a neighbouring value
+/// leads; returns their number. `reached` is the largest distance of a station between both, in length scales, `most`
+/// the growth at the other equilibrium of the first point, 1/s: it is stable below 0.
+size_t whirl_table_elsewhere(const whirl_table *table, whirl_left *out);
+
 /// Reads a point of a table of branches or curves; its orbit is freed by whirl_orbit_free. Errors as whirl_block_trace.
 whirl_status whirl_table_trace(const whirl_table *table, size_t point, whirl_trace *trace);
 

@@ -5,7 +5,7 @@
 
 #include "analysis.h"
 
-enum { REST, LEFT, REACHED, HELD, FIELD_COUNT };
+enum { REST, ELSEWHERE, ELSEWHERE_GROWTH, LEFT, REACHED, HELD, FIELD_COUNT };
 
 static size_t every_range(const block_shape *shape) {
     return shape->range_count;
@@ -28,6 +28,13 @@ static const field_plan fields[FIELD_COUNT] = {
     [REST] = {WHIRL_FIELD_RANGES_REST, "1",
               "share of the static load up to which a place of rest was found; 1: there is one", WHIRL_PER_POINT, 1,
               one_where_it_rests},
+    [ELSEWHERE] = {WHIRL_FIELD_RANGES_ELSEWHERE, "length",
+                   "x, y (from there to another place of rest, to which that of the value before or after leads; "
+                   "missing where none was found)",
+                   WHIRL_PER_STATION, 2, one_at_rest},
+    [ELSEWHERE_GROWTH] = {WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH, "1/s",
+                          "largest real part of all eigenvalues at that place: stable below 0", WHIRL_PER_POINT, 1,
+                          one_at_rest},
     [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},
@@ -65,10 +72,13 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-static bool has_films(const whirl_system *system) {
-    for (size_t p = 0; p < system->probe_count; p++)
-        if (system->probes[p].clearance > 0.0) return true;
-    return false;
+static void fill_elsewhere(const whirl_resting *point, const block_view *view) {
+    if (!view->fields[ELSEWHERE] || !point->elsewhere) return;
+    for (size_t p = 0; p < point->system->probe_count; p++)
+        for (size_t c = 0; c < 2; c++)
+            view_numbers(view, ELSEWHERE, p)[c] = whirl_probe_value(&point->system->probes[p], point->elsewhere, c) -
+                                                  whirl_probe_value(&point->system->probes[p], point->rest, c);
+    *view_numbers(view, ELSEWHERE_GROWTH, 0) = point->clock * point->elsewhere_growth;
 }
 
 /// Writes the ranges at the equilibrium, if there is one. Analyses that need it have found it, or the point has no
@@ -79,7 +89,9 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
     const size_t d = system->dimension, probes = system->probe_count;
     (void)options;
     *view_numbers(view, REST, 0) = 1.0;
-    if (!view->fields[LEFT] && !view->fields[HELD] && (point->modes || !has_films(system))) return whirl_ok();
+    fill_elsewhere(point, view);
+    if (!view->fields[LEFT] && !view->fields[HELD] && (point->modes || !films_any(system, point->start)))
+        return whirl_ok();
     double *x = malloc((d + probes + 1) * sizeof *x), *radius = x ? x + d : NULL;
     if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the ranges of laws");
     memcpy(x, point->modes ? point->modes->rest : point->start, d * sizeof *x);

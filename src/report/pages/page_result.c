@@ -189,6 +189,7 @@ void page_ranges(const page *to, size_t index) {
         for (size_t i = 0; *whirl_result_law_range(result, i); i++)
             if (ranges_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Beyond its law", table, text);
         if (unfound_told(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
+        if (elsewhere_told(&to->units[index], table, text)) write_doubt(to->stream, "Place of rest", table, text);
         for (size_t i = 0; i < result->contact_count; i++)
             if (held_told(&to->units[index], table, i, text)) write_doubt(to->stream, "Rests against", table, text);
     }

@@ -60,6 +60,7 @@ static void print_ranges(FILE *out, const whirl_shown_units *units, const whirl_
     for (size_t i = 0; *whirl_result_law_range(units->result, i); i++)
         if (ranges_told(units, table, i, text)) fprintf(out, "  beyond its law: %s\n", text);
     if (unfound_told(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
+    if (elsewhere_told(units, table, text)) fprintf(out, "  place of rest: %s\n", text);
     for (size_t i = 0; i < units->result->contact_count; i++)
         if (held_told(units, table, i, text)) fprintf(out, "  rests against: %s\n", text);
 }

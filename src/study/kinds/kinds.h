@@ -45,6 +45,30 @@ whirl_status resting_follow(const resting_machine *from, resting_machine *to);
 whirl_status critical_locate(const whirl_study *study, const whirl_batch *batch, const resting_machine *from,
                              const resting_machine *to, whirl_critical *found, size_t most, size_t *count);
 
+// ---------------------------------------------------------------- elsewhere
+// Other places of rest: where those of neighbouring points lead.
+
+/// Where the machine of a point rests, as found from its start.
+typedef struct known_rest {
+    bool known;
+    size_t slot, dimension;
+    double *x; ///< [dimension]; NULL: nowhere
+} known_rest;
+
+/// Rests of three points in a row.
+typedef struct known_rests {
+    known_rest of[3];
+} known_rests;
+
+void known_rests_free(known_rests *rests);
+
+/// Looks for another place of rest of a point's machine from those of the points before and after it (in its row of a
+/// map). *elsewhere [dimension], to be freed, is NULL where there is none; *growth is its largest eigenvalue's real
+/// part; *rest, which `rests` keeps, is where the machine rests. WHIRL_NO_MEMORY, WHIRL_STOPPED.
+whirl_status elsewhere_find(const whirl_study *study, const whirl_batch *batch, const double *values, size_t slot,
+                            const whirl_machine *machine, known_rests *rests, const double **rest, double **elsewhere,
+                            double *growth);
+
 // ---------------------------------------------------------------- refined_map
 // Refined maps: points are computed where verdicts differ, round after round.
 

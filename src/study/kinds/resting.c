@@ -19,6 +19,7 @@ typedef struct worker {
     whirl_table *table;
     bool has_modes;
     resting_machine before; ///< the point before, if it is known
+    known_rests rests;      ///< equilibria of this and the neighbouring points
     whirl_critical *found;  ///< [most]
     size_t most, count;
     double *block; ///< block of a point whose block stays in the journal
@@ -89,24 +90,38 @@ static whirl_status at_frequency(const void *context, double frequency, whirl_va
     return at_speed(&at, 0.0, variant, variant_value, machine);
 }
 
+/// Returns true if other equilibria are looked for: for turning machines with their own bearings.
+static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
+    return w->table->count > 1 && machine->speed != 0.0 &&
+           whirl_layout_field(&w->table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
+}
+
 static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
     const place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
-    const whirl_resting point = {.system = machine->system,
-                                 .start = machine->start,
-                                 .clock = machine->clock,
-                                 .speed = machine->speed,
-                                 .modes = own->modes,
-                                 .critical_count = w->count,
-                                 .critical = w->found,
-                                 .before = own->before,
-                                 .at_speed = at_speed,
-                                 .at_frequency = at_frequency,
-                                 .context = &at,
-                                 .placed_count = w->batch->placed_count,
-                                 .placed = w->batch->placed};
-    whirl_status status =
-        whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
+    whirl_resting point = {.system = machine->system,
+                           .start = machine->start,
+                           .clock = machine->clock,
+                           .speed = machine->speed,
+                           .modes = own->modes,
+                           .critical_count = w->count,
+                           .critical = w->found,
+                           .before = own->before,
+                           .at_speed = at_speed,
+                           .at_frequency = at_frequency,
+                           .context = &at,
+                           .placed_count = w->batch->placed_count,
+                           .placed = w->batch->placed};
+    double *elsewhere = NULL;
+    whirl_status status = whirl_ok();
+    if (looks_elsewhere(w, machine))
+        status = elsewhere_find(w->run->study, w->batch, w->table->values, slot, machine, &w->rests, &point.rest,
+                                &elsewhere, &point.elsewhere_growth);
+    point.elsewhere = elsewhere;
+    if (status.code == WHIRL_OK)
+        status =
+            whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
+    free(elsewhere);
     // A machine that could not be built has already named its place.
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)
         status = whirl_fail(status.code, "at %s = %.10g: %.300s", w->batch->parameter, own->value, status.message);
@@ -193,6 +208,7 @@ static whirl_status work(study_run *run, const pass *p) {
         whirl_status status =
             w.found && w.block ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for points at rest");
         if (status.code == WHIRL_OK) status = work_at_pieces(&w, &pieces);
+        known_rests_free(&w.rests);
         free(w.found);
         free(w.block);
         if (status.code != WHIRL_OK) tracker_fail(&run->tracker, &status);

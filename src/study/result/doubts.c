@@ -55,6 +55,26 @@ size_t whirl_table_unfound(const whirl_table *table, whirl_left *out) {
     return out->points;
 }
 
+size_t whirl_table_elsewhere(const whirl_table *table, whirl_left *out) {
+    *out = (whirl_left){.reached = 0.0, .most = NAN};
+    const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
+    for (size_t point = 0; field && point < table->count; point++) {
+        double distance = 0.0;
+        if (!whirl_table_done(table, point)) continue;
+        for (size_t s = 0; s < field->repeat; s++) {
+            const double *const at = whirl_table_field(table, point, field->name, s);
+            distance = fmax(distance, hypot(at[0], at[1]));
+        }
+        if (!(distance > 0.0)) continue;
+        if (out->points++ == 0) {
+            out->first = point;
+            out->most = whirl_table_number(table, point, WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH, 0);
+        }
+        out->reached = fmax(out->reached, distance);
+    }
+    return out->points;
+}
+
 size_t whirl_table_left(const whirl_table *table, size_t index, whirl_left *out) {
     const whirl_field *field = whirl_layout_field(&table->layout, WHIRL_FIELD_RANGES_REACHED);
     *out = (whirl_left){.points = 0, .reached = NAN, .most = NAN};

@@ -47,7 +47,8 @@ static bool says(const char *text, const char *const *words) {
 /// count as they are asked to.
 static void meanings_tell_how_lengths_are_counted(void **state) {
     (void)state;
-    static const char *const lengths[] = {"0-p", "from the centre", "radial", "upwards", "bearings here", NULL};
+    static const char *const lengths[] = {"0-p",           "from the centre",          "radial", "upwards",
+                                          "bearings here", "to another place of rest", NULL};
     static const char *const forces[] = {"at any instant", "at rest", NULL}, *const relative[] = {"relative", NULL};
     static const char *const sinusoids[] = {"amplitude", "spectrum", "synchronous", "/axes", "/probe", "/seen", NULL};
     whirl_layout layout;

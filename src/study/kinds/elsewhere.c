@@ -1,0 +1,102 @@
+// Other places of rest of a machine: those to which the places of rest of neighbouring points lead. A table that steps
+// from one to another would else do so without a word.
+#include "kinds.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/// Places that differ by less than this part of the larger one, or of a length scale times the second, are one.
+static const double same_part = 1e-5, same_length = 1e-10;
+
+void known_rests_free(known_rests *rests) {
+    for (size_t i = 0; i < 3; i++) free(rests->of[i].x);
+    *rests = (known_rests){0};
+}
+
+/// Finds where a machine rests from its start; nowhere where the search fails.
+static whirl_status rest_of(const whirl_machine *machine, known_rest *out) {
+    const size_t d = machine->system->dimension;
+    out->dimension = d;
+    out->x = malloc((d + 1) * sizeof *out->x);
+    if (!out->x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the place of rest of %zu coordinates", d);
+    memcpy(out->x, machine->start, d * sizeof *out->x);
+    const whirl_status status = whirl_equilibrium(machine->system, out->x);
+    out->known = status.code != WHIRL_NO_MEMORY;
+    if (status.code == WHIRL_OK) return status;
+    free(out->x);
+    out->x = NULL;
+    return out->known ? whirl_ok() : status;
+}
+
+/// The rest of a point, kept where it is known already; `machine`: of it, NULL: to be made.
+static whirl_status look_up(const whirl_study *study, const whirl_batch *batch, const double *values, size_t slot,
+                            const whirl_machine *machine, known_rests *rests, const known_rest **out) {
+    known_rest *own = &rests->of[slot % 3];
+    whirl_machine made;
+    *out = own;
+    if (own->known && own->slot == slot) return whirl_ok();
+    free(own->x);
+    *own = (known_rest){.slot = slot};
+    if (machine) return rest_of(machine, own);
+    whirl_status status = study->machine(study->family, batch, values[slot], &made);
+    if (status.code == WHIRL_NO_MEMORY || status.code == WHIRL_STOPPED) return status;
+    own->known = true; // a machine that cannot be made rests nowhere
+    if (status.code != WHIRL_OK) return whirl_ok();
+    status = rest_of(&made, own);
+    if (made.release) made.release(made.owner);
+    return status;
+}
+
+/// Whether stations are at the same places.
+static bool is_same(const whirl_system *system, const double *a, const double *b) {
+    double apart = 0.0, size = 0.0;
+    for (size_t p = 0; p < system->probe_count; p++) {
+        const whirl_probe *probe = &system->probes[p];
+        apart = fmax(apart, hypot(a[probe->x] - b[probe->x], a[probe->y] - b[probe->y]));
+        size = fmax(size, fmax(hypot(a[probe->x], a[probe->y]), hypot(b[probe->x], b[probe->y])));
+    }
+    return !(apart > same_part * size + same_length);
+}
+
+/// Goes from a neighbour's place to where the machine rests near it. A place that moves free, to which no force brings
+/// it back, is no other one.
+static whirl_status follow(const whirl_machine *machine, const double *rest, const double *from, double **elsewhere,
+                           double *growth) {
+    const size_t d = machine->system->dimension;
+    whirl_modes *modes = NULL;
+    double *x = malloc((d + 1) * sizeof *x);
+    if (!x) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the place of rest of %zu coordinates", d);
+    memcpy(x, from, d * sizeof *x);
+    whirl_status status = whirl_equilibrium(machine->system, x);
+    if (status.code == WHIRL_OK && !is_same(machine->system, x, rest)) {
+        status = whirl_modes_new(machine->system, x, &modes);
+        if (status.code == WHIRL_OK && modes->free == 0 && !(modes->period > 0.0)) {
+            *growth = modes->growth;
+            *elsewhere = x;
+            x = NULL;
+        }
+        whirl_modes_free(modes);
+    }
+    free(x);
+    return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
+}
+
+whirl_status elsewhere_find(const whirl_study *study, const whirl_batch *batch, const double *values, size_t slot,
+                            const whirl_machine *machine, known_rests *rests, const double **rest, double **elsewhere,
+                            double *growth) {
+    const size_t neighbours[] = {slot - 1, slot + 1};
+    const known_rest *own, *beside;
+    *elsewhere = NULL;
+    whirl_status status = look_up(study, batch, values, slot, machine, rests, &own);
+    *rest = own->x;
+    for (size_t i = 0; i < 2 && status.code == WHIRL_OK && own->x && !*elsewhere; i++) {
+        const size_t other = neighbours[i];
+        if (other >= batch->count || (batch->row > 0 && other / batch->row != slot / batch->row)) continue;
+        status = look_up(study, batch, values, other, NULL, rests, &beside);
+        if (status.code == WHIRL_OK && beside->x && beside->dimension == own->dimension &&
+            !is_same(machine->system, own->x, beside->x))
+            status = follow(machine, own->x, beside->x, elsewhere, growth);
+    }
+    return status;
+}

@@ -1,0 +1,119 @@
+// Machines that rest in more than one place: a table steps from one to another, and its points say so
+// (ranges/elsewhere) where the rest of a neighbouring value leads to another place. Closed forms of two wells and of a
+// magnet between stops.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_study.h"
+#include "whirl/engine/analyze.h"
+#include "whirl/engine/case.h"
+
+/// A station that moves along x, pulled by F with the acceleration |F| along or against x.
+static const char *machine_on(const char *elements, const char *study) {
+    static char text[4096];
+    snprintf(text, sizeof text,
+             "whirl: 1\nparameters: {F: 1}\nrotor:\n  speed: 100 rad/s\n  length_scale: 1 mm\n"
+             "  stations: {j: {mass: 2 kg, moves: x, damping: 10 N.s/m}}\n  elements:\n%s"
+             "    - gravity: {acceleration: = abs(F), direction: \"= 1.5707963267948966 * (1 - sign(F))\"}\n"
+             "study:\n%s",
+             elements, study);
+    return text;
+}
+
+/// Where a spring of stiffness -k, cubic k3 and a pull balance: the roots of k3 x^3 - k x = pull, the least first.
+static void wells(double k, double k3, double pull, double root[3]) {
+    const double p = k / k3, q = pull / k3, size = 2.0 * sqrt(p / 3.0);
+    const double angle = acos(4.0 * q / (size * size * size)) / 3.0;
+    for (int i = 0; i < 3; i++) root[i] = size * cos(angle + 2.0943951023931953 * (i + 1));
+    if (root[0] > root[1]) {
+        const double other = root[0];
+        root[0] = root[1];
+        root[1] = other;
+    }
+}
+
+/// Of a buckled spring: below the fold, |pull| < 2 k sqrt(k/(27 k3)) = 0.385 N, the search ends in the middle, which is
+/// unstable; from the value beyond the fold it leads into the well there.
+static void two_wells(void **state) {
+    static const double pulls[] = {-0.25, -0.16, -0.05, 0.05, 0.16, 0.25};
+    (void)state;
+    whirl_result *result =
+        result_of_text(machine_on("    - cubic_spring: {between: [j, ground], stiffness: -1 kN/m, cubic: 1e9}\n",
+                                  "  modes: {parameter: F, values: [-0.25, -0.16, -0.05, 0.05, 0.16, 0.25]}\n"));
+    const whirl_table *table = &result->tables[0];
+    for (size_t i = 0; i < 6; i++) {
+        double root[3];
+        const double apart = table_number(table, i, WHIRL_FIELD_RANGES_ELSEWHERE, 0);
+        const double rest = table_number(table, i, WHIRL_FIELD_MODES_REST, 0);
+        wells(1e3, 1e9, 2.0 * pulls[i], root);
+        if (i != 1 && i != 4) {
+            check_holds("Rests elsewhere", words("%g m/s2: none beside the neighbours'", pulls[i]), isnan(apart));
+            continue;
+        }
+        const double other = root[pulls[i] > 0.0 ? 2 : 0];
+        check_within("Rests elsewhere", words("%g m/s2: in the middle, m", pulls[i]), root[1], 1e-3 * rest, 1e-12);
+        check_within("Rests elsewhere", words("%g m/s2: in a well, m", pulls[i]), other, 1e-3 * (rest + apart), 1e-12);
+        // m x'' + c x' + (3 k3 x^2 - k) x = 0 beside it.
+        check_within("Rests elsewhere", words("%g m/s2: growth in the well, 1/s", pulls[i]), -2.5,
+                     table_number(table, i, WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH, 0), 1e-9);
+    }
+    whirl_left left;
+    assert_int_equal(whirl_table_elsewhere(table, &left), 2);
+    assert_int_equal(left.first, 1);
+    whirl_result_free(result);
+}
+
+/// A magnet of 2 - 1 MN/m that pulls outwards between stops of 5 MN/m at 0.2 mm: pressed against either of them, x =
+/// (5e6 gap +- pull)/(5e6 - 1e6).
+static void magnet_between_stops(void **state) {
+    static const double pulls[] = {-50.0, -20.0, 20.0, 50.0};
+    (void)state;
+    whirl_result *result = result_of_text(machine_on(
+        "    - magnetic: {at: j, law: linear, current_stiffness: 200 N/A, displacement_stiffness: 2 MN/m, "
+        "proportional: 5000 A/m}\n    - contact: {at: j, gap: 0.2 mm, stiffness: 5e6, law: hertz, power: 1}\n",
+        "  initial: {j: {x: \"= 0.3 * sign(F)\"}}\n"
+        "  modes: {parameter: F, values: [-50, -20, 20, 50]}\n"));
+    const whirl_table *table = &result->tables[0];
+    for (size_t i = 0; i < 4; i++) {
+        const double side = pulls[i] > 0.0 ? 1.0 : -1.0, pull = 2.0 * fabs(pulls[i]);
+        const double rest = side * (1000.0 + pull) / 4e6, other = -side * (1000.0 - pull) / 4e6;
+        const double apart = table_number(table, i, WHIRL_FIELD_RANGES_ELSEWHERE, 0);
+        check_within("Rests elsewhere", words("%g m/s2: at one stop, m", pulls[i]), rest,
+                     1e-3 * table_number(table, i, WHIRL_FIELD_MODES_REST, 0), 1e-12);
+        if (i == 0 || i == 3)
+            check_holds("Rests elsewhere", words("%g m/s2: its neighbour rests there, too", pulls[i]), isnan(apart));
+        else
+            check_within("Rests elsewhere", words("%g m/s2: at the other stop, m", pulls[i]), other - rest,
+                         1e-3 * apart, 1e-12);
+    }
+    whirl_result_free(result);
+}
+
+/// One place of rest, or none that a force brings back to: nothing is found.
+static void nowhere_else(void **state) {
+    static const char *const elements[] = {
+        "    - spring: {between: [j, ground], stiffness: 1 kN/m}\n",
+        "    - cubic_spring: {between: [j, ground], stiffness: 1 kN/m, cubic: 1e9}\n",
+        "    - spring: {between: [j, ground], stiffness: 1 kN/m}\n    - contact: {at: j, gap: 1 mm, stiffness: 1e5}\n"};
+    (void)state;
+    for (size_t i = 0; i < sizeof elements / sizeof *elements; i++) {
+        whirl_left left;
+        whirl_result *result =
+            result_of_text(machine_on(elements[i], "  modes: {parameter: F, values: [-2, -1, -0.1, 0.1, 1, 2]}\n"));
+        assert_int_equal(whirl_table_elsewhere(&result->tables[0], &left), 0);
+        whirl_result_free(result);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(two_wells), cmocka_unit_test(magnet_between_stops),
+                                       cmocka_unit_test(nowhere_else)};
+    return cmocka_run_group_tests_name("rests elsewhere", tests, NULL, NULL);
+}
