@@ -232,9 +232,8 @@ static void tell_shaft(const whirl_shaft_summary *shaft) {
     }
     printf(", reduced to its stations and %zu of %zu modes a plane", shaft->modes, shaft->all_modes);
     if (shaft->modes > 0) printf(", up to %.4g Hz", shaft->highest / turn);
-    printf("\n    beside all nodes: frequencies of the free shaft (%zu compared) err by %.2g, displacements by forces "
-           "by %.2g\n",
-           shaft->compared, shaft->frequency_error, shaft->flexibility_error);
+    printf("\n    reduction error: %.2g (%zu free-free frequencies), %.2g (static flexibility)\n",
+           shaft->frequency_error, shaft->compared, shaft->flexibility_error);
 }
 
 static whirl_status tell_shafts(const whirl_case *object) {

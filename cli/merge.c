@@ -48,8 +48,8 @@ static int merge(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "CASE.yaml [JOURNAL...]",
-        .doc = "Makes the result of what shards of 'whirl run' have computed, from all journals of the run that are "
-               "beside RESULT.h5, and from those that are named. The case and its settings are those of the shards. "
+        .doc = "Makes the result of what shards of 'whirl run' have computed, from all journals of the run next "
+               "to RESULT.h5, and from those that are named. The case and its settings are those of the shards. "
                "Points are not computed: where some are missing the result is partial and the exit status 3. What "
                "needs all points is: copies of chaotic motions that are followed, and refinement.",
     };

@@ -51,7 +51,7 @@ static void print(const phases *seen, size_t looked_at) {
 static void print_watch(const phases *seen, int watched) {
     const size_t always = 64, three = 3 * seen->most;
     if (seen->most > always && (size_t)watched < three)
-        printf("  a period of %zu revolutions is told where %zu are watched, and %d are (study.integrate.watch)\n",
+        printf("  a period of %zu revolutions is found if %zu are watched; %d are (study.integrate.watch)\n",
                seen->most, three, watched);
 }
 

@@ -39,7 +39,7 @@ static const struct argp_option options[] = {
     {.name = "claims",
      .key = KEY_CLAIMS,
      .arg = "FILE",
-     .doc = "Set what a paper or a measurement says beside what is found"},
+     .doc = "Compare findings with the claims of a paper or a measurement"},
     {.name = "gnuplot",
      .key = KEY_GNUPLOT,
      .arg = "PROGRAM",
@@ -200,7 +200,7 @@ static int run(int argc, char **argv) {
         .args_doc = "RESULT.h5... -o DIR",
         .doc =
             "Draws the figures of results with gnuplot and writes a page, DIR/report.html, that shows them all, "
-            "and one that computes on in a browser, DIR/explorer.html. Scripts and data are kept beside the figures.",
+            "and one that computes on in a browser, DIR/explorer.html. Scripts and data are kept next to the figures.",
     };
     report_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

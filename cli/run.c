@@ -18,7 +18,7 @@ static const struct argp_option options[] = {
                 "Print the points as one JSON document on standard output; a result file is then written only with -o"),
     {.name = "resume",
      .key = KEY_RESUME,
-     .doc = "Go on with a run that did not finish, from RESULT.h5.journal and what shards have left beside it; the "
+     .doc = "Go on with a run that did not finish, from RESULT.h5.journal and the journals of shards next to it; the "
             "result is that of an uninterrupted run"},
     {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
     REFINE_OPTION,

@@ -26,7 +26,7 @@ static const whirl_key file_keys[] = {
     CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
     UNITS_KEY,
     CHOICE_KEY("angles", REQUIRED, "with|against",
-               "how angles on the rotor are told, from its mark: with the rotation or against it"),
+               "sense of angles on the rotor, counted from its mark: with the rotation or against it"),
     CHOICE_KEY("phases", REQUIRED, "lag|lead",
                "what phases of vibrations are: by how much the peak comes after the mark "
                "passes the probe, or before"),
@@ -50,11 +50,11 @@ static const whirl_key file_keys[] = {
                "whether sets have no resultant and no couple: N + 2 planes for N modes, in place of N"),
     CHOICE_KEY("least", DEFAULT("squares"), "squares|max",
                "what weights make the least: the sum of the squares of what is left, or the largest of it"),
-    CHOICE_KEY("probes", OPTIONAL, "", "a list of what is known of probes beside what they saw"),
+    CHOICE_KEY("probes", OPTIONAL, "", "a list of probes, with their stations, directions and limits"),
     CHOICE_KEY("model", OPTIONAL, "", "path of a case of the rotor, from the folder of this file"),
     CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "where influence coefficients come from"),
     NUMBER_KEY("model_error", "", "1", DEFAULT("0.03"), WHIRL_FROM_TO(0, 0.5),
-               "share by which the model's critical speeds may be wrong; what would be left then is told"),
+               "relative error of the model's critical speeds; the vibration left with this error is reported"),
     NUMBER_KEY("keyphasor", "", "rad", DEFAULT("0"), WHIRL_ANY,
                "where the mark is seen, from the model's x axis towards y"),
 };
@@ -124,7 +124,7 @@ static const whirl_group trial_group = {"trial", "a weight that a run had", "", 
 static const whirl_group mode_group = {
     "mode", "a mode that is balanced by itself", "", mode_keys, COUNT(mode_keys), NULL, NULL};
 static const whirl_group probe_group = {
-    "probe", "what is known of a probe beside what it saw", "", probe_keys, COUNT(probe_keys), NULL, NULL};
+    "probe", "properties of a probe, besides its readings", "", probe_keys, COUNT(probe_keys), NULL, NULL};
 static const whirl_group vibration_group = {
     "vibration", "what a probe saw in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
 
@@ -248,7 +248,7 @@ static void read_modes(case_reader *reader, const setting_list *file, whirl_bala
     out->keep_rigid = settings_yes(file, "keep_rigid");
     if (out->keep_rigid && !settings_find(file, "modes"))
         problem_at(reader->problems, settings_find(file, "keep_rigid")->place,
-                   "is said of sets of weights, expected modes, too");
+                   "applies only to weight sets: add modes");
 }
 
 static void read_probes(case_reader *reader, const setting_list *file, whirl_balance *out) {
@@ -293,8 +293,8 @@ static void read_place(case_reader *reader, const file_node *at, const setting_l
         problem_at(reader->problems, set->place, "is %g, and there %s %zu mode%s", number,
                    of->mode_count == 1 ? "is" : "are", of->mode_count, of->mode_count == 1 ? "" : "s");
     if (out != of->trials && (out->plane == WHIRL_BALANCE_SET) != (of->trials->plane == WHIRL_BALANCE_SET))
-        problem_at(reader->problems, at, "is of a %s, and trials before of %ss, expected one kind",
-                   set ? "set" : "plane", set ? "plane" : "set");
+        problem_at(reader->problems, at, "has a %s, earlier trials have %ss, expected one kind", set ? "set" : "plane",
+                   set ? "plane" : "set");
 }
 
 /// The radius at which a mass of a trial sits.
@@ -462,7 +462,7 @@ static void read_coefficients(case_reader *reader, const setting_list *file, whi
     }
     if (first && (out->by_model || out->mode_count > 0))
         problem_at(reader->problems, settings_find(file, "coefficients")->place,
-                   "stands beside %s, expected one of them", out->by_model ? "influence: model" : "modes");
+                   "is given together with %s, expected one of them", out->by_model ? "influence: model" : "modes");
 }
 
 /// Reports weights of runs without readings.

@@ -128,7 +128,7 @@ static const file_node *place_of(const setting_list *file, const char *key) {
 static int one_of(case_reader *reader, const setting_list *file, const char *one, const char *other) {
     const setting *first = settings_find(file, one), *second = settings_find(file, other);
     if (first && second)
-        problem_at(reader->problems, second->place, "stands beside %s, expected one of them", one);
+        problem_at(reader->problems, second->place, "is given together with %s, expected one of them", one);
     else if (!first && !second && !settings_misspelt(file, one) && !settings_misspelt(file, other))
         problem_missing(reader->problems, file->place, one, "is missing, expected this or %s", other);
     return first && second ? 0 : first ? 1 : second ? 2 : 0;
@@ -157,7 +157,7 @@ static void read_pads(case_reader *reader, const file_node *list, whirl_bearing 
 static void check_overlap(case_reader *reader, const file_node *list, const whirl_pads *pads) {
     size_t one, other;
     if (whirl_pads_overlap(pads, &one, &other))
-        problem_at(reader->problems, list, "has pad %zu over pad %zu, expected pads beside each other", other + 1,
+        problem_at(reader->problems, list, "has pad %zu over pad %zu, expected pads next to each other", other + 1,
                    one + 1);
 }
 

@@ -24,7 +24,8 @@ static int way_of(case_reader *reader, const setting_list *file) {
                         "is missing, expected this, kinematic_viscosity, or grade or temperatures with the "
                         "temperature of the film");
     if (given > 1)
-        problem_at(reader->problems, place_of(file, ways[last]), "stands beside another one, expected one of them");
+        problem_at(reader->problems, place_of(file, ways[last]),
+                   "is given together with another one, expected one of them");
     return given == 1 ? last : WAYS;
 }
 
@@ -68,7 +69,7 @@ static void read_table(case_reader *reader, const setting_list *file, whirl_bear
     if (rows == 0 || count == 0) return;
     if (rows < 2 || rows != count) {
         problem_at(reader->problems, place_of(file, "temperatures"),
-                   "has %zu numbers beside %zu viscosities, expected as many, and two or more", rows, count);
+                   "has %zu numbers for %zu viscosities, expected as many, and two or more", rows, count);
         return;
     }
     for (size_t i = 0; i < rows; i++) out->oil_viscosities[i] /= out->density;
@@ -88,7 +89,7 @@ static void read_table(case_reader *reader, const setting_list *file, whirl_bear
 static void read_temperature(case_reader *reader, const setting_list *file, whirl_bearing *out) {
     const setting *own = settings_find(file, warm_keys[0]), *inlet = settings_find(file, warm_keys[1]);
     if (own && inlet)
-        problem_at(reader->problems, inlet->place, "stands beside temperature, expected one of them");
+        problem_at(reader->problems, inlet->place, "is given together with temperature, expected one of them");
     else if (!own && !inlet && !settings_misspelt(file, warm_keys[0]) && !settings_misspelt(file, warm_keys[1]))
         problem_missing(reader->problems, file->place, "temperature",
                         "is missing, expected that of the film, or supply_temperature");

@@ -83,15 +83,17 @@ static void compare(const case_content *content, valuation *v, const whirl_rotor
         eigenvalue other = {0.0, 0.0};
         last = own.real;
         if (!known && grows(own, clock))
-            snprintf(doubt, WHIRL_MESSAGE_SIZE,
-                     "with the rational functions that stand in time for its bearings' tables the machine is unstable, "
-                     "by %.4g 1/s at %.4g rad/s, where the tables (%.4g to %.4g rad/s) say nothing",
-                     own.real, own.imaginary, low, high);
+            snprintf(
+                doubt, WHIRL_MESSAGE_SIZE,
+                "with the rational functions that replace its bearings' tables in motions the machine is unstable, "
+                "by %.4g 1/s at %.4g rad/s, beyond the tables (%.4g to %.4g rad/s)",
+                own.real, own.imaginary, low, high);
         else if (known && by_tables(content, v, own, &other) && grows(own, clock) != grows(other, clock))
-            snprintf(doubt, WHIRL_MESSAGE_SIZE,
-                     "with the rational functions that stand in time for its bearings' tables a mode at %.4g rad/s has "
-                     "the exponent %.4g 1/s, and %.4g 1/s with the tables themselves: one is stable, the other is not",
-                     own.imaginary, own.real, other.real);
+            snprintf(
+                doubt, WHIRL_MESSAGE_SIZE,
+                "with the rational functions that replace its bearings' tables in motions a mode at %.4g rad/s has "
+                "the exponent %.4g 1/s, and %.4g 1/s with the tables themselves: one is stable, the other is not",
+                own.imaginary, own.real, other.real);
     }
     whirl_modes_free(modes);
 }

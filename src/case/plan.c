@@ -354,9 +354,9 @@ static size_t map_refine(case_reader *reader, valuation *v, const plan_parts *pa
         problem_at_key(reader->problems, given->place, "needs the analysis %s, by whose verdicts it goes",
                        whirl_analysis_of_verdicts());
     if (settings_find(&parts->study, "starts"))
-        problem_at_key(reader->problems, given->place, "stands beside starts, expected one of the two");
+        problem_at_key(reader->problems, given->place, "is given together with starts, expected one of the two");
     if (parts->planes.parameter)
-        problem_at_key(reader->problems, given->place, "stands beside z, expected one of the two");
+        problem_at_key(reader->problems, given->place, "is given together with z, expected one of the two");
     return width;
 }
 

@@ -84,7 +84,7 @@ static void check_range_keys(case_reader *reader, const setting_list *sweep) {
             problem_missing(reader->problems, sweep->place, ends[i], "is missing, expected %s, or values: [...]",
                             whirl_group_key(sweep->group, ends[i])->meaning);
     if (points && step)
-        problem_at_key(reader->problems, step->place, "stands beside points, expected one of the two");
+        problem_at_key(reader->problems, step->place, "is given together with points, expected one of the two");
     else if (!points && !step && !settings_misspelt(sweep, "points") && !settings_misspelt(sweep, "step"))
         problem_missing(reader->problems, sweep->place, "points", "is missing, expected the number of values, or step");
     if (step && strcmp(settings_word(sweep, "scale"), "log") == 0)
@@ -96,7 +96,8 @@ static void check_list_keys(case_reader *reader, const setting_list *sweep) {
     static const char *const others[] = {"from", "to", "points", "step", "scale"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         const setting *other = settings_find(sweep, others[i]);
-        if (other) problem_at_key(reader->problems, other->place, "stands beside values, expected one of the two");
+        if (other)
+            problem_at_key(reader->problems, other->place, "is given together with values, expected one of the two");
     }
 }
 
@@ -196,7 +197,7 @@ static void read_branch_parameter(case_reader *reader, plan_parts *parts) {
                             "is missing, expected the name of the parameter that varies");
     } else if (name && parts->sweep.parameter &&
                (name->place->kind != NODE_TEXT || strcmp(name->place->text, parts->sweep.parameter->name) != 0)) {
-        problem_at(reader->problems, name->place, "is %s, expected %s, the parameter of the sweep beside it",
+        problem_at(reader->problems, name->place, "is %s, expected %s, the parameter of the sweep",
                    node_shown(name->place, shown), parts->sweep.parameter->name);
     }
 }
@@ -240,9 +241,9 @@ static void read_curves(case_reader *reader, plan_parts *parts) {
 static void check_tori(case_reader *reader, const plan_parts *parts) {
     const setting *given = settings_find(&parts->branch, "tori");
     if (given && settings_yes(&parts->branch, "tori") && settings_yes(&parts->branch, "rest"))
-        problem_at(
-            reader->problems, given->place,
-            "is yes beside rest: yes, expected one of the two: tori begin at orbits of machines that are driven");
+        problem_at(reader->problems, given->place,
+                   "is yes together with rest: yes, expected one of the two: tori begin at orbits of machines that are "
+                   "driven");
 }
 
 static void read_branch(case_reader *reader, plan_parts *parts) {
@@ -319,7 +320,7 @@ static void read_kind_of_motions(case_reader *reader, plan_parts *parts) {
         const bool first = found && kinds[i].group == &schema_sweep;
         if (found)
             problem_at_key(reader->problems, (first ? found : given)->place,
-                           "stands beside %s, expected one of the two", (first ? given : found)->key->name);
+                           "is given together with %s, expected one of the two", (first ? given : found)->key->name);
         else
             found = given, chosen = i;
     }
@@ -400,8 +401,9 @@ static void check_starts(case_reader *reader, const plan_parts *parts, const set
     if (parts->map.group == &schema_basin)
         problem_at_key(reader->problems, given->place, "has no meaning with basin, whose points are starts");
     if (parts->sweep.keys.group == &schema_sweep && strcmp(settings_word(&parts->sweep.keys, "start"), "carry") == 0)
-        problem_at_key(reader->problems, given->place,
-                       "stands beside start: carry, expected one of the two: carried points have one start each");
+        problem_at_key(
+            reader->problems, given->place,
+            "is given together with start: carry, expected one of the two: carried points have one start each");
 }
 
 static void read_ranges(case_reader *reader, const file_node *where, const machine_parts *machine, study_plan *result) {
@@ -483,7 +485,8 @@ static void read_grid(case_reader *reader, const file_node *where, const file_no
 /// Checks that exactly one of the two gives the number of starts.
 static void check_number_of_starts(case_reader *reader, const plan_parts *parts) {
     const setting *count = settings_find(&parts->starts, "count"), *grid = settings_find(&parts->starts, "grid");
-    if (count && grid) problem_at_key(reader->problems, grid->place, "stands beside count, expected one of the two");
+    if (count && grid)
+        problem_at_key(reader->problems, grid->place, "is given together with count, expected one of the two");
     const bool misspelt = settings_misspelt(&parts->starts, "count") || settings_misspelt(&parts->starts, "grid");
     if (!count && !grid && !misspelt && parts->starts.place->kind == NODE_MAPPING)
         problem_missing(reader->problems, parts->starts.place, "count",
@@ -532,12 +535,12 @@ static void read_analyses(case_reader *reader, plan_parts *parts) {
         if (item->kind != NODE_TEXT || !whirl_analysis_add(&one, item->text))
             report_unknown_analysis(reader, item);
         else if (whirl_analysis_kind(one)->found)
-            problem_at(reader->problems, item, "is %s, of points of branches, expected branch: {...} beside the sweep",
-                       item->text);
+            problem_at(reader->problems, item,
+                       "is %s, of points of branches, expected branch: {...} in addition to the sweep", item->text);
         else if (!whirl_analysis_kind(one)->moves)
             problem_at(reader->problems, item,
                        "is %s, which is a study of its own, expected %s: {...} in place of "
-                       "response or sweep, or beside it",
+                       "response or sweep, or in addition",
                        item->text, item->text);
         parts->analyses |= one;
     }

@@ -123,7 +123,7 @@ static void read_unbalances(case_reader *reader, const plan_parts *parts, restin
     describe_names(text, names, count, advice);
     if (!resting->unbalances)
         problem_at(reader->problems, given->place, "is %s, which is no study of unbalance here, %s",
-                   node_shown(given->place, shown), count > 0 ? advice : "expected one beside it");
+                   node_shown(given->place, shown), count > 0 ? advice : "expected one in the same study");
     else if (!settings_find(&resting->unbalances->axis.keys, "antinodes_of") &&
              !settings_find(&resting->unbalances->axis.keys, "at"))
         problem_at(reader->problems, given->place,
@@ -136,7 +136,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     static const char *const keys[] = {"from", "to", "points", "step", "scale", "values"};
     if (parts->resting_count == PLAN_MAX_RESTING) {
         problem_at(reader->problems, where,
-                   "is one study too many of machines at rest and of motions beside them, expected at most %d",
+                   "is one study too many at rest or of motions with unbalances by rule, expected at most %d",
                    PLAN_MAX_RESTING);
         return;
     }
@@ -247,7 +247,7 @@ static void check_running(case_reader *reader, const resting_parts *resting, con
     if (trip && !(options->trip >= highest && highest > 0.0))
         problem_at(reader->problems, trip->place,
                    highest > 0.0 ? "is %.10g rad/s, expected at least the highest running speed (%.10g rad/s)"
-                                 : "is %.10g rad/s, expected running_from or running_to beside it",
+                                 : "is %.10g rad/s, expected running_from or running_to as well",
                    options->trip, highest);
 }
 
@@ -257,11 +257,11 @@ static void check_placed(case_reader *reader, const resting_parts *resting, cons
     const setting *at = settings_find(&resting->axis.keys, "at");
     const setting *weight = settings_find(&resting->axis.keys, "weight");
     if (antinodes && at)
-        problem_at_key(reader->problems, at->place, "stands beside antinodes_of, expected one of the two");
+        problem_at_key(reader->problems, at->place, "is given together with antinodes_of, expected one of the two");
     if (weight && !at) problem_at_key(reader->problems, weight->place, "needs at, the station where it counts");
     if ((antinodes || at) && !(options->running_high > 0.0))
         problem_at_key(reader->problems, (at ? at : antinodes)->place,
-                       "needs running_to, the speed by which unbalances are told");
+                       "needs running_to, the speed that determines unbalances");
 }
 
 /// The values that a condition gives, once for all studies; NULL after a problem.

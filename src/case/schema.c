@@ -16,7 +16,7 @@
 static const whirl_key case_keys[] = {
     WHOLE_KEY("whirl", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what the case is about, in one line"),
-    CHOICE_KEY("document", OPTIONAL, "", "what stands at the head of reports beside the title: see document"),
+    CHOICE_KEY("document", OPTIONAL, "", "the heading of reports below the title: see document"),
     CHOICE_KEY("parameters", OPTIONAL, "",
                "names with values: a number, a number and a unit, or = and an expression over other parameters in SI"),
     CHOICE_KEY("rotor", REQUIRED, "", "the machine: see rotor"),
@@ -60,7 +60,7 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY(
         "response", OPTIONAL, "",
         "one point; a study has this or one of sweep, map, basin, branch, or studies of machines at rest, alone or "
-        "beside it:" WHIRL_STUDIES_AT_REST(AND_NAME)),
+        "in addition to it:" WHIRL_STUDIES_AT_REST(AND_NAME)),
     CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
     CHOICE_KEY(
         "motions", OPTIONAL, "",
@@ -69,9 +69,10 @@ static const whirl_key study_keys[] = {
     CHOICE_KEY(
         "basin", OPTIONAL, "",
         "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map"),
-    CHOICE_KEY("branch", OPTIONAL, "",
-               "orbits along one parameter, stable or not, and where and why they change; alone or beside a sweep: see "
-               "branch"),
+    CHOICE_KEY(
+        "branch", OPTIONAL, "",
+        "orbits along one parameter, stable or not, and where and why they change; alone or together with a sweep: see "
+        "branch"),
     CHOICE_KEY("curves", OPTIONAL, "",
                "curves over a second parameter, through the special points of the branches: see curves"),
     WHIRL_STUDIES_AT_REST(KEY_AT_REST) CHOICE_KEY(
@@ -135,12 +136,12 @@ static const whirl_key map_keys[] = {
 // Without a parameter there is one point, the machine as given.
 static const whirl_key resting_keys[] = {
     AXIS_KEYS(false),
-    CHOICE_KEY("name", OPTIONAL, "", "what it is called beside others of its kind, behind the kind and '_'"),
+    CHOICE_KEY("name", OPTIONAL, "", "its name among several of its kind, which follows the kind and '_'"),
 };
 
 static const whirl_key motions_keys[] = {
     AXIS_KEYS(false),
-    CHOICE_KEY("name", OPTIONAL, "", "what they are called beside others, behind motions_"),
+    CHOICE_KEY("name", OPTIONAL, "", "their name among several, which follows motions_"),
     CHOICE_KEY("unbalance", OPTIONAL, "",
                "the name of a study of unbalance, or unbalance itself: its unbalances by rule are in the place of the "
                "machine's own; absent: its own"),
@@ -191,8 +192,7 @@ static const table of_probe[] = {whirl_probe_members, NULL};
     { name, meaning, "", NULL, 0, NULL, tables }
 
 const whirl_group schema_case = GROUP("case", "a case file", case_keys, NULL);
-const whirl_group schema_document =
-    GROUP("document", "what stands at the head of reports beside the title", document_keys, NULL);
+const whirl_group schema_document = GROUP("document", "the heading of reports below the title", document_keys, NULL);
 const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys, NULL);
 const whirl_group schema_still_rotor = GROUP("rotor", "the machine", still_rotor_keys, NULL);
 const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
@@ -205,8 +205,7 @@ const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along 
 #define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
 #define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
-const whirl_group schema_motions =
-    GROUP("motions", "motions beside studies of machines at rest", motions_keys, of_options);
+const whirl_group schema_motions = GROUP("motions", "motions in addition to studies at rest", motions_keys, of_options);
 const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
@@ -279,7 +278,7 @@ static const whirl_key claim_keys[] = {
 };
 
 const whirl_group schema_claims =
-    GROUP("claims", "a claims file: what a paper or a measurement says of a rotor", claims_keys, NULL);
+    GROUP("claims", "a claims file: statements of a paper or a measurement about a rotor", claims_keys, NULL);
 const whirl_group schema_claim = GROUP("claim", "one claim of the list `items` of a claims file", claim_keys, NULL);
 
 const whirl_group *const *whirl_claims_groups(void) {

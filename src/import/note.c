@@ -24,7 +24,7 @@ static const char *const sentences[NOTE_KINDS] = {
     [NOTE_THINNED] = "Tables of more speeds than a bearing takes here are thinned, evenly: %s.",
     [NOTE_EXTRA] = "Keys that say how coefficients were found are left out, the coefficients are as they stand: %s.",
     [NOTE_UNKNOWN] = "Keys that are not known here are left out: %s.",
-    [NOTE_AXIAL_DAMPING] = "Damping by beta is of the stiffness without the axial force here: %s.",
+    [NOTE_AXIAL_DAMPING] = "whirl applies beta to the stiffness without the axial force: %s.",
     [NOTE_COUPLING_AXIAL] = "Axial and torsional coefficients of couplings (kt_z, kr_z, ct_z, cr_z) are left out, for "
                             "motions here are lateral: %s.",
     [NOTE_COUPLING_LENGTH] = "Lengths and diameters of couplings (L, o_d) are left out; no force depends on them, in "

@@ -63,7 +63,7 @@ static void join_pieces(ross_rotor *rotor) {
 
 static void refuse_apart(const ross_rotor *rotor, ross_coupling *coupling) {
     field_refuse(&coupling->section, "n", value_member(coupling->section.table, "n"),
-                 "is %ld, expected a coupling between nodes of the shaft, %ld to %ld, or beside them", coupling->node,
+                 "is %ld, expected a coupling between nodes of the shaft, %ld to %ld, or next to them", coupling->node,
                  rotor->first_node, rotor->last_node);
 }
 

@@ -42,8 +42,8 @@ static void phrase_flow(const finder *of, const whirl_bearing *bearing, const wh
     const double taylor = whirl_bearing_taylor(bearing, point), first = FIRST_VORTICES;
     if (remark == WHIRL_FILM_NOT_LAMINAR)
         phrase_text(of, phrase,
-                    "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); what is told "
-                    "here is of a laminar one: add turbulence: ng-pan",
+                    "the film is not laminar: Taylor's number is %.3g, above %.3g (Reynolds number %.4g); these "
+                    "results are of a laminar one: add turbulence: ng-pan",
                     taylor, first, point->reynolds);
     else if (remark == WHIRL_FILM_LAMINAR)
         phrase_text(of, phrase,
@@ -76,7 +76,7 @@ static void phrase_idle(const finder *of, const whirl_bearing *bearing, const wh
     const bool several = name_idle_pads(bearing, point, pads, sizeof pads) > 1;
     const char *const names = pads + strlen("pad");
     if (bearing->pads.tilting)
-        phrase_text(of, phrase, "no film holds pad%s %s: free to flutter, told with a tilt of 0 and no stiffness",
+        phrase_text(of, phrase, "no film holds pad%s %s: free to flutter, reported with a tilt of 0 and no stiffness",
                     several ? "s" : "", names);
     else
         phrase_text(of, phrase, "pad%s %s carr%s nothing", several ? "s" : "", names, several ? "y" : "ies");

@@ -79,7 +79,7 @@ static void add_regimes(const paragraph *p) {
         add(p,
             ", %zu diverge (a station comes to the wall of a film or seal, or a coordinate beyond the limit: "
             "clearances "
-            "and contacts are told without them)",
+            "and contacts are reported without them)",
             diverged);
     if (doubtful > 0) add(p, ", %zu are in doubt", doubtful);
     if (done < whirl_table_planned(p->table)) add(p, " (of %zu points)", whirl_table_planned(p->table));
@@ -153,7 +153,7 @@ static void add_beside(const paragraph *p) {
     double several = 0.0;
     size_t first = table->count;
     if (!table->attractors) {
-        add(p, ". Whether others stand beside them was not looked for (starts).");
+        add(p, ". Coexisting motions were not searched for (starts).");
         return;
     }
     for (size_t i = 0; i < table->count; i++) {

@@ -468,7 +468,7 @@ def check_other(result, title, text, page):
         return not any(own["verdict"] != "none asked for" for own in result.json["statements"] if "clause" in own)
     match = re.match(r"Shaft (?P<name>\S+): (?P<length>\S+) m, (?P<mass>\S+) kg, (?P<elements>\d+) finite elements \(Timoshenko\) "
                      r"between (?P<nodes>\d+) nodes(?:, reduced to its stations and (?P<kept>\d+) of (?P<modes>\d+) modes a plane: "
-                     r"frequencies of the free shaft err by \S+, displacements by forces by [^\s.]+(?:\.\d\S*?)?)?\. ?"
+                     r"reduction error \S+ \(free-free frequencies\), \S+ \(static flexibility\))?\. ?"
                      r"(?:With what is on it (?P<all>\S+) kg, centre of mass at \S+ m\.)?$", text)
     if match:
         shaft(result, match, page)

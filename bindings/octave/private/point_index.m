@@ -4,7 +4,7 @@ function place = point_index(table, point, at)
 %   text with any unit; without either the first point.
 if ~isempty(at)
     if ~isempty(point)
-        error('whirl:badInput', 'a point is told by its number or by ''at'', not by both');
+        error('whirl:badInput', 'a point is given by its number or by ''at'', not by both');
     end
     place = text_of(at);
     if isnumeric(at) && numel(at) == 1 && isreal(at)

@@ -36,5 +36,5 @@ def test_motions_with_unbalances_by_rule(tmp_path):
     assert len(lines) == 4
     assert "with unbalances by rule at the antinodes of forward mode 1, 6 times as large" in lines[0]
     assert "they come nearest to the wall at middle" in lines[0]
-    assert "rub at middle never touches. Whether others stand beside them was not looked for (starts)." in lines[0]
+    assert "rub at middle never touches. Coexisting motions were not searched for (starts)." in lines[0]
     assert "with the machine's own unbalances" in lines[2]

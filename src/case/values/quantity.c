@@ -197,7 +197,7 @@ static void describe_misfit(const ut_unit *unit, const char *expected, char text
         snprintf(text, WHY_SIZE / 2, "expected a unit of rad/s, such as rpm (1 Hz = 60 rpm)");
     else if (kinematic && strcmp(expected, "Pa s") == 0 && same_dimension(unit, kinematic))
         snprintf(text, WHY_SIZE / 2,
-                 "expected a unit of Pa s: kinematic viscosities have a key of their own, beside density");
+                 "expected a unit of Pa s: kinematic viscosities have their own key, next to density");
     else if (strcmp(expected, "1") == 0)
         snprintf(text, WHY_SIZE / 2, "expected a plain number");
     else

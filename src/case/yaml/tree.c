@@ -152,7 +152,7 @@ static void report_syntax(tree_builder *b, const yaml_parser_t *parser) {
     const bool context = parser->context != NULL;
     if (context && strcmp(parser->context, "while parsing a block collection") == 0) {
         problem_in_file(b->problems, (int)parser->problem_mark.line + 1, (int)parser->problem_mark.column + 1,
-                        "stands in the list that begins in line %d, expected '- ' before every item of it",
+                        "is in the list that begins in line %d, expected '- ' before every item",
                         (int)parser->context_mark.line + 1);
         return;
     }

@@ -65,7 +65,7 @@ static void where_missed(const claim_view *view, const claim_selection *of, cons
     else
         snprintf(rest, sizeof rest, " (%zu of %zu points)", missed, compared);
     if (missed == 0)
-        snprintf(text, size, "cannot be told at every point");
+        snprintf(text, size, "cannot be compared at every point");
     else if (missed == compared)
         snprintf(text, size, "holds at none of %zu points", compared);
     else

@@ -168,14 +168,14 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     for (size_t k = 0; k < 2 * of->result->station_count && springs; k++)
         add_bearings(figure, panel, of, table, k / 2, k % 2, speed.size);
     add_names(figure, panel, of, table, speed.size);
-    snprintf(figure->caption, sizeof figure->caption,
-             "Critical speeds of the machine without damping over %s: speeds at which a mode goes round once a "
-             "revolution, with the rotation (blue, 1F, 2F, ...) or against it (orange, dashed, 1B, 2B, ...).%s",
-             table->parameter,
-             springs
-                 ? " Springs of that stiffness stand in the place of all bearings, whose own stiffness over the speed "
-                   "is laid over it."
-                 : "");
+    snprintf(
+        figure->caption, sizeof figure->caption,
+        "Critical speeds of the machine without damping over %s: speeds at which a mode goes round once a "
+        "revolution, with the rotation (blue, 1F, 2F, ...) or against it (orange, dashed, 1B, 2B, ...).%s",
+        table->parameter,
+        springs
+            ? " Springs of that stiffness replace all bearings; the bearings' own stiffness over the speed is overlaid."
+            : "");
 }
 
 const figure_kind critical_speeds_figure = {.list = list, .describe = describe};

@@ -330,8 +330,8 @@ static void write_caption(const map_drawing *map, const map_quantity *what, size
     } else if (what == &quantities[BASINS]) {
         snprintf(
             text, sizeof text,
-            "Motions that starts over %s and %s come to rest on: %zu attractor%s, told apart by their sections. In "
-            "the key their shares of all starts; starts without a verdict are left white.",
+            "Starts over %s and %s lead to %zu attractor%s, distinguished by their sections. The key has their shares "
+            "of all starts; starts without a verdict are white.",
             table->parameter, table->second, map->attractor_count, map->attractor_count == 1 ? "" : "s");
     } else if (what == &of_field) {
         snprintf(text, sizeof text, "%.450s.", map->figure->title);

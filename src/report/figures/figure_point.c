@@ -364,7 +364,7 @@ static whirl_status add_nearest(figure_list *to, const drawing *of, const char *
     if (!found && first.code != WHIRL_OK) return first;
     if (!found)
         return whirl_fail(WHIRL_BAD_INPUT, "no table along one parameter has points with sections or spectra: a point "
-                                           "of a map is told by its number, @#NUMBER");
+                                           "of a map is given by its number, @#NUMBER");
     add_to_list(to, of, found, point, station);
     return whirl_ok();
 }

@@ -341,7 +341,7 @@ static void tell_largest(const finder *of, const char *what, const line_track *m
 }
 
 static void find_tracks(const finder *of, const line_side *sides) {
-    whirl_sheet *sheet = find_sheet(of, "lines", "Lines of spectra beside the synchronous one and its multiples");
+    whirl_sheet *sheet = find_sheet(of, "lines", "Spectral lines other than the synchronous one and its multiples");
     sheet_values(of, sheet, "from", 6);
     sheet_values(of, sheet, "to", 6);
     sheet_texts(of, sheet, "way", "way");

@@ -163,9 +163,9 @@ static void find_critical(const finder *of) {
     if (told.count == 0)
         phrase_text(of, &told,
                     is_modulated(of)
-                        ? "coefficients turn with the shaft, so that critical speeds are not told; between "
-                          "the values that were looked at the machine neither loses nor regains its stability"
-                        : "between the values that were looked at no natural frequency meets the speed of "
+                        ? "coefficients turn with the shaft, so that critical speeds are not reported; between "
+                          "the computed values the machine neither loses nor regains its stability"
+                        : "between the computed values no natural frequency meets the speed of "
                           "the shaft, and the machine neither loses nor regains its stability");
     find_statement(of, "critical speeds with damping, and thresholds of stability")->found = told;
 }

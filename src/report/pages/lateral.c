@@ -38,7 +38,7 @@ static void write_found(const page *to) {
     found_at_rest(to);
     fputs("<li><strong>Nonlinear motions.</strong> ", to->stream);
     found_each(to, NULL, tell_motions, &told);
-    if (!told) fputs("Not computed (study: motions beside these).", to->stream);
+    if (!told) fputs("Not computed (study: motions).", to->stream);
     size_t beyond = 0;
     for (size_t r = 0; r < to->count; r++) beyond += laws_left(to->results[r]);
     if (beyond > 0)
@@ -116,7 +116,7 @@ static void write_figures(const page *to, size_t result, const whirl_table *tabl
     }
     if (left > 0)
         fprintf(to->stream,
-                "<p>%zu other station%s without probe, clearance or unbalance: see the figures beside this "
+                "<p>%zu other station%s without probe, clearance or unbalance: see the figures next to this "
                 "document.</p>\n",
                 left, left == 1 ? "" : "s");
 }
@@ -172,7 +172,7 @@ static const chapter chapters[] = {
     {"Response to unbalance",
      "Amplitudes and lags that probes see, amplification factors and separation margins of the peaks, and responses "
      "scaled "
-     "to the vibration limit beside clearances.",
+     "to the vibration limit, compared with clearances.",
      WHIRL_FIELD_UNBALANCE_AMPLITUDE, false},
     {"Stability", "Logarithmic decrements with bearings, stages, seals and impellers.", WHIRL_FIELD_STABILITY_BASIC,
      false},
@@ -269,11 +269,10 @@ static void write_shafts(const page *to, const whirl_case *machine, const whirl_
         html_printf(to->stream, "Shaft %s: %.6g m, %.6g kg, %zu finite elements (Timoshenko) between %zu nodes",
                     shaft->name, shaft->length, shaft->mass, shaft->elements, shaft->nodes);
         if (shaft->reduced)
-            html_printf(
-                to->stream,
-                ", reduced to its stations and %zu of %zu modes a plane: frequencies of the free shaft err by %.1g, "
-                "displacements by forces by %.1g",
-                shaft->modes, shaft->all_modes, shaft->frequency_error, shaft->flexibility_error);
+            html_printf(to->stream,
+                        ", reduced to its stations and %zu of %zu modes a plane: reduction error %.1g (free-free "
+                        "frequencies), %.1g (static flexibility)",
+                        shaft->modes, shaft->all_modes, shaft->frequency_error, shaft->flexibility_error);
         const whirl_model_total *all = model->shafts ? &model->shafts[shaft - shafts] : NULL;
         if (all)
             html_printf(to->stream, ". With what is on it %.6g kg, centre of mass at %.6g m", all->mass, all->centre);

@@ -53,7 +53,7 @@ static void write_head(const page *to) {
     page_document(to);
     fputs("<p class=\"soft\">", to->stream);
     html_printf(to->stream, "%zu result%s, %swritten by whirl %s.", to->count, to->count == 1 ? "" : "s",
-                to->claims ? "set beside what the source says, " : "", WHIRL_VERSION);
+                to->claims ? "compared with claims, " : "", WHIRL_VERSION);
     fputs("</p>\n</header>\n", to->stream);
 }
 

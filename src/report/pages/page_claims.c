@@ -58,7 +58,7 @@ static void write_where(const page *to, const whirl_claim *claim) {
 }
 
 static void write_table(const page *to) {
-    html_table(to->stream, "Claims beside findings", "claims");
+    html_table(to->stream, "Claims and findings", "claims");
     fputs("<thead><tr><th>Where</th><th>The source says</th>", to->stream);
     for (size_t r = 0; r < to->count; r++) {
         fprintf(to->stream, "<th><a href=\"#result-%zu\">", r + 1);
@@ -144,7 +144,7 @@ static void write_all_missed(const page *to) {
         return;
     }
     fprintf(to->stream,
-            "<p>No result fully meets %zu of the %zu claims. What was found instead stands in the table; here is where "
+            "<p>No result fully meets %zu of the %zu claims. The table has what was found instead; here is where "
             "along the sweep each fails%s, or how far off it is met:</p>\n<ul>\n",
             missed, to->claims->count, to->count > 1 ? " in the results that come nearest" : "");
     for (size_t c = 0; c < to->claims->count; c++)
@@ -163,8 +163,9 @@ void page_claims(const page *to) {
           "<li>A band of lines is met when three or more lines and three quarters of their power below the running "
           "speed lie in it.</li>\n"
           "<li>\u201cAgainst the rotation\u201d is the share of the time in which the station moves backward about the "
-          "centre (0, 0), that is x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0. An orbit beside the "
-          "centre is there for about half of the time, whatever its sense. Backward whirl is met above 50&nbsp;%; "
+          "centre (0, 0), that is x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0. An orbit "
+          "that does not enclose the centre moves so for about half of the time, whatever its sense. Backward whirl is "
+          "met above 50&nbsp;%; "
           "\u201cdiverging\u201d where the motion leaves its bounds too.</li>\n"
           "<li>What branches have (folds, Hopf points, ...) is looked for in the range, or within 2&nbsp;% of a single "
           "value; the order of a whirl counts within 5&nbsp;%, and is that of the first Hopf point of the range.</li>\n"

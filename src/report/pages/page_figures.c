@@ -19,7 +19,7 @@ void page_figure(const page *to, const drawn_figure *what) {
         html_text(to->stream, what->name.title);
         fputs("\"></a>\n", to->stream);
     } else {
-        fputs("<div class=\"missing\">This figure was not drawn; its script and data are beside this page.</div>\n",
+        fputs("<div class=\"missing\">This figure was not drawn; its script and data are next to this page.</div>\n",
               to->stream);
     }
     fputs("<figcaption>", to->stream);

@@ -104,8 +104,8 @@ void page_asked(const page *to) {
             fprintf(to->stream, "<td class=\"whole\">%s</td></tr>\n", own->clause);
         }
     if (count == 0) return;
-    fputs("</tbody></table></div>\n<p class=\"soft small\">Clauses are those of API RP 684, 2nd edition of 2005; in "
-          "API 617 2.6 (7th edition, 2002) or 4.8 (8th, 2014, part 1) stands in the place of SP6.8. Which standard "
+    fputs("</tbody></table></div>\n<p class=\"soft small\">Clauses are those of API RP 684, 2nd edition of 2005; "
+          "API 617 has 2.6 (7th edition, 2002) or 4.8 (8th, 2014, part 1) in place of SP6.8. Which standard "
           "and edition counts, and what it asks for, is for the user to check.</p>\n",
           to->stream);
 }

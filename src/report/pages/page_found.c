@@ -60,7 +60,7 @@ void page_attractors(const page *to, size_t index) {
     for (size_t k = 0; k < count && k < SHOWN; k++) told += found[k].points;
     fprintf(to->stream, "<h3 id=\"attractors-%zu\">Attractors</h3>\n<p>Motions that the starts come to rest on",
             index + 1);
-    if (told < done) fprintf(to->stream, "; %zu of %zu starts have none that is told", done - told, done);
+    if (told < done) fprintf(to->stream, "; the attractor of %zu of %zu starts is unknown", done - told, done);
     fputs(". Errors are those of as many starts drawn at random.</p>\n", to->stream);
     html_table(to->stream, "Attractors", "");
     fputs("<thead><tr><th></th><th>Motion</th><th class=\"number\">Starts</th><th class=\"number\">Share</th>"

@@ -337,8 +337,8 @@ static void write_sizes(const point_page *to) {
     end_table(to);
     fputs(
         "<p class=\"soft small\">Time against the rotation: the share of the time in which the station moves backward "
-        "about the centre (0, 0), x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit beside the "
-        "centre does so for about half of the time, whatever its sense.</p>\n",
+        "about the centre (0, 0), x&nbsp;y\u2032&nbsp;\u2212&nbsp;y&nbsp;x\u2032&nbsp;&lt;&nbsp;0; an orbit that does "
+        "not enclose the centre does so for about half of the time, whatever its sense.</p>\n",
         to->stream);
 }
 

@@ -167,7 +167,7 @@ static whirl_status run_all(const char *program, gnuplot_job *jobs, size_t count
                           program);
     for (size_t i = 0; i < count; i++)
         if (!jobs[i].drawn)
-            return whirl_fail(WHIRL_IO_ERROR, "gnuplot failed on %.200s/%.100s (see the .log file beside it)",
+            return whirl_fail(WHIRL_IO_ERROR, "gnuplot failed on %.200s/%.100s (see the .log file next to it)",
                               jobs[i].folder, jobs[i].script);
     return whirl_ok();
 }

@@ -355,9 +355,8 @@ static void write_head(FILE *script, const whirl_figure *figure, const char *nam
     fprintf(script, "# %s: ", name);
     gnuplot_comment(script, figure->title);
     fprintf(script, "\n# Run in this folder to draw it again:  gnuplot %s.gp\n", name);
-    fputs(
-        "# Journals want the title in the caption; with show_title = 1 it stands in the picture too.\nshow_title = 0\n",
-        script);
+    fputs("# Journals want the title in the caption; with show_title = 1 it is in the picture, too.\nshow_title = 0\n",
+          script);
     fputs("title_text = ", script);
     put_text(script, figure->title);
     fprintf(script,

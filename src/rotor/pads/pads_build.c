@@ -58,7 +58,8 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
                                    .preload = preload};
     size_t one, other;
     if (!whirl_pads_overlap(out, &one, &other)) return whirl_ok();
-    return whirl_fail(WHIRL_BAD_INPUT, "has pad %zu over pad %zu, expected pads beside each other", other + 1, one + 1);
+    return whirl_fail(WHIRL_BAD_INPUT, "has pad %zu over pad %zu, expected pads next to each other", other + 1,
+                      one + 1);
 }
 
 whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise, whirl_pads *out) {

@@ -47,7 +47,7 @@ static void sweeps(void **state) {
     expect_problem(old, "from: 1, to: 20, pionts: 5",
                    "t:19:46: study.sweep.pionts: sweep has no key pionts, did you mean points?");
     expect_problem(old, "from: 1, to: 20, points: 5, step: 1",
-                   "t:19:57: study.sweep.step: stands beside points, expected one of the two");
+                   "t:19:57: study.sweep.step: is given together with points, expected one of the two");
     expect_problem(old, "from: 1, to: 20, step: 0", "t:19:52: study.sweep.step: is 0, expected a distance above 0");
     expect_problem(old, "from: 1, to: 20, step: 1e-9",
                    "t:19:52: study.sweep.step: gives 1.9e+10 values, expected at most 10000000");
@@ -60,7 +60,7 @@ static void sweeps(void **state) {
                    "t:19:29: study.sweep.values: is an empty list, expected a list of 1 to 10000000 values");
     expect_problem(old, "values: 3", "t:19:37: study.sweep.values: is 3, expected a list of 1 to 10000000 values");
     expect_problem(old, "values: [3, 4], points: 2",
-                   "t:19:45: study.sweep.points: stands beside values, expected one of the two");
+                   "t:19:45: study.sweep.points: is given together with values, expected one of the two");
     expect_problem(old, "values: [3, 4, 2]",
                    "t:19:44: study.sweep.values[3]: is 2 after 4, expected values that rise or fall throughout");
     expect_problem(old, "values: [3, 3]",
@@ -323,7 +323,7 @@ static void structure(void **state) {
                    "t:19:57: study.sweep.direction: has a meaning only with start: carry");
     expect_problem("analyze: [poincare, regime, spectrum]", "analyze: [modes]",
                    "t:22:13: study.analyze[1]: is modes, which is a study of its own, expected modes: {...} in place "
-                   "of response or sweep, or beside it");
+                   "of response or sweep, or in addition");
     expect_problem("  sweep: {", "  modes: [{}, {}]\n  sweep: {",
                    "t:19:15: study.modes[2]: is another modes of the same name, expected a name of its own: {name: "
                    "..., ...}");
@@ -353,7 +353,7 @@ static void structure(void **state) {
                    "t:20:3: study.conditions: is a list, expected 1 to 8 names of conditions with values of "
                    "parameters");
     expect_problem("  sweep: {", "  response: {}\n  sweep: {",
-                   "t:19:3: study.response: stands beside sweep, expected one of the two");
+                   "t:19:3: study.response: is given together with sweep, expected one of the two");
     expect_problem("  sweep: {parameter: kappa, from: 1, to: 20, points: 5, start: state}\n", "",
                    "t:18:1: study: has none of response, sweep, map, basin, branch, modes, unbalance, critical_speeds, "
                    "stability and statics, expected one of them");
