@@ -246,6 +246,8 @@ static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v
     if (crosses) crosses->mark = WHIRL_CROSS;
     if (right) right->side = WHIRL_RIGHT;
     if (left) left->side = WHIRL_LEFT;
+    if (right) right->movable = true;
+    if (left) left->movable = true;
     for (size_t i = 0; i < count; i++) {
         const double x = rows[i][1] / v->size, frequency = rows[i][3] / v->unit.size;
         char text[32];

@@ -28,7 +28,8 @@ void page_style(FILE *stream) {
         "th,td{text-align:left;vertical-align:top;padding:.38rem .75rem .38rem 0;border-bottom:1px solid var(--line)}",
         "thead th{border-bottom:1.5px solid var(--ink);font-weight:600;vertical-align:bottom}",
         "tbody th{font-weight:600;white-space:nowrap}",
-        ".number{text-align:right;white-space:nowrap}.whole{white-space:nowrap}.wide{min-width:13rem}",
+        ".number{text-align:right;white-space:nowrap}thead "
+        ".number{white-space:normal}.whole{white-space:nowrap}.wide{min-width:13rem}",
         ".why{min-width:20rem;color:var(--soft)}",
         "tr.open td,tr.open th{border-bottom:0}",
         ".claims td{min-width:14rem;padding-top:.5rem;padding-bottom:.5rem}.claims td.says{min-width:11rem}"
@@ -67,12 +68,13 @@ void page_style(FILE *stream) {
         "2rem}}",
         "@media print{:root{color-scheme:light;--paper:#fff;--ink:#000;--soft:#444;--line:#bbb;--wash:#fff;--link:#000;"
         "--good:#00664a;--half:#8a5a00;--bad:#a63a00}body{font-size:10pt;max-width:none;padding:0}h2{break-before:page}"
-        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3,h4,thead{break-after:avoid}nav,summary{"
+        "h2:first-of-type{break-before:auto}figure,tr{break-inside:avoid}h3,h4,h3+p,h4+p,thead{break-after:avoid}nav,"
+        "summary{"
         "display:none}"
         "a{text-decoration:none}figure "
         "img{width:auto;max-width:14cm;max-height:10.5cm;border:0}figure{margin:.6rem 0 1rem}figcaption "
         ".soft{display:none}.pair{display:block}.scroll{overflow:visible}"
-        ".number{white-space:normal}.claims td{min-width:0}table{font-size:7.5pt}th,td{padding:.16rem .5rem .16rem "
+        ".claims td,.why,.wide{min-width:0}table{font-size:7.5pt}th,td{padding:.16rem .5rem .16rem "
         "0}pre{font-size:7pt;white-space:"
         "pre-wrap}}",
         "@page{size:A4;margin:16mm 15mm 18mm;@bottom-right{content:counter(page) ' / ' counter(pages);font-size:8pt}}",
