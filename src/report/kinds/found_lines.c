@@ -1,5 +1,6 @@
 // Spectral lines along a parameter, below and above the synchronous one: the range of each line, its share of the
-// clearance, how it begins and ends on the way up and on the way down, and where its order is locked at a ratio.
+// clearance, how it begins and ends on the way up and on the way down, where its amplitude jumps, and where its order
+// is locked at a ratio.
 #include <math.h>
 #include <stdlib.h>
 
@@ -282,6 +283,130 @@ static void find_edges(const finder *of, const line_side *side, whirl_sheet *she
     free(taken);
 }
 
+// ---------------------------------------------------------------- jumps within a line
+
+/// A sudden change of a line's amplitude between neighbouring points, in the direction of travel.
+typedef struct line_jump {
+    size_t before, after; ///< rows
+    bool rises;           ///< travelled to higher values
+    bool paired;          ///< reported together with the jump on the other way
+} line_jump;
+
+/// A jump changes the amplitude by more than this share, and by this many times the median of the steps around it. Near
+/// a fold the last step of a continuous branch is up to 4 times that median, as for jumps of motions (jumps.c).
+static const double least_jump = 0.1, least_jump_ratio = 8.0;
+
+/// Median change of up to four steps of a track on either side of the one from `at`; NaN if there are fewer than four.
+static double track_usual_step(const line_side *side, const line_track *track, size_t at) {
+    enum { LOOKED_AT = 4 };
+    double around[2 * LOOKED_AT];
+    size_t count = 0;
+    for (size_t i = track->first; i < track->last; i++)
+        if (i != at && i + LOOKED_AT >= at && i <= at + LOOKED_AT)
+            around[count++] = fabs(side->seen[i + 1].size - side->seen[i].size);
+    if (count < LOOKED_AT) return (double)NAN;
+    qsort(around, count, sizeof *around, by_size);
+    return 0.5 * (around[(count - 1) / 2] + around[count / 2]);
+}
+
+/// Finds the jumps of all tracks of a side [at most its points]; returns how many.
+static size_t jumps_find(const finder *of, const line_side *side, line_jump *jumps) {
+    size_t count = 0;
+    for (const line_track *track = side->tracks; track < side->tracks + side->count; track++)
+        for (size_t i = track->first; i < track->last; i++) {
+            const double a = side->seen[i].size, b = side->seen[i + 1].size, change = fabs(b - a);
+            if (!(change > least_jump * fmax(a, b)) || !(change > least_jump_ratio * track_usual_step(side, track, i)))
+                continue;
+            const bool back = of->table->branch[i] < 0;
+            jumps[count++] = (line_jump){
+                .before = back ? i + 1 : i, .after = back ? i : i + 1, .rises = track_rises(of->table, track)};
+        }
+    return count;
+}
+
+static double jump_middle(const finder *of, const line_jump *jump) {
+    return 0.5 * (of->table->values[jump->before] + of->table->values[jump->after]);
+}
+
+static bool jump_grows(const line_side *side, const line_jump *jump) {
+    return side->seen[jump->after].size > side->seen[jump->before].size;
+}
+
+/// The jump on the way down that belongs to one on the way up: the nearest one of its order in the other sense, from
+/// large to small or from small to large; NULL without one.
+static line_jump *jump_partner(const finder *of, const line_side *side, const line_jump *up, line_jump *jumps,
+                               size_t count) {
+    const double order = side->seen[up->before].order;
+    line_jump *best = NULL;
+    for (line_jump *own = jumps; own < jumps + count; own++) {
+        if (own->rises || own->paired || jump_grows(side, own) == jump_grows(side, up) ||
+            fabs(side->seen[own->before].order - order) > drift * order)
+            continue;
+        const double apart = fabs(jump_middle(of, own) - jump_middle(of, up));
+        if (!best || apart < fabs(jump_middle(of, best) - jump_middle(of, up))) best = own;
+    }
+    return best;
+}
+
+static void cells_jump(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *jump) {
+    cell_number(of, sheet, jump ? of->table->values[jump->before] : (double)NAN);
+    cell_number(of, sheet, jump ? of->table->values[jump->after] : (double)NAN);
+    cell_number(of, sheet, jump ? side->seen[jump->before].size : (double)NAN);
+    cell_number(of, sheet, jump ? side->seen[jump->after].size : (double)NAN);
+}
+
+static void tell_jump(const finder *of, const line_side *side, whirl_phrase *found, const line_jump *jump) {
+    phrase_text(of, found, "jumps from ");
+    phrase_number(of, found, WHIRL_QUANTITY_SIZE, 4, side->seen[jump->before].size);
+    phrase_text(of, found, " to ");
+    phrase_number(of, found, WHIRL_QUANTITY_SIZE, 4, side->seen[jump->after].size);
+    phrase_text(of, found, " after ");
+    phrase_value(of, found, 6, of->table->values[jump->before]);
+    phrase_text(of, found, " on the way %s", jump->rises ? "up" : "down");
+}
+
+/// A row and a statement for a jump on the way up, one on the way down, or both with the hysteresis between them.
+static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *up,
+                     const line_jump *down) {
+    const double order = side->seen[up ? up->before : down->before].order;
+    const double apart = up && down ? fabs(jump_middle(of, up) - jump_middle(of, down)) : (double)NAN;
+    sheet_row(of, sheet);
+    cell_number(of, sheet, order);
+    cells_jump(of, side, sheet, up);
+    cells_jump(of, side, sheet, down);
+    cell_number(of, sheet, apart);
+    whirl_phrase *found = &find_statement(of, find_text(of->findings, "line of order %.4g", order))->found;
+    if (up) tell_jump(of, side, found, up);
+    if (up && down) phrase_text(of, found, "; ");
+    if (down) tell_jump(of, side, found, down);
+    if (!up || !down) return;
+    phrase_text(of, found, ": hysteresis of ");
+    phrase_value(of, found, 6, apart);
+}
+
+static void find_jumps(const finder *of, const line_side *side, whirl_sheet *sheet) {
+    line_jump *jumps = calloc(of->table->count + 1, sizeof *jumps);
+    if (!jumps) of->findings->failed = true;
+    const size_t count = jumps ? jumps_find(of, side, jumps) : 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!jumps[i].rises) continue;
+        line_jump *down = jump_partner(of, side, &jumps[i], jumps, count);
+        if (down) down->paired = true;
+        jump_row(of, side, sheet, &jumps[i], down);
+    }
+    for (size_t i = 0; i < count; i++)
+        if (!jumps[i].rises && !jumps[i].paired) jump_row(of, side, sheet, NULL, &jumps[i]);
+    free(jumps);
+}
+
+/// Columns of the jump of a line on one way.
+static void sheet_jump(const finder *of, whirl_sheet *sheet, const char *const keys[4]) {
+    sheet_values(of, sheet, keys[0], 6);
+    sheet_values(of, sheet, keys[1], 6);
+    sheet_column(of, sheet, keys[2], "amplitude before", WHIRL_QUANTITY_SIZE, 4);
+    sheet_column(of, sheet, keys[3], "after", WHIRL_QUANTITY_SIZE, 4);
+}
+
 // ---------------------------------------------------------------- locking
 
 /// Ratios p/q that lines lock at have a q up to this, and hold an order to `locked` at so many points in a row.
@@ -381,6 +506,18 @@ static void find_line_sheets(const finder *of, const line_side *sides) {
     sheet_edge(of, sheet, down, (const char *const[]){"how", "amplitude", "of the clearance"});
     sheet_values(of, sheet, "hysteresis", 6);
     for (size_t k = 0; k < 2; k++) find_edges(of, &sides[k], sheet);
+    find_sheet_end(of);
+
+    static const char *const jump_up[] = {"up", "up_to", "up_before", "up_after"};
+    static const char *const jump_down[] = {"down", "down_to", "down_before", "down_after"};
+    sheet = find_sheet(of, "line-jumps", "Jumps of the amplitudes of these lines");
+    sheet->about = "Values before and after a jump, on the way up and on the way down. A jump is over 10 % of the "
+                   "amplitude and 8 times the usual change from point to point.";
+    sheet_column(of, sheet, "order", "order", WHIRL_QUANTITY_NUMBER, 4);
+    sheet_jump(of, sheet, jump_up);
+    sheet_jump(of, sheet, jump_down);
+    sheet_values(of, sheet, "hysteresis", 6);
+    for (size_t k = 0; k < 2; k++) find_jumps(of, &sides[k], sheet);
     find_sheet_end(of);
 
     sheet = find_sheet(of, "locking", "Lines locked at a ratio of the speed");

@@ -376,11 +376,88 @@ static void lines_grow(void **state) {
     swept_free(&own, &table);
 }
 
+enum { DUFFING = 60 };
+static const double duffing_force = 0.15, duffing_damping = 0.15, duffing_from = -0.2, duffing_step = 0.0305;
+
+/// Amplitude a of the Duffing oscillator at a detuning s: a^2 ((s - a^2)^2 + damping^2) = force^2 (Nayfeh and Mook,
+/// Nonlinear Oscillations, 4.1), the root a^2 nearest to the one before.
+static double duffing_square(double s, double before) {
+    enum { STEPS = 20000 };
+    double best = HUGE_VAL, last = 0.0;
+    for (int i = 0; i <= STEPS; i++) {
+        const double y = 1.1 * i / STEPS;
+        const double value =
+            y * ((s - y) * (s - y) + duffing_damping * duffing_damping) - duffing_force * duffing_force;
+        if (i > 0 && (value > 0.0) != (last > 0.0) && fabs(y - before) < fabs(best - before)) best = y;
+        last = value;
+    }
+    return best;
+}
+
+/// Discriminant of the same cubic in a^2, whose zeros are the folds of the response: its jumps.
+static double duffing_discriminant(double s) {
+    const double b = -2.0 * s, c = s * s + duffing_damping * duffing_damping, d = -duffing_force * duffing_force;
+    return 18.0 * b * c * d - 4.0 * b * b * b * d + b * b * c * c - 4.0 * c * c * c - 27.0 * d * d;
+}
+
+/// A line of half the speed that responds as a Duffing oscillator jumps at the folds of its cubic: once on the way up
+/// and once on the way down, wherever the sweep begins.
+static void lines_jump_at_folds(void **state) {
+    (void)state;
+    double folds[2];
+    size_t found = 0;
+    for (double s = 0.1; s < 1.6 && found < 2; s += 1e-5)
+        if ((duffing_discriminant(s) > 0.0) != (duffing_discriminant(s + 1e-5) > 0.0)) folds[found++] = s;
+    assert_int_equal(found, 2);
+    for (int falls = 0; falls < 2; falls++) {
+        made own = made_in("");
+        whirl_table table = {.count = 0};
+        sample_table(own.result, &table, "ways", (size_t)2 * DUFFING, false);
+        for (int way = 0; way < 2; way++) {
+            double square = 0.0;
+            for (int k = 0; k < DUFFING; k++) {
+                // The second way is travelled from its last row to its first.
+                const int place = way ? DUFFING - 1 - k : k;
+                const double s = duffing_from + duffing_step * (falls ? DUFFING - 1 - place : place);
+                const size_t row = (size_t)(way * DUFFING + place);
+                square = duffing_square(s, square);
+                const double lines[][2] = {{1.0, 0.3}, {0.5, 0.28 * sqrt(square)}, {0.0, 0.0}};
+                table.values[row] = s;
+                table.branch[row] = way ? -1 : 1;
+                sample_verdict(&table, row, WHIRL_PERIODIC, 2, 1);
+                sample_lines(&table, row, lines);
+            }
+        }
+        own.of.table = &table;
+        own.of.units = &own.units;
+        find_lines(&own.of);
+        const whirl_sheet *jumps = lines_sheet(&own, "line-jumps");
+        assert_non_null(jumps);
+        assert_int_equal(jumps->rows, 1);
+        assert_true(jumps->cells[0].number == 0.5);
+        // Down from the upper branch after the upper fold, up to it below the lower one.
+        assert_true(jumps->cells[1].number < folds[1] && folds[1] < jumps->cells[2].number);
+        assert_true(jumps->cells[3].number > 2.0 * jumps->cells[4].number);
+        assert_true(jumps->cells[6].number < folds[0] && folds[0] < jumps->cells[5].number);
+        assert_true(jumps->cells[8].number > 1.5 * jumps->cells[7].number);
+        assert_true(fabs(jumps->cells[9].number - (folds[1] - folds[0])) < duffing_step);
+        assert_null(lines_sheet(&own, "line-edges"));
+        swept_free(&own, &table);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(phrases),         cmocka_unit_test(empty_columns),      cmocka_unit_test(letters),
-        cmocka_unit_test(transposed),      cmocka_unit_test(sheets_of_one_name), cmocka_unit_test(memory_is_lacking),
-        cmocka_unit_test(customary_units), cmocka_unit_test(lines_jump),         cmocka_unit_test(lines_grow),
+        cmocka_unit_test(phrases),
+        cmocka_unit_test(empty_columns),
+        cmocka_unit_test(letters),
+        cmocka_unit_test(transposed),
+        cmocka_unit_test(sheets_of_one_name),
+        cmocka_unit_test(memory_is_lacking),
+        cmocka_unit_test(customary_units),
+        cmocka_unit_test(lines_jump),
+        cmocka_unit_test(lines_grow),
+        cmocka_unit_test(lines_jump_at_folds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
