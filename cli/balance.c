@@ -72,11 +72,10 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "FILE.yaml",
-        .doc =
-            "Finds the weights that balance a rotor from vibrations that were read with and without trial weights, by "
-            "influence coefficients: several planes, speeds and probes, least squares; mode by mode, by sets of "
-            "weights that act on one alone; with a model, a case of the rotor, also without trial weights, or it "
-            "proposes these. `whirl describe balance` tells the keys of FILE.",
+        .doc = "Finds the weights that balance a rotor from vibrations measured with and without trial weights, by "
+               "influence coefficients: several planes, speeds and probes, least squares. Sets of weights balance mode "
+               "by mode. A model, a case of the rotor, replaces trial weights or proposes them. `whirl describe "
+               "balance` lists the keys of FILE.",
     };
     balance_arguments arguments = {.path = NULL};
     whirl_problems problems = {0};

@@ -32,14 +32,17 @@ static const struct argp_option options[] = {
      .doc = "Write the coefficients over the speed as an element `bearing` for the list of elements of a case"},
     {.name = "over-frequency",
      .key = KEY_OVER,
-     .doc = "With --table, of pads that tilt: coefficients over the frequency of whirl, too, from 0 to the highest "
-            "speed; without it they are those of one whirl ratio, for synchronous responses"},
-    {.name = "at", .key = KEY_AT, .arg = "STATION", .doc = "The station of that element; default: journal"},
+     .doc = "With --table and tilting pads: coefficients over the frequency of whirl, too, from 0 to the highest "
+            "speed; otherwise those of one whirl ratio, for synchronous responses"},
+    {.name = "at", .key = KEY_AT, .arg = "STATION", .doc = "Station of the element of --table (default: journal)"},
     {.name = "output", .key = 'o', .arg = "FILE", .doc = "Write a figure: FILE.png, .pdf, .svg or .json"},
-    {.name = "figure", .key = KEY_FIGURE, .arg = "NAME", .doc = "Which: curves (default), sommerfeld or locus"},
-    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot, where it is not on the PATH"},
-    {.name = "threads", .key = KEY_THREADS, .arg = "N", .doc = "Threads; default: one a core"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
+    {.name = "figure",
+     .key = KEY_FIGURE,
+     .arg = "NAME",
+     .doc = "Figure to write: curves (default), sommerfeld or locus"},
+    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot program (default: the one on the PATH)"},
+    {.name = "threads", .key = KEY_THREADS, .arg = "N", .doc = "Number of threads (default: one a core)"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace existing files"},
     {.name = "quiet", .key = 'q', .doc = "Show no progress"},
     {0}};
 
@@ -179,10 +182,9 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "FILE.yaml",
-        .doc =
-            "Computes a journal bearing by itself, over load and speed: eccentricity, attitude, stiffness, damping, "
-            "film, flow, power. Pads of finite length, fixed or tilting. `whirl describe bearing_file` and `pad` tell "
-            "the keys of FILE.",
+        .doc = "Computes a journal bearing by itself, over load and speed: eccentricity, attitude, stiffness, damping, "
+               "film, flow, power. Pads have finite length and are fixed or tilting. `whirl describe bearing_file` and "
+               "`pad` list the keys of FILE.",
     };
     bearing_arguments arguments = {.path = NULL};
     whirl_problems problems = {0};

@@ -22,9 +22,8 @@ enum { KEY_SET = 256, KEY_THREADS, KEY_OWN };
 #define SET_OPTION                                                                                                     \
     {                                                                                                                  \
         .name = "set", .key = KEY_SET, .arg = "NAME=VALUE",                                                            \
-        .doc =                                                                                                         \
-            "Give a parameter of the case another value, as in --set r_k=0.45 or --set 'omega=6000 rpm', or a key of " \
-            "it, as in --set disc.mass=41; may be repeated"                                                            \
+        .doc = "Set a parameter of the case, as in --set r_k=0.45 or --set 'omega=6000 rpm', or another key, as in "   \
+               "--set disc.mass=41; may be repeated"                                                                   \
     }
 
 /// Row of --json in an option table; its key is the command's own.

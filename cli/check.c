@@ -31,7 +31,7 @@ static const struct argp_option options[] = {
      .key = KEY_FIGURE,
      .arg = "FILE",
      .doc = "Draw the machine to scale: .png, .pdf, .svg or .json, of one case"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a drawing that is there"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing drawing"},
     {0},
 };
 
@@ -357,10 +357,9 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "CASE.yaml...",
-        .doc = "Reads case files and says all that is wrong with them: file, line, column, key, what was found and "
-               "what is "
-               "expected. For a good one: its stations and how much there is to compute. "
-               "- stands for standard input.",
+        .doc = "Reads case files and reports all errors in them: file, line, column, key, what was found and what is "
+               "expected. For a good case it prints the stations and the amount of computation. CASE.yaml may be - for "
+               "standard input.",
     };
     check_arguments arguments = {.first = argc};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
@@ -373,4 +372,4 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE ? finish_output() : outcome;
 }
 
-const command check_command = {"check", "say all that is wrong with case files", run};
+const command check_command = {"check", "report all errors of case files", run};

@@ -16,9 +16,9 @@ typedef struct export_arguments {
 } export_arguments;
 
 static const struct argp_option options[] = {
-    {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; it is made when it is not there"},
+    {.name = "csv", .key = 'c', .arg = "DIR", .doc = "Folder for the CSV files; created if needed"},
     {.name = "mat", .key = 'm', .arg = "FILE", .doc = "MAT file for MATLAB and Octave"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace existing files"},
     {0},
 };
 

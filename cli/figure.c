@@ -19,17 +19,20 @@ typedef struct figure_arguments {
 } figure_arguments;
 
 static const struct argp_option options[] = {
-    {.name = "list", .key = KEY_LIST, .doc = "Print the names of the result's figures, and what each is"},
+    {.name = "list", .key = KEY_LIST, .doc = "Print the names and titles of the result's figures"},
     {.name = "output",
      .key = 'o',
      .arg = "FILE",
-     .doc = "File to write; NAME.FORMAT where it is not given, - for JSON"},
-    {.name = "format", .key = KEY_FORMAT, .arg = "FORMAT", .doc = "png, pdf, svg or json; as FILE ends, else png"},
+     .doc = "File to write (default: NAME.FORMAT); - for JSON on standard output"},
+    {.name = "format",
+     .key = KEY_FORMAT,
+     .arg = "FORMAT",
+     .doc = "png, pdf, svg or json (default: by the ending of FILE, else png)"},
     {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of the figure, such as 'um, rpm, Hz, p-p'"},
-    {.name = "log", .key = KEY_LOG, .arg = "AXES", .doc = "x, y or xy: axes that shall be logarithmic"},
+    {.name = "log", .key = KEY_LOG, .arg = "AXES", .doc = "Make these axes logarithmic: x, y or xy"},
     {.name = "panels", .key = KEY_PANELS, .arg = "NAMES", .doc = "These panels alone, such as x,exponent"},
-    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot, where it is not on the PATH"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"},
+    {.name = "gnuplot", .key = KEY_GNUPLOT, .arg = "PROGRAM", .doc = "gnuplot program (default: the one on the PATH)"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"},
     {0},
 };
 
@@ -136,10 +139,9 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "RESULT.h5 [NAME]\nRESULT.h5 --list",
-        .doc =
-            "Writes one figure of a result, as reports have them: a picture, or its panels, axes and series as JSON. "
-            "Without a name the first one; the names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
-            "@#NUMBER[:STATION] make figures of any numbers and of any point. TABLE/NAME is the figure of that table.",
+        .doc = "Writes one figure of the report of a result: a picture, or its panels, axes and series as JSON. The "
+               "default is the first figure. The names FIELD[:OF][:COLUMN] ('orbit/mean:disc:y'), @VALUE[:STATION] and "
+               "@#NUMBER[:STATION] make figures of any field and of any point. TABLE/NAME is the figure of that table.",
     };
     figure_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

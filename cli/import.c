@@ -16,7 +16,7 @@ enum { KEY_FORCE = 256 };
 
 static const struct argp_option options[] = {
     {"output", 'o', "CASE.yaml", 0, "Write the case here (default: standard output)", 0},
-    {"force", KEY_FORCE, NULL, 0, "Replace a file that is there", 0},
+    {"force", KEY_FORCE, NULL, 0, "Replace an existing file", 0},
     {0}};
 
 static error_t parse(int key, char *argument, struct argp_state *state) {
@@ -65,9 +65,9 @@ static int run(int argc, char **argv) {
         .args_doc = "ROTOR.toml",
         .doc = "Makes a case of a rotor that ROSS has saved (Rotor.save, TOML or JSON): shafts and the couplings "
                "between them, discs, bearings and seals with their tables, magnetic bearings, point masses and "
-               "supports. Says what is left out or computed otherwise than in ROSS, on standard error and in the case's"
-               " comments, and refuses by name what would change the motion: gears, torque. whirl import rotor.toml -o "
-               "rotor.yaml && whirl run rotor.yaml.",
+               "supports. Reports omissions and differences from ROSS on standard error and in the case's comments. "
+               "Parts that would change the motion and cannot be converted are errors: gears, torque. whirl import "
+               "rotor.toml -o rotor.yaml && whirl run rotor.yaml.",
     };
     import_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -115,7 +115,7 @@ static int help(int argc, char **argv) {
     static const struct argp argp = {
         .parser = parse_help,
         .args_doc = "[COMMAND]",
-        .doc = "Lists the commands, or shows what one of them takes, as 'whirl COMMAND --help' does.",
+        .doc = "Lists the commands, or shows the options of one, as 'whirl COMMAND --help' does.",
     };
     const char *name = NULL;
     const int read = read_arguments(&argp, argc, argv, 0, &name);
@@ -131,7 +131,7 @@ static int help(int argc, char **argv) {
     return finish_output();
 }
 
-static const command help_command = {"help", "list the commands, or show what one takes", help};
+static const command help_command = {"help", "list the commands, or show the options of one", help};
 
 static int whirl(int argc, char **argv) {
     argp_err_exit_status = EXIT_BAD_INPUT;

@@ -10,14 +10,14 @@ static const struct argp_option options[] = {
     {.name = "threads",
      .key = KEY_THREADS,
      .arg = "N",
-     .doc = "Compute what needs all points on N threads (default: all cores); the result is the same for every N"},
+     .doc = "Use N threads (default: all cores); the result is the same for every N"},
     JSON_OPTION(KEY_JSON, "Print the points as one JSON document on standard output, too"),
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing result"},
     REFINE_OPTION,
     {.name = "max-time",
      .key = KEY_MAX_TIME,
      .arg = "TIME",
-     .doc = "Stop after TIME, as in --max-time='10 min' (s, min or h); the same command goes on"},
+     .doc = "Stop after TIME, as in --max-time='10 min' (s, min or h); the same command continues"},
     {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
     {0},
 };
@@ -48,13 +48,13 @@ static int merge(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "CASE.yaml [JOURNAL...]",
-        .doc = "Makes the result of what shards of 'whirl run' have computed, from all journals of the run next "
-               "to RESULT.h5, and from those that are named. The case and its settings are those of the shards. "
-               "Points are not computed: where some are missing the result is partial and the exit status 3. What "
-               "needs all points is: copies of chaotic motions that are followed, and refinement.",
+        .doc = "Makes the result of the shards of 'whirl run', from all journals of the run in the folder of "
+               "RESULT.h5, and from the named ones. Case and settings must be those of the shards. It computes no "
+               "points of the study: if some are missing the result is partial and the exit status 3. It does compute "
+               "copies of chaotic motions and refinement, which need all points.",
     };
     study_arguments arguments = {.given.threads = available_cores(), .merge = true};
     return study_command(&argp, argc, argv, &arguments);
 }
 
-const command merge_command = {"merge", "make the result of what shards have computed", merge};
+const command merge_command = {"merge", "make the result of the shards of a run", merge};

@@ -37,7 +37,7 @@ static error_t parse(int key, char *argument, struct argp_state *state) {
 static void list_options(struct argp_option options[OPTION_COUNT + MAX_STARTERS + 2]) {
     *options++ = (struct argp_option){
         .name = "output", .key = 'o', .arg = "CASE.yaml", .doc = "Write the case here (default: standard output)"};
-    *options++ = (struct argp_option){.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"};
+    *options++ = (struct argp_option){.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"};
     *options++ = (struct argp_option){.doc = "Kinds:", .group = 1};
     for (size_t i = 0; i < MAX_STARTERS && starter_at(i); i++)
         *options++ = (struct argp_option){

@@ -35,11 +35,11 @@ enum {
 };
 
 static const struct argp_option options[] = {
-    {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; it is made when it is not there"},
+    {.name = "output", .key = 'o', .arg = "DIR", .doc = "Folder for the report; created if needed"},
     {.name = "claims",
      .key = KEY_CLAIMS,
      .arg = "FILE",
-     .doc = "Compare findings with the claims of a paper or a measurement"},
+     .doc = "Compare the results with the claims of a paper or a measurement"},
     {.name = "gnuplot",
      .key = KEY_GNUPLOT,
      .arg = "PROGRAM",
@@ -56,14 +56,13 @@ static const struct argp_option options[] = {
             "mil; rad/s or rpm; order, Hz or cpm; 0-p, p-p or rms"},
     {.name = "lateral",
      .key = KEY_LATERAL,
-     .doc =
-         "Write lateral.html and lateral.pdf besides: a lateral analysis, from the machine to margins and stability"},
+     .doc = "Also write lateral.html and lateral.pdf: a lateral analysis, from the machine to margins and stability"},
     {.name = "weasyprint",
      .key = KEY_WEASYPRINT,
      .arg = "PROGRAM",
      .doc = "Make lateral.pdf with this weasyprint (default: the one on the PATH)"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace files that are there"},
-    {.name = "quiet", .key = 'q', .doc = "Say nothing but errors"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace existing files"},
+    {.name = "quiet", .key = 'q', .doc = "Print errors only"},
     {0},
 };
 
@@ -198,9 +197,8 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "RESULT.h5... -o DIR",
-        .doc =
-            "Draws the figures of results with gnuplot and writes a page, DIR/report.html, that shows them all, "
-            "and one that computes on in a browser, DIR/explorer.html. Scripts and data are kept next to the figures.",
+        .doc = "Draws the figures of results with gnuplot and writes two pages: DIR/report.html shows all of them, and "
+               "DIR/explorer.html also computes in a browser. Scripts and data are kept in the folder of the figures.",
     };
     report_arguments arguments = {0};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);

@@ -18,20 +18,20 @@ static const struct argp_option options[] = {
                 "Print the points as one JSON document on standard output; a result file is then written only with -o"),
     {.name = "resume",
      .key = KEY_RESUME,
-     .doc = "Go on with a run that did not finish, from RESULT.h5.journal and the journals of shards next to it; the "
-            "result is that of an uninterrupted run"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a result that is there already; without it a result is kept"},
+     .doc = "Continue an unfinished run from RESULT.h5.journal and the journals of its shards; the result is that of "
+            "an uninterrupted run"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing result"},
     REFINE_OPTION,
     {.name = "shard",
      .key = KEY_SHARD,
      .arg = "I/N",
-     .doc = "Compute the I-th of N shares of the points, from 1/N to N/N, as one task of an array of jobs, and keep "
-            "them in a journal of their own; 'whirl merge' makes the result"},
+     .doc = "Compute the I-th of N shards of the points, from 1/N to N/N, as one task of an array of jobs, and keep "
+            "them in a journal of the shard; 'whirl merge' makes the result"},
     {.name = "max-time",
      .key = KEY_MAX_TIME,
      .arg = "TIME",
-     .doc = "Stop after TIME, as in --max-time='10 min' (s, min or h), as Ctrl-C, SIGTERM and SIGUSR1 do: with what is "
-            "done as a partial result, exit status 3, and --resume to go on"},
+     .doc = "Stop after TIME, as in --max-time='10 min' (s, min or h), as Ctrl-C, SIGTERM and SIGUSR1 do: with a "
+            "partial result of the finished points and exit status 3; --resume continues"},
     {.name = "quiet", .key = 'q', .doc = "No progress and no summary"},
     {0},
 };
@@ -73,8 +73,8 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "CASE.yaml",
-        .doc = "Computes the study of a case and writes the result as one HDF5 file. Where a motion diverges, that is "
-               "a result and not a failure. - stands for a case from standard input.",
+        .doc = "Computes the study of a case and writes the result as one HDF5 file. A motion that diverges is a "
+               "result and not a failure. CASE.yaml may be - for standard input.",
     };
     study_arguments arguments = {.given.threads = ranks_threads()};
     return study_command(&argp, argc, argv, &arguments);

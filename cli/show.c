@@ -63,8 +63,8 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "RESULT.h5...",
-        .doc = "Says again what `whirl run` said of a result: regimes, radii, rubs and how far the verdicts can be "
-               "trusted; modes, critical speeds and largest responses of machines at rest.",
+        .doc = "Prints the summary that `whirl run` printed: regimes, radii, rubs and confidence of the verdicts; "
+               "modes, critical speeds and largest responses of machines at rest.",
     };
     show_arguments arguments = {.first = argc};
     const int read = read_arguments(&argp, argc, argv, 0, &arguments);
@@ -79,4 +79,4 @@ static int run(int argc, char **argv) {
     return outcome == EXIT_DONE ? written : outcome;
 }
 
-const command show_command = {"show", "say again what a result holds", run};
+const command show_command = {"show", "print the summary of a result", run};

@@ -33,10 +33,9 @@ enum { KEY_FORCE = KEY_OWN, KEY_JSON, KEY_REFINE, KEY_MAX_TIME, KEY_STUDY_OWN };
 #define REFINE_OPTION                                                                                                  \
     {                                                                                                                  \
         .name = "refine", .key = KEY_REFINE, .arg = "BUDGET", .flags = OPTION_ARG_OPTIONAL,                            \
-        .doc =                                                                                                         \
-            "Do points again whose verdict is undetermined or of low confidence, as the verdict advises (longer, or "  \
-            "with a tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in "       \
-            "--refine='10 min' (default: as many revolutions as the study has)"                                        \
+        .doc = "Compute points with an undetermined or low-confidence verdict again, as it advises (longer, or "       \
+               "with a tighter tolerance), until BUDGET is spent: revolutions, as in --refine=2e6, or time, as in "    \
+               "--refine='10 min' (default: as many revolutions as the study has)"                                     \
     }
 
 /// The command line as it was typed, before argp reorders it.

@@ -17,15 +17,18 @@ typedef struct table_arguments {
 } table_arguments;
 
 static const struct argp_option options[] = {
-    {.name = "list", .key = KEY_LIST, .doc = "Print the names of the result's sheets, and what each is"},
+    {.name = "list", .key = KEY_LIST, .doc = "Print the names and titles of the result's sheets"},
     {.name = "output",
      .key = 'o',
      .arg = "FILE",
      .doc = "File to write, in the format of its ending: .txt, .csv, "
             ".tex or .json; without it, or -, standard output"},
-    {.name = "format", .key = KEY_FORMAT, .arg = "FORMAT", .doc = "text, csv, latex or json; as FILE ends, else text"},
+    {.name = "format",
+     .key = KEY_FORMAT,
+     .arg = "FORMAT",
+     .doc = "text, csv, latex or json (default: by the ending of FILE, else text)"},
     {.name = "units", .key = KEY_UNITS, .arg = "UNITS", .doc = "Units of numbers, such as 'um, rpm, Hz, p-p' or US"},
-    {.name = "force", .key = KEY_FORCE, .doc = "Replace a file that is there"},
+    {.name = "force", .key = KEY_FORCE, .doc = "Replace an existing file"},
     {0},
 };
 
@@ -128,9 +131,8 @@ static int run(int argc, char **argv) {
         .options = options,
         .parser = parse,
         .args_doc = "RESULT.h5 [SHEET]\nRESULT.h5 --list",
-        .doc = "Prints what was found of machines at rest, branches, tori and spectra, or writes it: all statements "
-               "and sheets, "
-               "or one sheet, a table as reports have it, with its numbers in the units of the case. TABLE/SHEET is "
+        .doc = "Prints or writes the findings about machines at rest, branches, tori and spectra: all statements and "
+               "sheets, or one sheet, a table of the report, with its numbers in the units of the case. TABLE/SHEET is "
                "the sheet of that table.",
     };
     table_arguments arguments = {0};
@@ -138,4 +140,4 @@ static int run(int argc, char **argv) {
     return read == EXIT_DONE ? with_result(arguments.result, act, &arguments) : read;
 }
 
-const command table_command = {"table", "print or write tables of what was found", run};
+const command table_command = {"table", "print or write tables of findings", run};

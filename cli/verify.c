@@ -27,13 +27,12 @@ static const struct argp_option options[] = {
     {.name = "points",
      .key = KEY_POINTS,
      .arg = "N",
-     .doc =
-         "Take N points of the sweep, equally spaced (default: all points of the detail or the response, or 9 of the "
-         "sweep)"},
+     .doc = "Use N points of the sweep, equally spaced (default: all points of the detail or the response, or 9 of the "
+            "sweep)"},
     {.name = "method",
      .key = KEY_METHOD,
      .arg = "NAME",
-     .doc = "The second method, one with a tolerance (default: the first such method that is not the case's)"},
+     .doc = "The second method, an adaptive one (default: the first adaptive method that is not the case's)"},
     {.name = "revolutions",
      .key = KEY_REVOLUTIONS,
      .arg = "N",
@@ -302,4 +301,4 @@ static int run(int argc, char **argv) {
     return verify_case(&arguments);
 }
 
-const command verify_command = {"verify", "say which verdicts of a case depend on numerics", run};
+const command verify_command = {"verify", "find out which verdicts of a case depend on numerics", run};

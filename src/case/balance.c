@@ -18,118 +18,120 @@ static const double two_pi = 6.283185307179586476925;
 #define VECTOR_KEYS(unit, size, angle)                                                                                 \
     NUMBER_KEY("amplitude", "", unit, OPTIONAL, WHIRL_NOT_NEGATIVE, size),                                             \
         NUMBER_KEY("phase", "", "rad", OPTIONAL, WHIRL_ANY, angle),                                                    \
-        NUMBER_KEY("real", "", unit, OPTIONAL, WHIRL_ANY, "amplitude cos(phase), in place of both, with imag"),        \
+        NUMBER_KEY("real", "", unit, OPTIONAL, WHIRL_ANY,                                                              \
+                   "amplitude cos(phase), with imag, in place of amplitude and phase"),                                \
         NUMBER_KEY("imag", "", unit, OPTIONAL, WHIRL_ANY, "amplitude sin(phase)")
 
 static const whirl_key file_keys[] = {
     WHOLE_KEY("balance", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
-    CHOICE_KEY("title", OPTIONAL, "", "what rotor it is, in one line"),
+    CHOICE_KEY("title", OPTIONAL, "", "name of the rotor, in one line"),
     UNITS_KEY,
     CHOICE_KEY("angles", REQUIRED, "with|against",
-               "sense of angles on the rotor, counted from its mark: with the rotation or against it"),
+               "direction in which angles on the rotor count from its mark: with the rotation or against it"),
     CHOICE_KEY("phases", REQUIRED, "lag|lead",
-               "what phases of vibrations are: by how much the peak comes after the mark "
-               "passes the probe, or before"),
+               "meaning of phases: lag: the peak comes after the mark passes the probe; lead: before"),
     CHOICE_KEY("amplitudes", OPTIONAL, "0-p|p-p|rms",
-               "how all amplitudes of vibrations are counted; absent: 0-p for the model"),
+               "convention of all amplitudes of vibrations; absent: 0-p for the model"),
     CHOICE_KEY("planes", REQUIRED, "", "a list of planes in which weights are put"),
     CHOICE_KEY("trials", OPTIONAL, "",
-               "a list of the weights that runs had; absent: none, the model proposes some or balances by itself"),
+               "a list of the weights of all runs; absent: none, and the model proposes some or balances by itself"),
     CHOICE_KEY("vibration", REQUIRED, "",
-               "a list of what probes saw in runs, or the path of a table (CSV) of it, from the folder of this file"),
+               "a list of readings, or the path of a table (CSV) of readings, from the folder of this file"),
     CHOICE_KEY("slow_roll", OPTIONAL, "",
-               "a list of what probes see at low speed, of the shaft itself: it is taken off all of their readings"),
+               "a list of readings of the shaft surface at low speed, which are subtracted from all readings"),
     CHOICE_KEY("coefficients", OPTIONAL, "",
-               "a list of influence coefficients that are known, one for every plane, probe and speed; trials are not "
-               "needed then"),
-    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "of the rotor, for what ISO 21940-11 allows"),
+               "a list of known influence coefficients, one for every plane, probe and speed, in place of trials"),
+    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "mass of the rotor, for the limits of ISO 21940-11"),
     NUMBER_KEY("grade", "G", "mm/s", OPTIONAL, WHIRL_POSITIVE, "balance quality grade"),
     NUMBER_KEY("service_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "largest speed in service"),
     CHOICE_KEY("modes", OPTIONAL, "", "a list of modes that are balanced one by one, by sets of weights"),
     CHOICE_KEY("keep_rigid", DEFAULT("no"), "yes|no",
-               "whether sets have no resultant and no couple: N + 2 planes for N modes, in place of N"),
+               "yes: sets have no resultant and no couple; needs N + 2 planes for N modes, in place of N"),
     CHOICE_KEY("least", DEFAULT("squares"), "squares|max",
-               "what weights make the least: the sum of the squares of what is left, or the largest of it"),
-    CHOICE_KEY("probes", OPTIONAL, "", "a list of probes, with their stations, directions and limits"),
+               "quantity that the weights minimize: the sum of the squares of the remaining vibrations, or the largest "
+               "of these"),
+    CHOICE_KEY("probes", OPTIONAL, "", "a list of properties of the probes"),
     CHOICE_KEY("model", OPTIONAL, "", "path of a case of the rotor, from the folder of this file"),
-    CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "where influence coefficients come from"),
+    CHOICE_KEY("influence", DEFAULT("runs"), "runs|model", "source of the influence coefficients"),
     NUMBER_KEY("model_error", "", "1", DEFAULT("0.03"), WHIRL_FROM_TO(0, 0.5),
-               "relative error of the model's critical speeds; the vibration left with this error is reported"),
+               "assumed relative error of the model's critical speeds, for the remaining vibration in that case"),
     NUMBER_KEY("keyphasor", "", "rad", DEFAULT("0"), WHIRL_ANY,
-               "where the mark is seen, from the model's x axis towards y"),
+               "position of the mark's pickup, from the model's x axis towards y"),
 };
 
 static const whirl_key plane_keys[] = {
-    CHOICE_KEY("name", REQUIRED, "", "what it is called"),
-    NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "at which weights sit"),
-    NUMBER_KEY("limit", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "moment of its weight, at most; absent: any"),
-    WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360), "evenly spaced, for weights; absent: they go anywhere"),
-    NUMBER_KEY("first_hole", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle of hole 1; holes are numbered as angles grow"),
-    CHOICE_KEY("station", OPTIONAL, "", "of the model; absent: that of the plane's name"),
-    NUMBER_KEY("position", "", "m", OPTIONAL, WHIRL_ANY, "along the rotor, for keep_rigid; absent: the model's"),
+    CHOICE_KEY("name", REQUIRED, "", "its name"),
+    NUMBER_KEY("radius", "", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the weights"),
+    NUMBER_KEY("limit", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "largest moment of its weight; absent: no limit"),
+    WHOLE_KEY("holes", "", OPTIONAL, WHIRL_FROM_TO(3, 360),
+              "number of evenly spaced holes for weights; absent: weights at any angle"),
+    NUMBER_KEY("first_hole", "", "rad", DEFAULT("0"), WHIRL_ANY,
+               "angle of hole 1; holes are numbered by rising angles"),
+    CHOICE_KEY("station", OPTIONAL, "", "station of the model; absent: the one with the plane's name"),
+    NUMBER_KEY("position", "", "m", OPTIONAL, WHIRL_ANY,
+               "position along the rotor, for keep_rigid; absent: the model's"),
 };
 
 static const whirl_key mode_keys[] = {
     NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE,
-               "near its critical speed; readings are of the mode of the nearest speed"),
-    CHOICE_KEY("shape", OPTIONAL, "", "a list of a number for every plane; absent: the model's, at that speed"),
+               "speed near its critical speed; a reading belongs to the mode of the nearest speed"),
+    CHOICE_KEY("shape", OPTIONAL, "", "a list with one number for every plane; absent: the model's, at that speed"),
 };
 
 static const whirl_key probe_keys[] = {
-    CHOICE_KEY("name", REQUIRED, "", "as readings call it"),
-    CHOICE_KEY("station", OPTIONAL, "", "of the model; absent: that of the probe's name"),
-    NUMBER_KEY("angle", "", "rad", DEFAULT("0"), WHIRL_ANY, "from the model's x axis towards y"),
-    NUMBER_KEY("limit", "", "m", OPTIONAL, WHIRL_POSITIVE, "that trial weights must not take it beyond"),
-    NUMBER_KEY("repeatability", "", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "by which readings of equal runs differ"),
+    CHOICE_KEY("name", REQUIRED, "", "name of the probe in readings"),
+    CHOICE_KEY("station", OPTIONAL, "", "station of the model; absent: the one with the probe's name"),
+    NUMBER_KEY("angle", "", "rad", DEFAULT("0"), WHIRL_ANY, "angle of the probe, from the model's x axis towards y"),
+    NUMBER_KEY("limit", "", "m", OPTIONAL, WHIRL_POSITIVE, "limit of the vibration with trial weights"),
+    NUMBER_KEY("repeatability", "", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "difference between readings of equal runs"),
 };
 
 static const whirl_key trial_keys[] = {
-    WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run that had it"),
-    CHOICE_KEY("plane", OPTIONAL, "", "its plane; this or set"),
+    WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
+    CHOICE_KEY("plane", OPTIONAL, "", "plane of the weight; this or set"),
     WHOLE_KEY("set", "", OPTIONAL, WHIRL_FROM_TO(1, WHIRL_MAX_PLANES),
-              "number of the mode whose set of weights it was, times moment"),
+              "number of the mode whose set of weights it was, multiplied by moment"),
     NUMBER_KEY("moment", "", "kg m", OPTIONAL, WHIRL_POSITIVE, "mass times radius; this or mass"),
-    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "at the radius of the plane"),
-    NUMBER_KEY("angle", "", "rad", REQUIRED, WHIRL_ANY, "where on the rotor"),
+    NUMBER_KEY("mass", "", "kg", OPTIONAL, WHIRL_POSITIVE, "mass at the radius of the plane"),
+    NUMBER_KEY("angle", "", "rad", REQUIRED, WHIRL_ANY, "angle on the rotor"),
 };
 
 static const whirl_key vibration_keys[] = {
     WHOLE_KEY("run", "", REQUIRED, WHIRL_FROM_TO(0, 100000), "number of the run"),
-    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
+    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m", "at once a revolution, as `amplitudes` says", "of it"),
-    NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "by which its square counts"),
+    VECTOR_KEYS("m", "amplitude of the 1X vibration, counted by `amplitudes`", "phase of the 1X vibration"),
+    NUMBER_KEY("weight", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "weight of its square in the sum"),
 };
 
 static const whirl_key slow_roll_keys[] = {
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m", "at once a revolution, as `amplitudes` says", "of it"),
+    VECTOR_KEYS("m", "amplitude of the 1X vibration, counted by `amplitudes`", "phase of the 1X vibration"),
 };
 
 static const whirl_key coefficient_keys[] = {
     CHOICE_KEY("plane", REQUIRED, "", "its plane"),
-    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "of the rotor"),
+    NUMBER_KEY("speed", "", "rad/s", REQUIRED, WHIRL_POSITIVE, "speed of the rotor"),
     CHOICE_KEY("probe", REQUIRED, "", "name of the probe"),
-    VECTOR_KEYS("m/(kg m)", "of the vibration by a weight, over its moment, as `amplitudes` says",
-                "of the vibration by a weight at angle 0"),
+    VECTOR_KEYS("m/(kg m)", "amplitude of the vibration by a weight, over its moment, counted by `amplitudes`",
+                "phase of the vibration by a weight at angle 0"),
 };
 
 #define COUNT(keys) (sizeof(keys) / sizeof *(keys))
-static const whirl_group file_group = {
-    "balance", "a file on a rotor that is to be balanced", "", file_keys, COUNT(file_keys), NULL, NULL};
+static const whirl_group file_group = {"balance", "a file for balancing a rotor", "", file_keys, COUNT(file_keys), NULL,
+                                       NULL};
 static const whirl_group plane_group = {
     "plane", "a plane in which weights are put", "", plane_keys, COUNT(plane_keys), NULL, NULL};
-static const whirl_group trial_group = {"trial", "a weight that a run had", "", trial_keys, COUNT(trial_keys), NULL,
-                                        NULL};
+static const whirl_group trial_group = {"trial", "a weight of a run", "", trial_keys, COUNT(trial_keys), NULL, NULL};
 static const whirl_group mode_group = {
-    "mode", "a mode that is balanced by itself", "", mode_keys, COUNT(mode_keys), NULL, NULL};
-static const whirl_group probe_group = {
-    "probe", "properties of a probe, besides its readings", "", probe_keys, COUNT(probe_keys), NULL, NULL};
+    "mode", "a mode that is balanced separately", "", mode_keys, COUNT(mode_keys), NULL, NULL};
+static const whirl_group probe_group = {"probe", "properties of a probe", "", probe_keys, COUNT(probe_keys), NULL,
+                                        NULL};
 static const whirl_group vibration_group = {
-    "vibration", "what a probe saw in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
+    "vibration", "a reading of a probe in a run", "", vibration_keys, COUNT(vibration_keys), NULL, NULL};
 
 static const whirl_group slow_roll_group = {
-    "slow_roll", "what a probe sees of the shaft itself", "", slow_roll_keys, COUNT(slow_roll_keys), NULL, NULL};
+    "slow_roll", "the reading of a probe of the shaft surface", "", slow_roll_keys, COUNT(slow_roll_keys), NULL, NULL};
 static const whirl_group coefficient_group = {
     "coefficient", "an influence coefficient", "", coefficient_keys, COUNT(coefficient_keys), NULL, NULL};
 

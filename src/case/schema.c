@@ -16,20 +16,20 @@
 static const whirl_key case_keys[] = {
     WHOLE_KEY("whirl", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
     CHOICE_KEY("title", OPTIONAL, "", "what the case is about, in one line"),
-    CHOICE_KEY("document", OPTIONAL, "", "the heading of reports below the title: see document"),
+    CHOICE_KEY("document", OPTIONAL, "", "data for the head of reports: see document"),
     CHOICE_KEY("parameters", OPTIONAL, "",
                "names with values: a number, a number and a unit, or = and an expression over other parameters in SI"),
     CHOICE_KEY("rotor", REQUIRED, "", "the machine: see rotor"),
-    CHOICE_KEY("study", REQUIRED, "", "what is computed: see study"),
+    CHOICE_KEY("study", REQUIRED, "", "the computations: see study"),
 };
 
 static const whirl_key document_keys[] = {
     CHOICE_KEY("tag", OPTIONAL, "", "the machine's tag or serial number"),
-    CHOICE_KEY("customer", OPTIONAL, "", "whose machine it is"),
-    CHOICE_KEY("project", OPTIONAL, "", "of which project or order"),
-    CHOICE_KEY("revision", OPTIONAL, "", "of the document"),
-    CHOICE_KEY("author", OPTIONAL, "", "who answers for it"),
-    CHOICE_KEY("date", OPTIONAL, "", "of the revision, as a text"),
+    CHOICE_KEY("customer", OPTIONAL, "", "owner of the machine"),
+    CHOICE_KEY("project", OPTIONAL, "", "name of the project or order"),
+    CHOICE_KEY("revision", OPTIONAL, "", "revision of the document"),
+    CHOICE_KEY("author", OPTIONAL, "", "author of the document"),
+    CHOICE_KEY("date", OPTIONAL, "", "date of the revision, as a text"),
 };
 
 // clang-format off
@@ -37,7 +37,7 @@ static const whirl_key document_keys[] = {
     {"speed", "omega", "rad/s", WHIRL_KEY_NUMBER, true, "", speeds, NULL,                                              \
      "speed of rotation, above 0; for modes at least 0", "", NULL},                                                    \
     CHOICE_KEY("rotation", DEFAULT("counter-clockwise"), "counter-clockwise|clockwise",                                \
-     "which way it turns: from x to y, or from y to x; angles go from x towards y either way"),                        \
+     "direction of rotation: from x to y, or from y to x; angles go from x towards y in both cases"),                  \
     NUMBER_KEY("length_scale", "", "m", REQUIRED, WHIRL_POSITIVE,                                                      \
      "length in which displacements are computed and reported, such as the clearance"),                                \
     CITED_CHOICE_KEY("materials", OPTIONAL, "", "names with the keys of a material of shafts",                         \
@@ -59,37 +59,35 @@ static const whirl_key still_rotor_keys[] = {ROTOR_KEYS(WHIRL_NOT_NEGATIVE)};
 static const whirl_key study_keys[] = {
     CHOICE_KEY(
         "response", OPTIONAL, "",
-        "one point; a study has this or one of sweep, map, basin, branch, or studies of machines at rest, alone or "
-        "in addition to it:" WHIRL_STUDIES_AT_REST(AND_NAME)),
+        "one point; a study has one of response, sweep, map, basin, branch; alone or together with it studies of "
+        "machines at rest:" WHIRL_STUDIES_AT_REST(AND_NAME)),
     CHOICE_KEY("sweep", OPTIONAL, "", "points along one parameter"),
     CHOICE_KEY(
         "motions", OPTIONAL, "",
-        "motions with the unbalances of a study of that name, at every condition, or a list of such: see motions"),
+        "motions in time with the unbalances of a named study, at every condition, or a list of such: see motions"),
     CHOICE_KEY("map", OPTIONAL, "", "points of a plane of two parameters: see map"),
     CHOICE_KEY(
         "basin", OPTIONAL, "",
         "starts in a plane of two parameters of the initial state, and the motions that they come to rest on: see map"),
-    CHOICE_KEY(
-        "branch", OPTIONAL, "",
-        "orbits along one parameter, stable or not, and where and why they change; alone or together with a sweep: see "
-        "branch"),
+    CHOICE_KEY("branch", OPTIONAL, "",
+               "orbits along one parameter, stable or not, and where and why they change; alone or together with a "
+               "sweep: see branch"),
     CHOICE_KEY("curves", OPTIONAL, "",
                "curves over a second parameter, through the special points of the branches: see curves"),
-    WHIRL_STUDIES_AT_REST(KEY_AT_REST) CHOICE_KEY(
-        "conditions", OPTIONAL, "",
-        "names, such as minimum and maximum, with values of parameters: every study of machines at rest, and every one "
-        "of motions, is done at each of these, as NAME_CONDITION"),
-    CHOICE_KEY("initial", OPTIONAL, "", "names of stations with the state they start from; zero where absent"),
+    WHIRL_STUDIES_AT_REST(KEY_AT_REST)
+        CHOICE_KEY("conditions", OPTIONAL, "",
+                   "names, such as minimum and maximum, with values of parameters: every study of machines at rest, "
+                   "and `motions`, runs at each of these, as NAME_CONDITION"),
+    CHOICE_KEY("initial", OPTIONAL, "", "names of stations with their initial state; absent: zero"),
     CHOICE_KEY("starts", OPTIONAL, "",
-               "several starts of every point of a response, sweep or map, to see which motions exist side by side: "
-               "see starts"),
-    CHOICE_KEY("integrate", OPTIONAL, "", "how and how long: see integrate"),
-    CHOICE_KEY("keep", OPTIONAL, "", "how much of waveforms and spectra: see keep"),
+               "several starts of every point of a response, sweep or map, to find coexisting motions: see starts"),
+    CHOICE_KEY("integrate", OPTIONAL, "", "method and length of the integration: see integrate"),
+    CHOICE_KEY("keep", OPTIONAL, "", "parts of waveforms and spectra that are kept: see keep"),
     CHOICE_KEY("analyze", OPTIONAL, "",
-               "a list of analyses; all but waveform, exponents, evidence and floquet where absent"),
+               "a list of analyses; absent: all except waveform, exponents, evidence and floquet"),
     CHOICE_KEY(
         "detail", OPTIONAL, "",
-        "values of the swept parameter that are computed once more, for longer and with whole waveforms and spectra"),
+        "values of the swept parameter that are computed again, for longer and with whole waveforms and spectra"),
     CHOICE_KEY("units", OPTIONAL, "",
                "units of figures and pages, such as um, rpm, Hz, p-p: a length (scale, m, mm, um, in, mil), a speed "
                "(rad/s, rpm), a frequency (order, Hz, cpm), a way to count amplitudes (0-p, p-p, rms), a force, mass, "
@@ -104,11 +102,11 @@ static const whirl_key study_keys[] = {
     NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),                                                \
     NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),                                                   \
     WHOLE_KEY("points", "", OPTIONAL, WHIRL_FROM_TO(1, SCHEMA_MAX_POINTS),                                             \
-     "number of values, spaced as scale says, both ends included; this or step"),                                      \
+     "number of values, spaced by scale, both ends included; this or step"),                                           \
     NUMBER_KEY("step", "", "", OPTIONAL, WHIRL_ANY,                                                                    \
-     "distance of the values, from the first up to the last that is not beyond `to`; this or points"),                 \
+     "distance between the values, from the first to the last that is not beyond `to`; this or points"),               \
     CHOICE_KEY("scale", DEFAULT("linear"), "linear|log",                                                               \
-     "of points: linear: equal differences; log: equal ratios"),                                                       \
+     "spacing of points: linear: equal differences; log: equal ratios"),                                               \
     NUMBER_KEY("values", "", "", OPTIONAL, WHIRL_ANY,                                                                  \
      "a list of the values, rising or falling, in place of from, to, points and step")
 // clang-format on
@@ -126,33 +124,33 @@ static const whirl_key axis_keys[] = {AXIS_KEYS(true)};
 static const whirl_key map_keys[] = {
     CHOICE_KEY("x", REQUIRED, "", "the parameter along its rows, and its values"),
     CHOICE_KEY("y", REQUIRED, "", "the parameter from row to row, and its values"),
-    CHOICE_KEY("z", OPTIONAL, "", "the parameter from plane to plane, and its values; absent: there is one plane"),
+    CHOICE_KEY("z", OPTIONAL, "", "the parameter from plane to plane, and its values; absent: one plane"),
     CHOICE_KEY("start", DEFAULT("state"), "rest|state", "rest: every point from zero; state: from the initial state"),
     WHOLE_KEY("refine", "", OPTIONAL, WHIRL_FROM_TO(2, WHIRL_MAX_SQUARE),
-              "every so many points along both axes are computed first, a power of two, then squares between them are "
-              "halved where verdicts differ; absent: all points are computed"),
+              "a power of two: every n-th point along both axes is computed first, then squares are halved where "
+              "verdicts differ; absent: all points are computed"),
 };
 
 // Without a parameter there is one point, the machine as given.
 static const whirl_key resting_keys[] = {
     AXIS_KEYS(false),
-    CHOICE_KEY("name", OPTIONAL, "", "its name among several of its kind, which follows the kind and '_'"),
+    CHOICE_KEY("name", OPTIONAL, "", "name of this study among several of its kind; its table is KIND_NAME"),
 };
 
 static const whirl_key motions_keys[] = {
     AXIS_KEYS(false),
-    CHOICE_KEY("name", OPTIONAL, "", "their name among several, which follows motions_"),
+    CHOICE_KEY("name", OPTIONAL, "", "name of these motions among several; their table is motions_NAME"),
     CHOICE_KEY("unbalance", OPTIONAL, "",
-               "the name of a study of unbalance, or unbalance itself: its unbalances by rule are in the place of the "
-               "machine's own; absent: its own"),
+               "name of a study of unbalance, or unbalance itself: its unbalances by rule replace the machine's own; "
+               "absent: the machine's own"),
 };
 
 static const whirl_key branch_keys[] = {
-    CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; that of the sweep where there is one"),
-    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first bound; of the sweep where absent"),
-    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its other bound; of the sweep where absent"),
+    CHOICE_KEY("parameter", OPTIONAL, "", "name of the parameter that varies; absent: that of the sweep"),
+    NUMBER_KEY("from", "", "", OPTIONAL, WHIRL_ANY, "its first bound; absent: that of the sweep"),
+    NUMBER_KEY("to", "", "", OPTIONAL, WHIRL_ANY, "its other bound; absent: that of the sweep"),
     NUMBER_KEY("at", "", "", OPTIONAL, WHIRL_ANY,
-               "a list of values at which a motion is let settle and a branch begins; the first bound where absent"),
+               "a list of values at which a motion settles and a branch begins; absent: the first bound"),
 };
 
 static const whirl_key curves_keys[] = {
@@ -171,13 +169,13 @@ static const whirl_key starts_keys[] = {
               "sequence of Halton: the same at every point"),
     CHOICE_KEY("grid", OPTIONAL, "",
                "in place of count: numbers of values of the coordinates of within, such as x: 5, from one end of the "
-               "range to the other; every point has the initial state itself besides"),
+               "range to the other; every point also starts from the initial state"),
     CHOICE_KEY("within", REQUIRED, "",
-               "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; what is not named is "
-               "as there"),
+               "names of stations with ranges of the coordinates of initial, such as x: [-1, 1]; other coordinates are "
+               "as in initial"),
     WHOLE_KEY("neighbours", "", DEFAULT("0"), WHIRL_FROM_TO(0, 100000),
-              "rounds, at most, in which points of a sweep or map start from where motions of their neighbours ended, "
-              "on attractors that they lack; such starts count in no share"),
+              "largest number of rounds of starts from neighbours: points of a sweep or map start from the end of a "
+              "neighbour's motion on an attractor that they lack; these count in no share"),
 };
 
 // Tables of structs whose members are keys of a part.
@@ -192,10 +190,10 @@ static const table of_probe[] = {whirl_probe_members, NULL};
     { name, meaning, "", NULL, 0, NULL, tables }
 
 const whirl_group schema_case = GROUP("case", "a case file", case_keys, NULL);
-const whirl_group schema_document = GROUP("document", "the heading of reports below the title", document_keys, NULL);
+const whirl_group schema_document = GROUP("document", "data for the head of reports", document_keys, NULL);
 const whirl_group schema_rotor = GROUP("rotor", "the machine", rotor_keys, NULL);
 const whirl_group schema_still_rotor = GROUP("rotor", "the machine", still_rotor_keys, NULL);
-const whirl_group schema_study = GROUP("study", "what is computed", study_keys, of_batch);
+const whirl_group schema_study = GROUP("study", "the computations", study_keys, of_batch);
 const whirl_group schema_response = PART("response", "one point: no keys", NULL);
 const whirl_group schema_sweep = GROUP("sweep", "points along one parameter", sweep_keys, NULL);
 const whirl_group schema_map = GROUP("map", "points of a plane of two parameters", map_keys, NULL);
@@ -205,15 +203,17 @@ const whirl_group schema_axis = GROUP("axis", "the values of a parameter, along 
 #define GROUP_AT_REST(name, meaning, ...) GROUP(#name, meaning, resting_keys, of_options),
 #define ADDRESS_AT_REST(name, ...) &schema_at_rest[SCHEMA_AT_REST_##name],
 const whirl_group schema_at_rest[] = {WHIRL_STUDIES_AT_REST(GROUP_AT_REST){.name = NULL}};
-const whirl_group schema_motions = GROUP("motions", "motions in addition to studies at rest", motions_keys, of_options);
+const whirl_group schema_motions =
+    GROUP("motions", "motions in time of a case with studies of machines at rest", motions_keys, of_options);
 const whirl_group schema_branch =
     GROUP("branch", "branches of periodic orbits and equilibria along one parameter", branch_keys, of_options);
 const whirl_group schema_curves = GROUP("curves", "curves of special points over two parameters", curves_keys, NULL);
 const whirl_group schema_initial = PART("initial", "the state that a station starts from", of_probe);
 const whirl_group schema_starts = GROUP("starts", "several starts of every point", starts_keys, NULL);
-const whirl_group schema_integrate = PART("integrate", "how the motion is integrated, and how long", of_options);
-const whirl_group schema_keep = PART("keep", "how much of waveforms and spectra is kept", of_options);
-const whirl_group schema_detail = GROUP("detail", "values that are computed at length", detail_keys, of_options);
+const whirl_group schema_integrate = PART("integrate", "method and length of the integration", of_options);
+const whirl_group schema_keep = PART("keep", "parts of waveforms and spectra that are kept", of_options);
+const whirl_group schema_detail =
+    GROUP("detail", "values that are computed again, for longer", detail_keys, of_options);
 
 const char *schema_scaled_unit(const whirl_key *key) {
     for (const whirl_member *member = whirl_probe_members(); member->part; member++)
@@ -240,8 +240,8 @@ const whirl_group *const *whirl_case_groups(void) {
 
 static const whirl_key claims_keys[] = {
     WHOLE_KEY("claims", "", REQUIRED, WHIRL_ANY, "version of the format, 1"),
-    CHOICE_KEY("source", OPTIONAL, "", "who says it"),
-    CHOICE_KEY("parameter", REQUIRED, "", "name of the parameter that the claims speak of"),
+    CHOICE_KEY("source", OPTIONAL, "", "source of the claims"),
+    CHOICE_KEY("parameter", REQUIRED, "", "name of the parameter of the claims"),
     CHOICE_KEY("station", REQUIRED, "", "name of the station whose spectrum is meant"),
     CHOICE_KEY("items", REQUIRED, "", "a list of claims"),
 };
@@ -254,25 +254,28 @@ static const whirl_key claim_keys[] = {
     CHOICE_KEY("says", REQUIRED, "", "the claim in words"),
     CHOICE_KEY("regime", OPTIONAL, "", "P-1 to P-128, periodic, quasi-periodic, chaotic or diverged"),
     WHOLE_KEY("curves", "", OPTIONAL, WHIRL_FROM_TO(1, 64), "closed curves of a quasi-periodic section"),
-    CHOICE_KEY("rub", OPTIONAL, "true|false|yes|no|always|at_times", "whether there is contact, or for how long"),
+    CHOICE_KEY("rub", OPTIONAL, "true|false|yes|no|always|at_times",
+               "true or false: contact or none; always, at_times: how long"),
     CHOICE_KEY("dry_whip", OPTIONAL, "true|false|yes|no",
-               "whether friction drives it backward round its stator, in lasting contact"),
+               "true: friction drives the rotor backward round its stator, in lasting contact"),
     NUMBER_KEY("lines", "", "", OPTIONAL, WHIRL_POSITIVE, "a list of orders that the spectrum shows"),
-    CHOICE_KEY("only_lines", OPTIONAL, "true|false|yes|no", "and no others"),
+    CHOICE_KEY("only_lines", OPTIONAL, "true|false|yes|no", "true: the spectrum shows no other lines"),
     NUMBER_KEY("band", "", "", OPTIONAL, WHIRL_NOT_NEGATIVE,
                "two orders between which the large lines below the running speed lie"),
     NUMBER_KEY("largest", "", "", OPTIONAL, WHIRL_NOT_NEGATIVE, "two orders between which the largest line lies"),
     CHOICE_KEY("whirl", OPTIONAL, "forward|backward|diverging-backward", "direction of the whirl"),
-    CHOICE_KEY("changes", OPTIONAL, "",
-               "a list of what branches have in the range: fold, crossing, doubling, neimark-sacker, hopf, grazing"),
-    CHOICE_KEY("unchanged", OPTIONAL, "", "a list of such that they do not have there"),
-    CHOICE_KEY("sense", OPTIONAL, "supercritical|subcritical", "of the first of the changes"),
+    CHOICE_KEY(
+        "changes", OPTIONAL, "",
+        "a list of changes that branches have in the range: fold, crossing, doubling, neimark-sacker, hopf, grazing"),
+    CHOICE_KEY("unchanged", OPTIONAL, "", "a list of changes that they do not have there"),
+    CHOICE_KEY("sense", OPTIONAL, "supercritical|subcritical",
+               "supercritical or subcritical: sense of the first of the changes"),
     NUMBER_KEY("orders", "", "", OPTIONAL, WHIRL_POSITIVE,
-               "a list of orders, one of which the whirl has that begins at the first Hopf point of the range"),
+               "a list of orders; the whirl that begins at the first Hopf point of the range has one of them"),
     WHOLE_KEY("regions", "", OPTIONAL, WHIRL_FROM_TO(1, 99),
-              "parts into which the curve of Hopf points falls, supercritical and subcritical by turns"),
+              "number of parts of the curve of Hopf points, alternately supercritical and subcritical"),
     CHOICE_KEY("given", OPTIONAL, "",
-               "name of another parameter of the case, where the claim is not of all its values"),
+               "name of another parameter of the case, if the claim holds only for some of its values"),
     NUMBER_KEY("given_from", "", "", OPTIONAL, WHIRL_ANY, "its first value"),
     NUMBER_KEY("given_to", "", "", OPTIONAL, WHIRL_ANY, "its last value"),
 };

@@ -88,7 +88,7 @@ void settings_units(case_reader *reader, const setting_list *settings, char *tex
 /// The key of files of one subject that settings_units reads.
 #define UNITS_KEY                                                                                                      \
     CHOICE_KEY("units", OPTIONAL, "",                                                                                  \
-               "units of what is printed, such as mil, psi, lbf, or all of a system (US, SI), as `units` of a study; " \
+               "units of the output, such as mil, psi, lbf, or all of a system (US, SI), as `units` of a study; "      \
                "absent: um, rpm, N and the like")
 
 /// "did you mean WORD?" with the nearest of the names, or "expected one of ..." with all of them.

@@ -14,14 +14,14 @@
 
 static const whirl_member members[] = {
     WORD(WORD, "method", method, "integrate", "method", "auto", "",
-         "a method of integration; auto: dop853, or rodas5p where the machine is stiff"),
+         "a method of integration; auto: dop853, or rodas5p for a stiff machine"),
     WORD(FLAG, "method_chosen", chosen, "", "chosen", "", "", "whether auto chose the method"),
     WORD(FLAG, "located", located, "integrate", "contacts", "unlocated", "unlocated|located",
-         "of method rk4: unlocated: steps go over contacts; located: steps are split where contact begins and ends; "
-         "other methods always locate them"),
+         "with method rk4: unlocated: steps cross contacts; located: steps are split where contact begins and ends; "
+         "other methods always locate contacts"),
     MEMBER(whirl_integrate_options, WHOLE, "steps_per_revolution", steps_per_revolution, "integrate", true,
            "steps_per_revolution", "", "1", WHIRL_KEY_WHOLE, false, "1024", WHIRL_FROM_TO(1, WHIRL_MAX_STEPS), NULL,
-           "instants at which the motion is seen; of rk4 also its steps", ""),
+           "number of instants at which a revolution is observed; for rk4 also its steps", ""),
     NUMBER(rtol, "1e-9", WHIRL_ABOVE_TO(0, 1), true, "relative tolerance of adaptive methods"),
     NUMBER(atol, "1e-12", WHIRL_POSITIVE, true, "absolute tolerance of adaptive methods, in length scales"),
     NUMBER(limit, "1e6", WHIRL_POSITIVE, false,

@@ -350,13 +350,13 @@ typedef struct whirl_kind {
 /// Studies of machines at rest: name, meaning, source, and `STILL` if also for machines at speed 0, else `TURNING`.
 /// Each is both an analysis and a part of a study of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
-    study(modes, "frequencies, damping, whirl and shapes of small motions about where the machine rests",              \
+    study(modes, "frequencies, damping, whirl and shapes of small motions about the position of rest",                 \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
-    study(unbalance, "synchronous response to unbalance about where the machine rests",                                \
+    study(unbalance, "synchronous response to unbalance about the position of rest",                                   \
           "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                               \
     study(critical_speeds, "critical speeds without damping, all at once, forward and backward",                       \
           "Friswell, Penny, Garvey, Lees 2010", TURNING)                                                               \
-    study(stability, "decrements over the cross coupling of stages, its limit, and what seals and impellers do",       \
+    study(stability, "decrements over the cross coupling of stages, its limit, and the effect of seals and impellers", \
           "Wachel, von Nimitz 1981; API 617", TURNING)                                                                 \
     study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings",             \
           "Przemieniecki 1968", STILL)

@@ -56,7 +56,7 @@ static const whirl_kind torus = {.name = "torus",
              "Harris 1978 (Hann window), Southwick 1993 (full spectrum)", USUAL)                                       \
     analysis(lyapunov, "largest Lyapunov exponent per revolution with its standard error", "Benettin et al. 1980",     \
              USUAL)                                                                                                    \
-    analysis(exponents, "all Lyapunov exponents, the sum that they must have, and the attractor's dimension",          \
+    analysis(exponents, "all Lyapunov exponents, their required sum, and the attractor's dimension",                   \
              "Benettin et al. 1980; Kaplan, Yorke 1979", ON_DEMAND)                                                    \
     analysis(regime,                                                                                                   \
              "P-k, quasi-periodic, chaotic, diverged or undetermined, with the evidence and how far to trust it",      \
@@ -65,7 +65,7 @@ static const whirl_kind torus = {.name = "torus",
     analysis(winding, "how often and in which sense every station goes round its mean position, and dry whip",         \
              "Black 1968; Jiang, Ulbrich 2005 (dry whip)", USUAL)                                                      \
     analysis(evidence,                                                                                                 \
-             "what a verdict can be checked by: 0-1 test, correlation, settling, largest Floquet multiplier",          \
+             "measures to check a verdict: 0-1 test, correlation, settling, largest Floquet multiplier",               \
              "Gottwald, Melbourne 2009 (0-1 test); docs/theory.md", ON_DEMAND)                                         \
     analysis(floquet,                                                                                                  \
              "the orbit that a motion has come to rest on, by Newton's method, and all its Floquet multipliers",       \
@@ -75,7 +75,7 @@ static const whirl_kind torus = {.name = "torus",
     analysis(torus, "quasi-periodic motions past Neimark-Sacker points: rotation numbers, bounds, exponents",          \
              "Jorba 2001; Schilder, Osinga, Vogt 2005; docs/theory.md", OF_TORI)                                       \
     WHIRL_STUDIES_AT_REST(analysis)                                                                                    \
-    analysis(ranges, "how far it goes in the ranges of laws that have them; of machines at rest as well; always there",\
+    analysis(ranges, "values reached in the ranges of laws, of motions and of machines at rest; always present",       \
              "docs/theory.md", ALWAYS)
 // clang-format on
 

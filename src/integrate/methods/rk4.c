@@ -119,8 +119,8 @@ static void end(whirl_integrator *integrator) {
 }
 
 const method rk4_method = {
-    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; goes over contacts unless they are to be located", false,
-              true, false},
+    .about = {"rk4", "Runge-Kutta of order 4, fixed steps; crosses contacts unless contacts: located", false, true,
+              false},
     .start = start,
     .revolve = revolve,
     .rows = RK4_ROWS,

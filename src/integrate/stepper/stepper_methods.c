@@ -76,7 +76,8 @@ static double rodas5p_work(const whirl_integrator *integrator) {
 }
 
 const method auto_method = {
-    .about = {"auto", "what suits the machine: dop853, or rodas5p where its steps would crawl", true, true, false},
+    .about = {"auto", "the method that suits the machine: dop853, or rodas5p where dop853 would need very many steps",
+              true, true, false},
     .start = start,
     .revolve = revolve,
     .rows = PERTURBATION_ROWS,

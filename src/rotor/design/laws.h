@@ -80,14 +80,14 @@ enum {
         "viscosity class of the oil, mm2/s at 40 degC, in place of viscosity; with temperature and density",           \
         "ISO 3448; Walther 1931"),                                                                                     \
     [(first) + OIL_HOT] = CITED_NUMBER_KEY("kinematic_100", "", "m2/s", OPTIONAL, WHIRL_POSITIVE,                      \
-        "at 100 degC, of an oil of that grade; absent: of viscosity index 100", "ASTM D2270"),                         \
+        "kinematic viscosity at 100 degC of an oil of that grade; absent: that of viscosity index 100", "ASTM D2270"), \
     [(first) + OIL_TEMPERATURES] = CITED_NUMBERS_KEY("temperatures", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15), \
-        "rising, at which viscosities are known, between them by Walther's law; in place of grade, with density",      \
+        "rising temperatures of known viscosities, with Walther's law between them; in place of grade, with density",  \
         "Walther 1931; ASTM D341"),                                                                                    \
     [(first) + OIL_VISCOSITIES] = CITED_NUMBERS_KEY("viscosities", "", "Pa s", OPTIONAL, WHIRL_POSITIVE,               \
-        "at these temperatures", ""),                                                                                  \
+        "viscosities at these temperatures", ""),                                                                      \
     [(first) + OIL_TEMPERATURE] = NUMBER_KEY("temperature", "", "K", OPTIONAL, WHIRL_FROM_TO(233.15, 473.15),          \
-        "of the oil in the film, '50 degC'; with grade or temperatures")
+        "temperature of the oil in the film, '50 degC'; with grade or temperatures")
 // clang-format on
 
 /// The values of these keys.

@@ -40,25 +40,26 @@ enum {
 #define PADS_KEYS(shapes)                                                                                              \
     [PADS_AT] = STATION_KEY("at", REQUIRED, "station of the journal"),                                                 \
     [PADS_FROM] = STATION_KEY("from", OPTIONAL,                                                                        \
-                              "station of its housing, which does not turn; the ground where absent"),                 \
-    [PADS_COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings at this station"),     \
+                              "station of the housing, which does not turn; absent: the ground"),                      \
+    [PADS_COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000),                                        \
+                             "number of equal bearings at this station"),                                              \
     [PADS_SHAPE] = CHOICE_KEY("shape", OPTIONAL, shapes,                                                               \
-                              "a usual bearing with its pads, for a load along -y; or say pivots and arc"),            \
+                              "a standard bearing with its pads, for a load along -y; this, or pivots and arc"),       \
     [PADS_PIVOTS] =                                                                                                    \
         CITED_NUMBERS_KEY("pivots", "", "rad", OPTIONAL, WHIRL_ANY,                                                    \
                           "angles of the pads' pivots, or of their lines of preload, from x towards y", ""),           \
     [PADS_ARC] = NUMBER_KEY("arc", "", "rad", OPTIONAL, WHIRL_ABOVE_TO(0, 3.05), "length of every pad"),               \
     [PADS_OFFSET] = NUMBER_KEY("offset", "", "1", DEFAULT("0.5"), WHIRL_FROM_TO(0, 1),                                 \
-                               "share of a pad that lies before its pivot, in the way of the rotation"),               \
+                               "share of a pad before its pivot, in the direction of rotation"),                       \
     [PADS_PRELOAD] = NUMBER_KEY("preload", "m", "1", DEFAULT("0"), WHIRL_FROM_TO(0, 0.95),                             \
-                                "share of the clearance by which centres of pads lie beyond that of the bearing"),     \
+                                "distance of the pads' centres from the bearing's, as a share of the clearance"),      \
     [PADS_TURNED] = ANGLE_KEY("turned", "", NULL, "angle by which all pads are turned from x towards y"),              \
     [PADS_CAVITATION] = CITED_CHOICE_KEY("cavitation", DEFAULT("reynolds"), "reynolds|gumbel",                         \
                                          "reynolds: pressure and its gradient vanish where the film breaks; gumbel: "  \
                                          "the full film's pressures below 0 are left out",                             \
                                          "Swift 1932; Stieber 1933; Guembel 1914"),                                    \
     [PADS_CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE,                                     \
-                                  "radial clearance of the pads; that of the bearing is (1 - preload) of it"),         \
+                                  "radial clearance of the pads; that of the bearing is (1 - preload) times this"),    \
     OIL_ROWS(PADS_OIL, "dynamic viscosity of the oil; required without kinematic_viscosity"),                          \
     [PADS_TURBULENCE] = CITED_CHOICE_KEY("turbulence", DEFAULT("none"), "none|ng-pan|constantinescu",                  \
                                          "factors by the local Reynolds number; needs density",                        \

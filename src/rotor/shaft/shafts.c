@@ -15,11 +15,11 @@ static const whirl_key material_keys[MATERIAL_KEYS] = {
 };
 
 const whirl_group material_group = {
-    "materials", "a material of shafts; `steel` is known by itself", "", material_keys, MATERIAL_KEYS, NULL, NULL};
+    "materials", "a material of shafts; `steel` is predefined", "", material_keys, MATERIAL_KEYS, NULL, NULL};
 
 static const whirl_key shaft_keys[SHAFT_KEYS] = {
     [SHAFT_MATERIAL] =
-        NAME_KEY("material", DEFAULT("steel"), "materials", "name of `materials` that its segments are of"),
+        NAME_KEY("material", DEFAULT("steel"), "materials", "name of the segments' material in `materials`"),
     [SHAFT_MASS] = CITED_CHOICE_KEY(
         "mass", DEFAULT("consistent"), "consistent|lumped",
         "consistent: the mass moves with the bending between nodes; lumped: half a piece at each of its ends",
@@ -28,11 +28,11 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
                                      "shear factor of hollow circles; none: sections stay square to the axis",
                                      "Cowper 1966; Hutchinson 2001"),
     [SHAFT_ROTARY] =
-        CHOICE_KEY("rotary_inertia", DEFAULT("yes"), "yes|no", "whether sections resist tilting by their own inertia"),
+        CHOICE_KEY("rotary_inertia", DEFAULT("yes"), "yes|no", "yes: sections have inertia against tilting"),
     [SHAFT_GYROSCOPIC] =
-        CHOICE_KEY("gyroscopic", DEFAULT("yes"), "yes|no", "whether the shaft's own inertia makes gyroscopic moments"),
+        CHOICE_KEY("gyroscopic", DEFAULT("yes"), "yes|no", "yes: the shaft's own inertia causes gyroscopic moments"),
     [SHAFT_RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_ANY,
-                               "its speed over the rotor's; below 0 against the rotation"),
+                               "speed of the shaft over the rotor's; below 0 against the rotation"),
     [SHAFT_MASS_DAMPING] = NUMBER_KEY("mass_damping", "alpha", "1/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                       "proportional damping: C = alpha M + beta K of the shaft"),
     [SHAFT_STIFFNESS_DAMPING] = NUMBER_KEY("stiffness_damping", "beta", "s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
@@ -45,16 +45,16 @@ static const whirl_key shaft_keys[SHAFT_KEYS] = {
         CITED_NUMBER_KEY("hysteretic_damping", "eta_H", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                          "internal damping, loss factor; for whirl slower than the shaft turns", "Zorzi, Nelson 1977"),
     [SHAFT_MESH_TO] = NUMBER_KEY("mesh_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
-                                 "elements are so short that natural frequencies up to there are right to 1e-4; "
-                                 "absent: nodes at stations and ends of segments alone"),
+                                 "highest natural frequency that the mesh resolves to 1e-4; absent: nodes at stations "
+                                 "and ends of segments alone"),
     [SHAFT_REDUCE] =
         CITED_CHOICE_KEY("reduce", DEFAULT("yes"), "yes|no",
                          "yes: displacements of its stations and the lowest modes between them; no: all its nodes",
                          "Craig, Bampton 1968"),
     [SHAFT_MODES] = WHOLE_KEY("modes", "", DEFAULT("8"), WHIRL_FROM_TO(0, 512),
-                              "of reduce: modes that are kept in each of both planes"),
+                              "with reduce: number of modes that are kept in each plane"),
     [SHAFT_MODES_TO] = NUMBER_KEY("modes_to", "", "Hz", OPTIONAL, WHIRL_POSITIVE,
-                                  "of reduce: all modes up to there, in place of their number"),
+                                  "with reduce: highest frequency of the modes that are kept, in place of modes"),
 };
 
 const whirl_group shaft_group = {"shafts",

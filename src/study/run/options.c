@@ -8,8 +8,8 @@ const whirl_member *whirl_batch_members(void) {
     static const whirl_member members[] = {
         MEMBER(whirl_batch, FLAG, "confirm", confirm, "study", false, "confirm", "", "", WHIRL_KEY_CHOICE, false, "no",
                WHIRL_ANY, "yes|no|true|false",
-               "yes: every point is computed once more with errors of a step 16 times smaller (rk4: twice the steps), "
-               "and its verdict is trusted where both agree",
+               "yes: every point is computed again with errors of a step 16 times smaller (rk4: twice the steps); "
+               "verdicts that agree may have high confidence",
                ""),
         {.part = NULL},
     };

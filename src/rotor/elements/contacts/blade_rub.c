@@ -60,23 +60,23 @@ const element_kernels ISA(blade_rub_kernels) = {.flow = generic_flow, .switches 
 enum { AT, FROM, BLADES, RADIUS, GAP, STIFFNESS, POWER, EXTENSION, FRICTION, ANGLE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", REQUIRED, "station of the disc that has the blades"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of the casing, which moves; the ground where absent"),
+    [AT] = STATION_KEY("at", REQUIRED, "station of the disc with the blades"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of a casing that moves; absent: the ground"),
     [BLADES] = WHOLE_KEY("blades", "n", REQUIRED, WHIRL_FROM_TO(1, 128),
                          "number of blades, at equal angles, counted along the rotation"),
-    [RADIUS] = NUMBER_KEY("radius", "l", "m", REQUIRED, WHIRL_POSITIVE, "of the tips, from the axis"),
-    [GAP] = NUMBER_KEY("gap", "delta", "m", REQUIRED, WHIRL_POSITIVE, "between the tips and the casing in the middle"),
+    [RADIUS] = NUMBER_KEY("radius", "l", "m", REQUIRED, WHIRL_POSITIVE, "radius of the tips"),
+    [GAP] = NUMBER_KEY("gap", "delta", "m", REQUIRED, WHIRL_POSITIVE,
+                       "gap between the tips and the casing, with the rotor in the middle"),
     [STIFFNESS] = CITED_NUMBERS_KEY("stiffness", "k", "1", REQUIRED, WHIRL_POSITIVE,
-                                    "of a blade and the casing along the blade in N/m^p: force over depth to the "
-                                    "power; one number, or one for each blade",
+                                    "stiffness of a blade and the casing along the blade in N/m^p: force over depth to "
+                                    "the power p; one number, or one for each blade",
                                     "Ma et al. 2016"),
-    [POWER] = NUMBER_KEY("power", "p", "1", DEFAULT("1"), WHIRL_FROM_TO(1, 4), "power of the depth"),
-    [EXTENSION] =
-        CITED_NUMBERS_KEY("extension", "", "m", DEFAULT("0"), WHIRL_ANY,
-                          "by which a blade is longer than the radius; one number, or one for each blade", ""),
+    [POWER] = NUMBER_KEY("power", "p", "1", DEFAULT("1"), WHIRL_FROM_TO(1, 4), "power p of the depth"),
+    [EXTENSION] = CITED_NUMBERS_KEY("extension", "", "m", DEFAULT("0"), WHIRL_ANY,
+                                    "length of a blade beyond the radius; one number, or one for each blade", ""),
     [FRICTION] = NUMBER_KEY("friction", "f", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                             "coefficient of friction, against the rotation"),
-    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "where the first blade stands at t = 0, from the x axis towards y"),
+    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "position of the first blade at t = 0, from the x axis towards y"),
 };
 
 /// The number of a blade.

@@ -24,13 +24,13 @@ static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that slide on each other; one may be ground"),
     [ALONG] = ALONG_KEY,
     [FORCE] = CITED_NUMBER_KEY("force", "F", "N", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                               "against the sliding, whatever its speed; required but along tilts",
+                               "force against the sliding, independent of its speed; required except along tilts",
                                "Coulomb 1785; den Hartog 1931"),
-    [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same along tilts"),
+    [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts"),
     [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", OPTIONAL, WHIRL_POSITIVE,
-                              "friction grows as v/sqrt(v^2 + v_0^2); sharp, with motions that stick, where absent; "
-                              "required along xy, where it points against the velocity"),
-    [SLIP_RATE] = NUMBER_KEY("slip_rate", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the same along tilts"),
+                              "friction grows as v/sqrt(v^2 + v_0^2); absent: sharp, with motions that stick; required "
+                              "along xy, where friction points against the velocity"),
+    [SLIP_RATE] = NUMBER_KEY("slip_rate", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the same for tilts"),
 };
 
 static whirl_status check(const key_value *values) {

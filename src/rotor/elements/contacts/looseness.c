@@ -41,18 +41,19 @@ enum {
     { name, symbol, "N s/m", WHIRL_KEY_NUMBER, false, fallback, WHIRL_NOT_NEGATIVE, NULL, meaning, "", NULL }
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "what can lift, then what it sits on; one may be ground"),
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED,
+                             "the station that lifts, then the station that it sits on; one may be ground"),
     [ALONG] = CHOICE_KEY("along", DEFAULT("y"), "x|y",
-                         "the axis along which it lifts: the first station goes up it, away from the second"),
+                         "axis of the lift: the first station moves along it, away from the second"),
     [STIFFNESS] = STIFFNESS_KEY("stiffness", "k_1", true, "", "stiffness of the seat, below the position of rest"),
-    [DAMPING] = DAMPING_KEY("damping", "c_1", "0", "damping there"),
+    [DAMPING] = DAMPING_KEY("damping", "c_1", "0", "damping below the position of rest"),
     [LOOSE_STIFFNESS] =
-        STIFFNESS_KEY("loose_stiffness", "k_2", false, "0", "stiffness once lifted; 0: it sits without being held"),
+        STIFFNESS_KEY("loose_stiffness", "k_2", false, "0", "stiffness once lifted; 0: nothing holds it"),
     [LOOSE_DAMPING] = DAMPING_KEY("loose_damping", "c_2", "0", "damping once lifted"),
     [GAP] = NUMBER_KEY("gap", "delta", "m", OPTIONAL, WHIRL_POSITIVE,
-                       "lift at which it is held from above; never where absent"),
-    [HELD_STIFFNESS] = STIFFNESS_KEY("held_stiffness", "k_3", false, "", "stiffness beyond the gap; k_1 where absent"),
-    [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; c_1 where absent"),
+                       "lift at which a stop holds it from above; absent: no stop"),
+    [HELD_STIFFNESS] = STIFFNESS_KEY("held_stiffness", "k_3", false, "", "stiffness beyond the gap; absent: k_1"),
+    [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; absent: c_1"),
 };
 
 /// Length scales that no motion comes to: the gap of what is never held.

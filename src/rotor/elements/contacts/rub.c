@@ -54,9 +54,9 @@ static const whirl_key keys[KEY_COUNT] = {
         "law", DEFAULT("paper"), "paper|slip",
         "paper: friction always against the rotation; slip: against the sliding, which backward whirl can reverse",
         "rub-impact paper 2015, eq. (3); Black 1968"),
-    [RADIUS] = NUMBER_KEY("radius", "R_d", "m", OPTIONAL, WHIRL_POSITIVE,
-                          "radius of the rotor's surface that rubs, by which torque and power of the friction are "
-                          "told; law slip needs it"),
+    [RADIUS] = NUMBER_KEY(
+        "radius", "R_d", "m", OPTIONAL, WHIRL_POSITIVE,
+        "radius of the rotor's surface that rubs, for torque and power of the friction; required with law slip"),
     [SLIP_SPEED] = NUMBER_KEY("slip_speed", "v_0", "m/s", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal"),
 };

@@ -52,8 +52,8 @@ enum { CAPONE, SHORT, FINITE };
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station of the journal"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; the ground where absent"),
-    [COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal bearings that carry this station"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),
+    [COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "number of equal bearings at this station"),
     [LAW] = CITED_CHOICE_KEY("law", DEFAULT("capone"), "capone|short|finite",
                              "capone, short: short bearing, film over half the circumference; finite: Reynolds' "
                              "equation for L/D of .1 to 2, without negative pressures",
@@ -69,10 +69,9 @@ static const whirl_key keys[KEY_COUNT] = {
     [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the journal"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the bearing"),
     [JOURNAL_RATIO] = NUMBER_KEY("journal_ratio", "", "1", OPTIONAL, WHIRL_ANY,
-                                 "speed of the journal over that of the rotor; that of its shaft where absent, 1"),
+                                 "speed of the journal over the rotor's; absent: that of its shaft, 1 without one"),
     [HOUSING_RATIO] = NUMBER_KEY("housing_ratio", "", "1", OPTIONAL, WHIRL_ANY,
-                                 "speed at which the housing turns, over that of the rotor; that of its shaft where "
-                                 "absent, 0 of a housing on none"),
+                                 "speed of the housing over the rotor's; absent: that of its shaft, 0 without one"),
 };
 
 static oil oil_of(const key_value *values) {

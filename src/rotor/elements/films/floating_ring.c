@@ -50,20 +50,21 @@ enum {
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station of the journal"),
     [RING] = STATION_KEY("ring", REQUIRED, "station of the ring, with its mass"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; the ground where absent"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),
     [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", REQUIRED, WHIRL_POSITIVE, "polar moment of inertia of the ring"),
     [CLEARANCE] = NUMBER_KEY("clearance", "c_i", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance of the inner film"),
     [RADIUS] = NUMBER_KEY("radius", "R_i", "m", REQUIRED, WHIRL_POSITIVE, "radius of the inner film"),
     [LENGTH] = NUMBER_KEY("length", "L_i", "m", REQUIRED, WHIRL_POSITIVE, "length of the inner film"),
-    OIL_ROWS(OIL, "dynamic viscosity of the oil within the ring; required without kinematic_viscosity"),
+    OIL_ROWS(OIL, "dynamic viscosity of the oil of the inner film; required without kinematic_viscosity"),
     [OUTER_CLEARANCE] =
         NUMBER_KEY("outer_clearance", "c_o", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance of the outer film"),
     [OUTER_RADIUS] = NUMBER_KEY("outer_radius", "R_o", "m", REQUIRED, WHIRL_POSITIVE, "radius of the outer film"),
     [OUTER_LENGTH] = NUMBER_KEY("outer_length", "L_o", "m", REQUIRED, WHIRL_POSITIVE, "length of the outer film"),
     [OUTER_VISCOSITY] = NUMBER_KEY("outer_viscosity", "mu_o", "Pa s", OPTIONAL, WHIRL_POSITIVE,
-                                   "dynamic viscosity of the oil around it; as within where absent"),
-    [OUTER_KINEMATIC] = NUMBER_KEY("outer_kinematic_viscosity", "nu_o", "m2/s", OPTIONAL, WHIRL_POSITIVE,
-                                   "in its place, with the density"),
+                                   "dynamic viscosity of the oil of the outer film; absent: as in the inner film"),
+    [OUTER_KINEMATIC] =
+        NUMBER_KEY("outer_kinematic_viscosity", "nu_o", "m2/s", OPTIONAL, WHIRL_POSITIVE,
+                   "kinematic viscosity of the oil of the outer film, in place of outer_viscosity, with its density"),
 };
 
 typedef struct ring_side {

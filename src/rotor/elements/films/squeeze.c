@@ -22,17 +22,17 @@ const element_kernels ISA(squeeze_kernels) = GENERIC_KERNELS;
 enum { AT, FROM, COUNT, LAW, FILM, CLEARANCE, OIL, RADIUS = OIL + OIL_KEYS, LENGTH, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", REQUIRED, "station that it damps"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
-    [COUNT] =
-        WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000), "equal dampers, or lands of one, at this station"),
+    [AT] = STATION_KEY("at", REQUIRED, "station of the damper"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),
+    [COUNT] = WHOLE_KEY("count", "", DEFAULT("1"), WHIRL_FROM_TO(1, 1000),
+                        "number of equal dampers, or lands of one, at this station"),
     [LAW] = CITED_CHOICE_KEY("law", DEFAULT("short"), "short|long",
                              "short: open ends, oil flows along the axis; long: sealed ends, oil flows around",
                              "Vance, Zeidan, Murphy 2010"),
-    [FILM] =
-        CITED_CHOICE_KEY("film", DEFAULT("half"), "half|full",
-                         "half: no pressure below that around it (pi film); full: negative pressures, too (2 pi film)",
-                         "Vance, Zeidan, Murphy 2010"),
+    [FILM] = CITED_CHOICE_KEY(
+        "film", DEFAULT("half"), "half|full",
+        "half: no pressure below that of the surroundings (pi film); full: negative pressures, too (2 pi film)",
+        "Vance, Zeidan, Murphy 2010"),
     [CLEARANCE] = NUMBER_KEY("clearance", "c", "m", REQUIRED, WHIRL_POSITIVE, "radial clearance"),
     OIL_ROWS(OIL, "dynamic viscosity of the oil; required without kinematic_viscosity"),
     [RADIUS] = NUMBER_KEY("radius", "R", "m", REQUIRED, WHIRL_POSITIVE, "radius of the damper"),

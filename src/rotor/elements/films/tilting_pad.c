@@ -18,17 +18,18 @@ const element_kernels ISA(tilting_pad_kernels) = GENERIC_KERNELS;
 
 static const whirl_key keys[PADS_TILTING_KEYS] = {
     PADS_KEYS("tilting-4|tilting-5"),
-    [PADS_INERTIA] = NUMBER_KEY("inertia", "I", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                                "moment of inertia of a pad about its pivot; 0: its film alone says how fast it tilts"),
+    [PADS_INERTIA] =
+        NUMBER_KEY("inertia", "I", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
+                   "moment of inertia of a pad about its pivot; 0: the film alone determines how fast it tilts"),
     [PADS_SPRING] = NUMBER_KEY("tilt_stiffness", "k", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                               "of a pivot against tilting: holds pads whose film carries nothing"),
+                               "stiffness of a pivot against tilting, which holds pads whose film carries nothing"),
     [PADS_DAMPER] = NUMBER_KEY("tilt_damping", "d", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                               "of a pivot against tilting; at least 3e-4 mu R^3 L (R/c)^2/c"),
+                               "damping of a pivot against tilting; at least 3e-4 mu R^3 L (R/c)^2/c"),
     [PADS_PIVOT] = NUMBER_KEY("pivot_stiffness", "k_p", "N/m", OPTIONAL, WHIRL_POSITIVE,
-                              "of a pivot along the radius; rigid where absent"),
-    [PADS_PIVOT_DAMPER] =
-        NUMBER_KEY("pivot_damping", "d_p", "N s/m", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same of its damping"),
-    [PADS_MASS] = NUMBER_KEY("pad_mass", "m_p", "kg", OPTIONAL, WHIRL_POSITIVE, "of a pad; with pivot_stiffness"),
+                              "stiffness of a pivot along the radius; absent: rigid"),
+    [PADS_PIVOT_DAMPER] = NUMBER_KEY("pivot_damping", "d_p", "N s/m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                                     "damping of a pivot along the radius"),
+    [PADS_MASS] = NUMBER_KEY("pad_mass", "m_p", "kg", OPTIONAL, WHIRL_POSITIVE, "mass of a pad; with pivot_stiffness"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {

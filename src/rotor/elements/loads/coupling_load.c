@@ -29,20 +29,21 @@ enum { BETWEEN, DISTANCE, X1, Y1, X2, Y2, STIFFNESS, TORQUE, ORDERS, PHASE, KEY_
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the ends of the driving and of the driven shaft; they tilt"),
     [DISTANCE] = CITED_NUMBER_KEY("distance", "Z", "m", REQUIRED, WHIRL_POSITIVE,
-                                  "between the two planes in which it bends", "Gibbons 1976"),
+                                  "distance of the two planes in which it bends", "Gibbons 1976"),
     [X1] = OFFSET("x1", "dX_1", "offset along x of the far plane from the axis of the driving shaft"),
     [Y1] = OFFSET("y1", "dY_1", "the same along y"),
     [X2] = OFFSET("x2", "dX_2", "offset along x of the far plane from the axis of the driven shaft"),
     [Y2] = OFFSET("y2", "dY_2", "the same along y"),
     [STIFFNESS] = CITED_NUMBER_KEY("bending_stiffness", "K_b", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                    "moment of one plane over its angle", "Gibbons 1976"),
-    [TORQUE] = NUMBER_KEY("torque", "T", "N m", DEFAULT("0"), WHIRL_ANY, "that it hands on, along the rotation"),
+    [TORQUE] =
+        NUMBER_KEY("torque", "T", "N m", DEFAULT("0"), WHIRL_ANY, "torque that it transmits, along the rotation"),
     [ORDERS] = CITED_NUMBERS_KEY("orders", "", "1", DEFAULT("1"), WHIRL_ANY,
-                                 "parts of the reactions that stand still, come once, twice, ... a turn; 1 alone: they "
-                                 "stand still, as they are derived",
+                                 "parts of the reactions that are constant, come once, twice, ... a turn; 1 alone: all "
+                                 "constant, as they are derived",
                                  "Sekhar, Prabhu 1995"),
     [PHASE] = ANGLE_KEY("phase", "", "orders",
-                        "that orders from the first on have of the turn at t = 0: they go as cos n (tau + phase)"),
+                        "phase of the orders from the first on at t = 0: part n varies as cos n (tau + phase)"),
 };
 
 static whirl_status check(const key_value *values) {
@@ -132,7 +133,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
 KERNELS_OF_EVERY_ISA(coupling_load_kernels);
 
 const element_type coupling_load_element = {
-    .group = {"coupling_load", "reactions of a flexible coupling whose shafts stand beside each other",
+    .group = {"coupling_load", "reactions of a flexible coupling between two shafts off line",
               "Gibbons 1976; Sekhar, Prabhu 1995", keys, KEY_COUNT, NULL, NULL},
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,

@@ -21,17 +21,18 @@ enum { AT, AMPLITUDE, MOMENT, LAW, ANGLE, PHASE, RATIO, FREQUENCY, KEYPHASOR, KE
 static const double sides[] = {0.0, 1.0, -1.0};
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", REQUIRED, "station that it acts on"),
-    [AMPLITUDE] = NUMBER_KEY("amplitude", "F", "N", OPTIONAL, WHIRL_ANY, "of a force, zero to peak; or moment"),
+    [AT] = STATION_KEY("at", REQUIRED, "station on which the force acts"),
+    [AMPLITUDE] =
+        NUMBER_KEY("amplitude", "F", "N", OPTIONAL, WHIRL_ANY, "amplitude of a force, zero to peak; this or moment"),
     [MOMENT] = NUMBER_KEY("moment", "M", "N m", OPTIONAL, WHIRL_ANY,
-                          "of a moment that tilts the station, zero to peak, in place of amplitude"),
+                          "amplitude of a moment that tilts the station, zero to peak, in place of amplitude"),
     [LAW] = CHOICE_KEY("law", DEFAULT("axis"), "axis|forward|backward",
                        "axis: to and fro along one direction; forward: turns as the shaft does; backward: against it"),
     [ANGLE] = ANGLE_KEY("angle", "phi", NULL,
-                        "direction of its axis, or where it points at phase 0; from the x axis towards y"),
-    [PHASE] = ANGLE_KEY("phase", "delta", NULL, "phase at t = 0; at phase 0 it is largest along its direction"),
+                        "direction of its axis, or of the turning force at phase 0; from the x axis towards y"),
+    [PHASE] = ANGLE_KEY("phase", "delta", NULL, "phase at t = 0; at phase 0 the force is largest along its direction"),
     [RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_ABOVE_TO(0.0, HARMONIC_FASTEST),
-                         "its frequency over the speed of the shaft"),
+                         "frequency over the speed of the shaft"),
     [FREQUENCY] = NUMBER_KEY("frequency", "f", "Hz", OPTIONAL, WHIRL_POSITIVE,
                              "frequency that does not depend on the speed, in place of ratio"),
     [KEYPHASOR] = HARMONIC_KEYPHASOR,

@@ -9,17 +9,18 @@
 static const whirl_key keys[GRAVITY_KEYS] = {
     [GRAVITY_ACCELERATION] =
         NUMBER_KEY("acceleration", "g", "m/s2", DEFAULT("9.80665"), WHIRL_NOT_NEGATIVE, "acceleration of gravity"),
-    [GRAVITY_DIRECTION] = NUMBER_KEY("direction", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
-                                     "where it points, from the x axis towards y; downwards, against y, where absent"),
+    [GRAVITY_DIRECTION] =
+        NUMBER_KEY("direction", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
+                   "direction of the weight, from the x axis towards y; absent: downwards, against y"),
     [GRAVITY_AXIS] = CITED_CHOICE_KEY("axis", DEFAULT("horizontal"), "horizontal|vertical",
-                                      "vertical: the shafts stand; their weight loads no bearing across and pulls or "
-                                      "presses them along their axis",
+                                      "vertical: a vertical machine, whose weight loads no bearing across and pulls or "
+                                      "presses the shafts along their axis",
                                       "Greenhill 1881; Naguleswaran 2004"),
     [GRAVITY_HELD_AT] = STATION_KEY("held_at", OPTIONAL,
-                                    "of axis: vertical: station whose thrust bearing holds its shaft; required with "
+                                    "with axis: vertical: station of the thrust bearing of its shaft; required with "
                                     "shafts of finite elements, one gravity for each"),
     [GRAVITY_TOP] = CHOICE_OF_KEY("top", DEFAULT("start"), "start|end", "held_at",
-                                  "which end of that shaft is up: that of the least position or the other one"),
+                                  "upper end of that shaft: start (least position) or end"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {

@@ -25,8 +25,7 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 // clang-format off
 #define HARMONIC_KEYPHASOR                                                                                             \
     CHOICE_KEY("keyphasor", DEFAULT("no"), "no|yes", \
-     "yes: sections are taken once a turn of this phase, in which revolutions and orders are counted, " \
-     "and not once a turn of the shaft")
+     "yes: the turns of this phase, in place of the shaft's, define sections, revolutions and orders")
 // clang-format on
 
 /// Turns of the phase in a revolution.
@@ -51,7 +50,7 @@ void harmonic_force(element *out, const assembly *to, double size, double side, 
     STATION_KEY("at", REQUIRED, "station that carries it"),                       \
     CITED_NUMBER_KEY("moment", "U", "kg m", REQUIRED, WHIRL_NOT_NEGATIVE, \
      "unbalance: mass times distance from the shaft's centre", "ISO 21940-1"),                                         \
-    ANGLE_KEY("angle", "beta", NULL, "where it lies at t = 0, from the x axis towards y")
+    ANGLE_KEY("angle", "beta", NULL, "position at t = 0, from the x axis towards y")
 // clang-format on
 
 #endif

@@ -10,19 +10,18 @@ enum { SEEN_BY_BOTH, SEEN_BY_FIRST };
 static const double two_pi = 6.283185307179586476925;
 
 static const whirl_key keys[KEY_COUNT] = {
-    [AT] = STATION_KEY("at", REQUIRED, "station where probes look at the shaft"),
+    [AT] = STATION_KEY("at", REQUIRED, "station of the probes"),
     [SEEN_BY] = CHOICE_KEY("seen_by", DEFAULT("both"), "both|first|second",
-                           "both: a surface that passes the probe along x and then the one along y; or one probe alone "
-                           "(what it reads at slow roll)"),
-    [ORDER] = WHOLE_KEY("order", "n", DEFAULT("1"), WHIRL_FROM_TO(1, 64), "how many high places the shaft has around"),
+                           "both: a surface that passes the probe along x and then the one along y; first, second: the "
+                           "reading of one probe at slow roll"),
+    [ORDER] = WHOLE_KEY("order", "n", DEFAULT("1"), WHIRL_FROM_TO(1, 64), "number of high places around the shaft"),
     [AMPLITUDE] = CITED_NUMBER_KEY("amplitude", "r", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                                   "by how much they are high, zero to peak; or profile", "API 670"),
-    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where one of them lies at t = 0, from the x axis towards y"),
-    [PROFILE] = CITED_NUMBERS_KEY(
-        "profile", "", "m", OPTIONAL, WHIRL_ANY,
-        "heights at equal angles around the shaft, from the x axis at t = 0 towards y, in place of amplitude; "
-        "between them by their harmonics, without their mean",
-        ""),
+                                   "height of these places, zero to peak; this or profile", "API 670"),
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "position of one of them at t = 0, from the x axis towards y"),
+    [PROFILE] = CITED_NUMBERS_KEY("profile", "", "m", OPTIONAL, WHIRL_ANY,
+                                  "heights at equal angles around the shaft, from the x axis at t = 0 towards y, in "
+                                  "place of amplitude; interpolated by their harmonics, without their mean",
+                                  ""),
 };
 
 /// The surface a cos n psi + b sin n psi, psi = alpha - way tau under a probe at alpha, as Re(v exp(i n tau)).
@@ -74,8 +73,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 const element_type runout_element = {
-    .group = {"runout", "runout of the shaft under probes, in what they see: no force", "API 670", keys, KEY_COUNT,
-              NULL, NULL},
+    .group = {"runout", "runout of the shaft under probes: it changes their readings and exerts no force", "API 670",
+              keys, KEY_COUNT, NULL, NULL},
     .spun = true,
     .build = build,
 };

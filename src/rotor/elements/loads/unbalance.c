@@ -9,12 +9,11 @@ enum { AT, MOMENT, ANGLE, RATIO, SPEED, KEYPHASOR, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
     UNBALANCE_KEYS,
-    [RATIO] =
-        NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
-                   "speed of the shaft that it turns with over the speed of the rotor; below 0 against the rotation"),
-    [SPEED] = NUMBER_KEY(
-        "speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
-        "that speed where it does not depend on the rotor's, in place of ratio; below 0 against the rotation"),
+    [RATIO] = NUMBER_KEY("ratio", "rho", "1", DEFAULT("1"), WHIRL_FROM_TO(-HARMONIC_FASTEST, HARMONIC_FASTEST),
+                         "speed of the unbalance's shaft over the speed of the rotor; below 0 against the rotation"),
+    [SPEED] = NUMBER_KEY("speed", "", "rad/s", OPTIONAL, WHIRL_ANY,
+                         "speed of the unbalance's shaft if it does not depend on the rotor's, in place of ratio; "
+                         "below 0 against the rotation"),
     [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 
@@ -49,8 +48,8 @@ static double keyphasor(const key_value *values, double speed) {
 }
 
 const element_type unbalance_element = {
-    .group = {"unbalance", "an unbalance beyond a station's own eccentricity, of this shaft or another one", "", keys,
-              KEY_COUNT, NULL, NULL},
+    .group = {"unbalance", "an unbalance in addition to a station's eccentricity, of this shaft or another one", "",
+              keys, KEY_COUNT, NULL, NULL},
     .number_count = HARMONIC_NUMBERS,
     .state_count = 1,
     .turning = 1,

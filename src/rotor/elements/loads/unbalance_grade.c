@@ -24,22 +24,24 @@ enum { PLANES, GRADE, SERVICE_SPEED, MASS, TO_FIRST, TO_SECOND, ANGLE, SECOND_AN
 #define STANDARD "ISO 21940-11"
 
 static const whirl_key keys[KEY_COUNT] = {
-    [PLANES] = STATIONS_KEY("planes", REQUIRED, "the two stations whose planes share it: those of the bearings"),
+    [PLANES] = STATIONS_KEY("planes", REQUIRED, "the two stations of the planes that share the unbalance"),
     [GRADE] = CITED_NUMBER_KEY("grade", "G", "mm/s", REQUIRED, WHIRL_POSITIVE,
-                               "balance quality grade: speed of the centre of mass, 2.5 for G 2.5", STANDARD),
+                               "balance quality grade G: speed of the centre of mass, 2.5 for G 2.5", STANDARD),
     [SERVICE_SPEED] = CITED_NUMBER_KEY("service_speed", "Omega", "rad/s", REQUIRED, WHIRL_POSITIVE,
-                                       "largest speed in service, whatever the speed is", STANDARD),
-    [MASS] =
-        NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
-                   "of the rotor; that of the shaft of finite elements with the planes, and what it carries, where "
-                   "absent"),
+                                       "largest speed in service, independent of the rotor's speed", STANDARD),
+    [MASS] = NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
+                        "mass of the rotor; absent: that of the shaft of finite elements with the planes, and of its "
+                        "discs and stations"),
     [TO_FIRST] = NUMBER_KEY("to_first", "L_A", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                            "from the centre of mass to the first plane; by that shaft where absent"),
-    [TO_SECOND] = NUMBER_KEY("to_second", "L_B", "m", OPTIONAL, WHIRL_NOT_NEGATIVE, "to the second plane, beyond it"),
-    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where it lies in the first plane at t = 0, from the x axis towards y"),
-    [SECOND_ANGLE] =
-        NUMBER_KEY("second_angle", "", "rad", OPTIONAL, WHIRL_ANY, "in the second plane; as in the first where absent"),
-    [FACTOR] = NUMBER_KEY("factor", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE, "part of what is allowed that it has"),
+                            "distance from the centre of mass to the first plane; absent: from that shaft"),
+    [TO_SECOND] = NUMBER_KEY("to_second", "L_B", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                             "distance from the centre of mass to the second plane, on its other side"),
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL,
+                        "position of the unbalance in the first plane at t = 0, from the x axis towards y"),
+    [SECOND_ANGLE] = NUMBER_KEY("second_angle", "", "rad", OPTIONAL, WHIRL_ANY,
+                                "position in the second plane; absent: as in the first"),
+    [FACTOR] = NUMBER_KEY("factor", "", "1", DEFAULT("1"), WHIRL_NOT_NEGATIVE,
+                          "share of the allowed unbalance that the rotor has"),
 };
 
 /// Mass and centre of the shaft that a station lies on: exact moments of weight that is spread over pieces.
@@ -121,8 +123,8 @@ static void note(const element *own, double length, double clock, char *text, si
 KERNELS_OF_EVERY_ISA(unbalance_grade_kernels);
 
 const element_type unbalance_grade_element = {
-    .group = {"unbalance_grade", "what a balance quality grade lets a rotor have of unbalance, on two planes", STANDARD,
-              keys, KEY_COUNT, NULL, NULL},
+    .group = {"unbalance_grade", "unbalance that a balance quality grade allows, on two planes", STANDARD, keys,
+              KEY_COUNT, NULL, NULL},
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,

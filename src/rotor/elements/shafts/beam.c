@@ -7,12 +7,11 @@
 enum { BETWEEN, LENGTH, DIAMETER, INNER, MODULUS, BENDING, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "its ends, along the shaft; ground is a clamp"),
+    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two ends, along the shaft; ground is a clamp"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", REQUIRED, WHIRL_POSITIVE, "length"),
     [DIAMETER] = NUMBER_KEY("diameter", "d", "m", OPTIONAL, WHIRL_POSITIVE, "outer diameter; required without bending"),
     [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "diameter of the bore"),
-    [MODULUS] =
-        NUMBER_KEY("modulus", "E", "Pa", DEFAULT("2.11e11"), WHIRL_POSITIVE, "Young's modulus; steel where absent"),
+    [MODULUS] = NUMBER_KEY("modulus", "E", "Pa", DEFAULT("2.11e11"), WHIRL_POSITIVE, "Young's modulus; absent: steel"),
     [BENDING] = NUMBER_KEY("bending", "E I", "N m2", OPTIONAL, WHIRL_POSITIVE,
                            "bending stiffness, in place of diameter, inner and modulus"),
 };

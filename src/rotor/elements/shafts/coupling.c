@@ -9,7 +9,8 @@ static const double pi = 3.14159265358979323846;
 enum { BETWEEN, RADIAL, TILT, RADIAL_DAMPING, TILT_DAMPING, RUNS_OFF, RUNS_OFF_ANGLE, KINK, KINK_ANGLE, KEY_COUNT };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins, at the ends of two shafts"),
+    [BETWEEN] =
+        STATIONS_KEY("between", REQUIRED, "the two stations that the coupling joins, at the ends of two shafts"),
     [RADIAL] = NUMBER_KEY("radial", "k_r", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness against a parallel offset"),
     [TILT] = NUMBER_KEY("tilt", "k_t", "N m/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                         "stiffness against an angle between both shafts"),
@@ -18,14 +19,14 @@ static const whirl_key keys[KEY_COUNT] = {
     [TILT_DAMPING] = NUMBER_KEY("tilt_damping", "c_t", "N m s/rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "damping of an angle between both shafts"),
     [RUNS_OFF] = NUMBER_KEY("bore_offset", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                            "bores off centre: how far the axis of the first shaft runs beside that of the second, "
-                            "turning with them, where nothing bends the coupling"),
-    [RUNS_OFF_ANGLE] =
-        ANGLE_KEY("bore_angle", "beta", "bore_offset", "where that axis lies at t = 0, from the x axis towards y"),
+                            "bores off centre: distance of the first shaft's axis from the second's, turning with "
+                            "them, while no force bends the coupling"),
+    [RUNS_OFF_ANGLE] = ANGLE_KEY("bore_angle", "beta", "bore_offset",
+                                 "direction of that distance at t = 0, from the x axis towards y"),
     [KINK] = NUMBER_KEY("face_kink", "kappa", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                        "faces out of square: the slope of the first shaft against the second, turning with them"),
-    [KINK_ANGLE] =
-        ANGLE_KEY("face_angle", "", "face_kink", "where the first shaft leans to at t = 0, from the x axis towards y"),
+                        "faces out of square: slope of the first shaft relative to the second, turning with them"),
+    [KINK_ANGLE] = ANGLE_KEY("face_angle", "", "face_kink",
+                             "direction in which the first shaft leans at t = 0, from the x axis towards y"),
 };
 
 /// What turns with the shafts: k e + c e', e' = i omega e, on the first place, and against it on the second. port[0],

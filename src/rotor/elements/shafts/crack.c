@@ -39,12 +39,13 @@ static const whirl_key keys[KEY_COUNT] = {
     [LOSS] = CITED_NUMBER_KEY("loss", "d1", "1", REQUIRED, PART,
                               "part of the stiffness along the crack's direction that is lost while it is open",
                               "Gasch 1993"),
-    [LOSS_ACROSS] = CITED_NUMBER_KEY("loss_across", "d2", "1", DEFAULT("0"), PART,
-                                     "part of the stiffness across it that is lost", "Gasch 1993"),
-    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "where the crack lies at t = 0, from the x axis towards y"),
-    [OPENS] = NUMBER_KEY(
-        "opens", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
-        "where the static load points, so that a crack that lies there is open; down, against y, where absent"),
+    [LOSS_ACROSS] =
+        CITED_NUMBER_KEY("loss_across", "d2", "1", DEFAULT("0"), PART,
+                         "part of the stiffness across the crack that is lost while it is open", "Gasch 1993"),
+    [ANGLE] = ANGLE_KEY("angle", "beta", NULL, "direction of the crack at t = 0, from the x axis towards y"),
+    [OPENS] =
+        NUMBER_KEY("opens", "", "rad", DEFAULT("-1.5707963267948966"), WHIRL_ANY,
+                   "direction of the static load, which opens a crack in this direction; absent: down, against y"),
     [LAW] =
         CITED_CHOICE_KEY("law", DEFAULT("cosine"), "cosine|square",
                          "cosine: opens and closes gently; square: switches, as the first terms of its Fourier series",

@@ -11,11 +11,11 @@ static const whirl_key keys[KEY_COUNT] = {
     [OUTER] = NUMBER_KEY("outer", "d_o", "m", REQUIRED, WHIRL_POSITIVE, "outer diameter"),
     [INNER] = NUMBER_KEY("inner", "d_i", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "diameter of the bore"),
     [WIDTH] = NUMBER_KEY("width", "h", "m", REQUIRED, WHIRL_POSITIVE, "width along the shaft"),
-    [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("7850"), WHIRL_POSITIVE, "density; steel where absent"),
+    [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", DEFAULT("7850"), WHIRL_POSITIVE, "density; absent: steel"),
     [ECCENTRICITY] = NUMBER_KEY("eccentricity", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "distance of the disc's centre of mass from the shaft's centre"),
     [ECCENTRICITY_ANGLE] = ANGLE_KEY("eccentricity_angle", "beta", "eccentricity",
-                                     "where the centre of mass lies at t = 0, from the x axis towards y"),
+                                     "direction of the centre of mass at t = 0, from the x axis towards y"),
 };
 
 static const double pi = 3.14159265358979323846;
@@ -47,7 +47,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 const element_type disc_element = {
-    .group = {"disc", "a disc by its measures: its mass and inertia are added to a station, which tilts with it",
+    .group = {"disc", "a disc by its dimensions: its mass and inertia are added to a station, which tilts",
               "Friswell et al. 2010, app. 1", keys, KEY_COUNT, NULL, NULL},
     .inertia = inertia,
     .build = build,

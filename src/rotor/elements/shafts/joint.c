@@ -26,13 +26,14 @@ static const double right_angle = 1.57079632679489661923;
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the ends of the driving and of the driven shaft; they tilt"),
     [BEND] = CITED_NUMBER_KEY("bend", "b", "rad", REQUIRED, WHIRL_NOT_NEGATIVE,
-                              "angle between both shafts, which stands still; below a right angle", "Hooke 1676"),
-    [DIRECTION] = ANGLE_KEY("direction", "delta", NULL, "where the driven shaft leans to, from the x axis towards y"),
+                              "constant angle between both shafts, below a right angle", "Hooke 1676"),
+    [DIRECTION] =
+        ANGLE_KEY("direction", "delta", NULL, "direction in which the driven shaft leans, from the x axis towards y"),
     [YOKE] = ANGLE_KEY("yoke", "phi", NULL,
-                       "where the pin in the driving shaft's yoke lies at t = 0, from the x axis towards y"),
+                       "direction of the pin in the driving shaft's yoke at t = 0, from the x axis towards y"),
     [TORQUE] =
         CITED_NUMBER_KEY("torque", "T", "N m", REQUIRED, WHIRL_ANY,
-                         "torque that the driving shaft hands on, along the rotation", "Seherr-Thoss et al. 2006"),
+                         "torque that the driving shaft transmits, along the rotation", "Seherr-Thoss et al. 2006"),
 };
 
 /// Numbers of a moment (along, across) on two tilts, seen from where the driven shaft leans to, with parts steady, by

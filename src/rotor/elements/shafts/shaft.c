@@ -65,9 +65,9 @@ enum { BETWEEN, K1, K2, SIGNS, KEY_COUNT };
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
     [K1] = NUMBER_KEY("k1", "k1", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE,
-                      "stiffness along the first principal axis, which lies along x at t = 0"),
+                      "stiffness along the first principal axis, which is along x at t = 0"),
     [K2] = NUMBER_KEY("k2", "k2", "N/m", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                      "stiffness along the second principal axis; k1 where absent"),
+                      "stiffness along the second principal axis; absent: k1"),
     [SIGNS] = CITED_CHOICE_KEY("signs", DEFAULT("derived"), "derived|paper",
                                "derived: a shaft that turns; paper: the equations of the 2015 paper as printed",
                                "Friswell et al. 2010, sec. 7.3; rub-impact paper 2015, eq. (2)"),

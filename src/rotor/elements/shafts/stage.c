@@ -11,11 +11,11 @@ static const whirl_key keys[KEY_COUNT] = {
     [DIAMETER] = NUMBER_KEY("diameter", "D", "m", REQUIRED, WHIRL_POSITIVE, "outer diameter of the impeller"),
     [WIDTH] =
         NUMBER_KEY("width", "H", "m", REQUIRED, WHIRL_POSITIVE,
-                   "the least width of diffuser or impeller at its outlet; of an axial stage the height of blades"),
+                   "least width of diffuser or impeller at its outlet; for an axial stage the height of the blades"),
     [DENSITY_RATIO] = NUMBER_KEY("density_ratio", "", "1", DEFAULT("1"), WHIRL_POSITIVE,
-                                 "density of the gas at the outlet over that at the inlet; of an axial stage 1"),
+                                 "density of the gas at the outlet over that at the inlet; 1 for an axial stage"),
     [FACTOR] = NUMBER_KEY("factor", "B", "1", DEFAULT("3"), WHIRL_NOT_NEGATIVE,
-                          "3 of a centrifugal stage, 1.5 of an axial one"),
+                          "3 for a centrifugal stage, 1.5 for an axial one"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {

@@ -22,38 +22,35 @@ enum {
 };
 
 static const whirl_key keys[KEY_COUNT] = {
-    [SHAFT] =
-        NAME_KEY("shaft", OPTIONAL, "shafts", "name of `shafts` that it lies on; may be left out where there is one"),
+    [SHAFT] = NAME_KEY("shaft", OPTIONAL, "shafts", "name of its shaft in `shafts`; optional if there is one shaft"),
     [POSITION] = NUMBER_KEY("position", "z", "m", OPTIONAL, WHIRL_ANY,
-                            "where it lies on a shaft of finite elements, from where that begins"),
-    [BOW] =
-        CITED_NUMBER_KEY("bow", "delta", "m", OPTIONAL, WHIRL_ANY,
-                         "displacement of a shaft of finite elements that is bent and turns so; at three stations of "
-                         "it at least, 0 where it is straight",
-                         "Nicholas, Gunter, Allaire 1976"),
-    [BOW_ANGLE] =
-        ANGLE_KEY("bow_angle", "", "bow", "where that displacement points to at t = 0, from the x axis towards y"),
+                            "position on a shaft of finite elements, from the beginning of the shaft"),
+    [BOW] = CITED_NUMBER_KEY("bow", "delta", "m", OPTIONAL, WHIRL_ANY,
+                             "displacement of a bent shaft of finite elements, which turns with it; at three or more "
+                             "of its stations, 0 where it is straight",
+                             "Nicholas, Gunter, Allaire 1976"),
+    [BOW_ANGLE] = ANGLE_KEY("bow_angle", "", "bow", "direction of the bow at t = 0, from the x axis towards y"),
     [MASS] = NUMBER_KEY("mass", "m", "kg", OPTIONAL, WHIRL_POSITIVE,
-                        "mass lumped at the station; required where neither a disc nor a shaft brings one"),
+                        "mass lumped at the station; required without a disc or a shaft of finite elements"),
     [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                            "viscous damping between the station and the ground"),
     [ECCENTRICITY] = NUMBER_KEY("eccentricity", "e", "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                 "distance of the centre of mass from the shaft's centre (unbalance m e)"),
     [ECCENTRICITY_ANGLE] = ANGLE_KEY("eccentricity_angle", "beta", "eccentricity",
-                                     "where the centre of mass lies at t = 0, from the x axis towards y"),
+                                     "direction of the centre of mass at t = 0, from the x axis towards y"),
     [DIAMETRAL] = CITED_NUMBER_KEY("diametral", "I_d", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                                    "moment of inertia about a diameter; a station that has one tilts",
                                    "Friswell et al. 2010, sec. 3.5"),
     [POLAR] = CITED_NUMBER_KEY("polar", "I_p", "kg m2", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                               "moment of inertia about the shaft's axis, which makes gyroscopic moments",
+                               "moment of inertia about the shaft's axis, which causes gyroscopic moments",
                                "Friswell et al. 2010, sec. 3.5"),
     [SKEW] = CITED_NUMBER_KEY("skew", "chi", "rad", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                               "angle between the principal axis of inertia and the shaft's",
                               "Friswell et al. 2010, sec. 6.2"),
-    [SKEW_ANGLE] =
-        ANGLE_KEY("skew_angle", "", "skew", "where the principal axis leans to at t = 0, from the x axis towards y"),
+    [SKEW_ANGLE] = ANGLE_KEY("skew_angle", "", "skew",
+                             "direction in which the principal axis leans at t = 0, from the x axis towards y"),
     [MOVES] = CHOICE_KEY("moves", DEFAULT("xy"), "xy|x|y",
-                         "the axes along which it moves: of a shaft both, of a pedestal perhaps one"),
+                         "axes along which the station moves: both for a shaft; one is possible for a pedestal"),
 };
 
 const whirl_group station_group = {

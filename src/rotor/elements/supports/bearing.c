@@ -71,43 +71,42 @@ enum {
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
-    [SPEEDS] =
-        CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                          "speeds, rising, at which coefficients are given as lists; between them monotone cubics",
-                          "Fritsch, Butland 1984"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),
+    [SPEEDS] = CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                                 "rising speeds of coefficients that are lists; monotone cubics between them",
+                                 "Fritsch, Butland 1984"),
     [FREQUENCIES] = CITED_NUMBERS_KEY(
         "frequencies", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
-        "frequencies of whirl, rising, at which coefficients are given as lists; with speeds a list for each of these",
+        "rising frequencies of whirl of coefficients that are lists; with speeds one list for each speed",
         "Parsell, Allaire, Barrett 1983"),
     [KXX] = STIFFNESS("kxx", "k_xx", "0", "stiffness along x"),
     [KXY] = STIFFNESS("kxy", "k_xy", "0", "force along -x by a displacement along y"),
     [KYX] = STIFFNESS("kyx", "k_yx", "0", "force along -y by a displacement along x"),
-    [KYY] = STIFFNESS("kyy", "k_yy", "", "stiffness along y; kxx where absent"),
+    [KYY] = STIFFNESS("kyy", "k_yy", "", "stiffness along y; absent: kxx"),
     [CXX] = DAMPING("cxx", "c_xx", "0", "damping along x"),
     [CXY] = DAMPING("cxy", "c_xy", "0", "force along -x by a velocity along y"),
     [CYX] = DAMPING("cyx", "c_yx", "0", "force along -y by a velocity along x"),
-    [CYY] = DAMPING("cyy", "c_yy", "", "damping along y; cxx where absent"),
+    [CYY] = DAMPING("cyy", "c_yy", "", "damping along y; absent: cxx"),
     [MXX] = INERTIA("mxx", "m_xx", "0", "inertia along x, as of a fluid; without weight or unbalance"),
     [MXY] = INERTIA("mxy", "m_xy", "0", "force along -x by an acceleration along y, and the other way round"),
-    [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; mxx where absent"),
+    [MYY] = INERTIA("myy", "m_yy", "", "inertia along y; absent: mxx"),
     [ELEVATION] = NUMBER_KEY("elevation", "", "m", DEFAULT("0"), WHIRL_ANY,
-                             "of its centre along y, above where it would lie in line: what alignment changes"),
-    [SIDEWAYS] = NUMBER_KEY("sideways", "", "m", DEFAULT("0"), WHIRL_ANY, "the same along x, from where it is in line"),
-    [ROLE] = CHOICE_KEY(
-        "role", DEFAULT("bearing"), "bearing|seal|impeller|other",
-        "what its coefficients are of: critical speed maps have springs in the place of bearings, leave seals "
-        "and impellers out, and keep others"),
+                             "height of the bearing's centre above the line of the other bearings: alignment"),
+    [SIDEWAYS] = NUMBER_KEY("sideways", "", "m", DEFAULT("0"), WHIRL_ANY,
+                            "displacement of the bearing's centre from that line along x"),
+    [ROLE] = CHOICE_KEY("role", DEFAULT("bearing"), "bearing|seal|impeller|other",
+                        "kind of part: critical speed maps replace bearings by springs, leave out seals and impellers, "
+                        "and keep others"),
     [POLES] = {"poles", "n", "1", WHIRL_KEY_WHOLE, false, "4", WHIRL_FROM_TO(0, 2 * MAX_PAIRS), NULL,
-               "of the rational function that in time stands for tables over frequencies, an even number; fewer where "
-               "there are fewer than n + 2 frequencies",
+               "even number n of poles of the rational function that replaces tables over frequencies in motions; "
+               "fewer if the table has fewer than n + 2 frequencies",
                "Gustavsen, Semlyen 1999", NULL},
     [FIT_ERROR] = NUMBER_KEY("fit_error", "", "1", DEFAULT("0.02"), WHIRL_POSITIVE,
-                             "part by which that function may differ from the table, up to half way between its "
-                             "frequencies; else motions in time are refused"),
+                             "largest accepted error of that function relative to the table, at its frequencies and "
+                             "half way between; beyond it motions are refused"),
     [WHIRL_RATIO] = NUMBER_KEY("whirl_ratio", "", "1", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                               "frequency of whirl over the speed that the coefficients are of, where pads that tilt "
-                               "follow at it; whirl warns that others have others"),
+                               "frequency of whirl over the speed at which the coefficients hold, for tilting pads; "
+                               "studies at another ratio have a warning"),
 };
 
 /// The block of one kind, by `add`, between two places.

@@ -20,9 +20,10 @@ enum { BETWEEN, STIFFNESS, BRANCH, DAMPING, KEY_COUNT };
 static const whirl_key keys[KEY_COUNT] = {
     [BETWEEN] = STATIONS_KEY("between", REQUIRED, "the two stations that it joins; one may be ground"),
     [STIFFNESS] = NUMBER_KEY("stiffness", "k", "N/m", REQUIRED, WHIRL_NOT_NEGATIVE, "stiffness at rest"),
-    [BRANCH] = CITED_NUMBER_KEY("branch", "k_m", "N/m", REQUIRED, WHIRL_POSITIVE,
-                                "stiffness of the spring in series with the damper: what is added at high frequencies",
-                                "Zener 1948"),
+    [BRANCH] = CITED_NUMBER_KEY(
+        "branch", "k_m", "N/m", REQUIRED, WHIRL_POSITIVE,
+        "stiffness of the spring in series with the damper, which adds to the stiffness at high frequencies",
+        "Zener 1948"),
     [DAMPING] = CITED_NUMBER_KEY("damping", "c", "N s/m", REQUIRED, WHIRL_POSITIVE, "damping of the damper in series",
                                  "Zener 1948"),
 };

@@ -47,18 +47,19 @@ enum {
 
 #define DENT_KEYS(place, symbol)                                                                                       \
     CITED_NUMBER_KEY(place "_dent", "h_" symbol, "m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,                                \
-                     "depth of a dent, which takes h (1 + cos(2 pi phi/w))/2 from the approach", "Sassi et al. 2007"), \
+                     "depth h of a dent, which reduces the approach by h (1 + cos(2 pi phi/w))/2",                     \
+                     "Sassi et al. 2007"),                                                                             \
         NUMBER_KEY(place "_dent_width", "w_" symbol, "rad", OPTIONAL, WHIRL_POSITIVE,                                  \
-                   "angle that the dent takes up, at most 120 degrees")
+                   "width w of the dent as an angle, at most 120 degrees")
 
 #define RACE_DENT_KEYS(place, symbol)                                                                                  \
     DENT_KEYS(place, symbol), ANGLE_KEY(place "_dent_angle", "", place "_dent",                                        \
-                                        "where its middle stands at t = 0, from the x axis towards y")
+                                        "position of its middle at t = 0, from the x axis towards y")
 
 /// Keys of a bearing of `many` of `one`, whose force goes with the power of the approach that the unit has.
 #define ROLLING_KEYS(one, many, unit, cited)                                                                           \
     [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),                                                     \
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),                         \
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),                              \
     [COUNT] = WHOLE_KEY(many, "N_b", REQUIRED, WHIRL_FROM_TO(3, 64), "number of " many ", in a row"),                  \
     [STIFFNESS] = CITED_NUMBER_KEY("stiffness", "C_b", "1", REQUIRED, WHIRL_POSITIVE,                                  \
                                    "Hertz stiffness of a " one " between both races in " unit, cited),                 \
@@ -69,14 +70,14 @@ enum {
     [OUTER] = NUMBER_KEY("outer", "r_o", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the outer race"),                   \
     [CAGE] = CITED_NUMBER_KEY("cage", "", "1", OPTIONAL, WHIRL_ANY,                                                    \
                               "speed of the cage over the rotor's, between those of its races, in place of the radii:" \
-                              " r_i/(r_i + r_o) where the outer race stands",                                          \
+                              " r_i/(r_i + r_o) if the outer race does not turn",                                      \
                               "Harris 2001, ch. 8"),                                                                   \
-    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "where a " one " stands at t = 0, from the x axis towards y"),       \
+    [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "position of a " one " at t = 0, from the x axis towards y"),        \
     [DAMPING] =                                                                                                        \
         NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "viscous damping between the races"),    \
     [ROWS] = WHOLE_KEY("rows", "", DEFAULT("1"), WHIRL_FROM_TO(1, 8), "equal rows of " many " in one cage"),           \
     [STAGGERED] = CHOICE_OF_KEY("staggered", DEFAULT("yes"), "yes|no", "rows",                                         \
-                                "whether rows stand evenly between each other, or " one " beside " one),               \
+                                "yes: rows are staggered evenly; no: they are in line"),                               \
     [INNER_DENT] = RACE_DENT_KEYS("inner", "i"), [OUTER_DENT] = RACE_DENT_KEYS("outer", "o"),                          \
     [OWN_DENT] = DENT_KEYS(one, "b")
 
@@ -91,7 +92,7 @@ static const whirl_key ball_keys[KEY_COUNT] = {
                                  "Harris 2001, ch. 2"),
     [AXIAL_LOAD] =
         CITED_NUMBER_KEY("axial_load", "F_a", "N", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                         "load along the axis on every row: the axial displacement that it alone causes stays",
+                         "axial load on every row; the axial displacement that it causes alone stays constant",
                          "Harris 2001, ch. 7; Lim, Singh 1990"),
 };
 

@@ -54,7 +54,7 @@ enum {
 
 static const whirl_key keys[KEY_COUNT] = {
     [AT] = STATION_KEY("at", REQUIRED, "station in the seal"),
-    [FROM] = STATION_KEY("from", OPTIONAL, "station of its housing; the ground where absent"),
+    [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),
     [LAW] = CITED_CHOICE_KEY("law", DEFAULT("muszynska"), "muszynska|black",
                              "muszynska: stiffness, damping, mass and ratio are given; black: they follow from radius, "
                              "length, density, viscosity, pressure, loss and swirl at the speed of the shaft",
@@ -74,24 +74,24 @@ static const whirl_key keys[KEY_COUNT] = {
         "growth", "n", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
         "power by which stiffness and damping grow with the eccentricity ratio e, as (1 - e^2)^-n", "Muszynska 1988"),
     [SLOWING] = CITED_NUMBER_KEY("slowing", "b", "1", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
-                                 "power by which the fluid slows down with it, as (1 - e)^b", "Muszynska 1988"),
+                                 "power by which the fluid slows down with the eccentricity ratio, as (1 - e)^b",
+                                 "Muszynska 1988"),
     [RADIUS] = NUMBER_KEY("radius", "R", "m", OPTIONAL, WHIRL_POSITIVE, "radius of the shaft in the seal; with black"),
     [LENGTH] = NUMBER_KEY("length", "L", "m", OPTIONAL, WHIRL_POSITIVE, "length of the seal; with black"),
     [DENSITY] = NUMBER_KEY("density", "rho", "kg/m3", OPTIONAL, WHIRL_POSITIVE, "density of the liquid; with black"),
     [VISCOSITY] =
-        NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, "dynamic viscosity of it; with black"),
+        NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, "dynamic viscosity of the liquid; with black"),
     [KINEMATIC] = NUMBER_KEY("kinematic_viscosity", "nu", "m2/s", OPTIONAL, WHIRL_POSITIVE,
-                             "kinematic viscosity of it, in place of viscosity; with black"),
+                             "kinematic viscosity of the liquid, in place of viscosity; with black"),
     [PRESSURE] = NUMBER_KEY("pressure", "Delta_p", "Pa", OPTIONAL, WHIRL_POSITIVE,
-                            "pressure that drops over inlet and seal; with black"),
-    [LOSS] =
-        CITED_NUMBER_KEY("loss", "xi", "1", DEFAULT("0.5"), WHIRL_NOT_NEGATIVE,
-                         "loss at the inlet over rho V^2/2, beside the velocity head itself", "Black, Jenssen 1970"),
-    [SWIRL] = CITED_NUMBER_KEY(
-        "swirl", "s", "1", DEFAULT("0.5"), WHIRL_FROM_TO(-2, 2),
-        "speed around the shaft of the liquid that enters over that of the shaft's surface; it tends to 0.5 along the "
-        "seal, and its mean is the ratio",
-        "Black, Allaire, Barrett 1981; Childs 1983"),
+                            "pressure drop over inlet and seal; with black"),
+    [LOSS] = CITED_NUMBER_KEY("loss", "xi", "1", DEFAULT("0.5"), WHIRL_NOT_NEGATIVE,
+                              "loss at the inlet over rho V^2/2, in addition to the velocity head itself",
+                              "Black, Jenssen 1970"),
+    [SWIRL] = CITED_NUMBER_KEY("swirl", "s", "1", DEFAULT("0.5"), WHIRL_FROM_TO(-2, 2),
+                               "swirl of the entering liquid over the speed of the shaft's surface; it tends to 0.5 "
+                               "along the seal, and its mean is the ratio",
+                               "Black, Allaire, Barrett 1981; Childs 1983"),
 };
 
 /// The middle of the seal: as given, or by its geometry.

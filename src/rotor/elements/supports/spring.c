@@ -27,8 +27,8 @@ static const whirl_key keys[KEY_COUNT] = {
     [DAMPING] = NUMBER_KEY("damping", "c", "N s/m", DEFAULT("0"), WHIRL_NOT_NEGATIVE,
                            "damping; along tilts in N m s per radian"),
     [GAP] = NUMBER_KEY("gap", "g", "m", OPTIONAL, WHIRL_NOT_NEGATIVE,
-                       "play to either side, within which nothing acts; always joined where absent"),
-    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same along tilts"),
+                       "play to either side, within which no force acts; absent: no play"),
+    [GAP_ANGLE] = NUMBER_KEY("gap_angle", "", "rad", OPTIONAL, WHIRL_NOT_NEGATIVE, "the same for tilts"),
 };
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
