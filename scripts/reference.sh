@@ -31,11 +31,11 @@ list_names() { sed -n 's/^  \([a-z][a-z0-9_-]*\) .*/\1/p' <<<"$overview" | awk '
     cat <<'END'
 # Elements and keys
 
-Everything that a case file may hold, as `whirl describe NAME` prints it. `scripts/reference.sh` writes this page from
-the tables that the program reads cases with; a test compares the two. The [user guide](../guide/README.md) explains
-what the parts are for, [cases/reference.yaml](../../cases/reference.yaml) shows them in a case.
+This page lists all parts and keys of a case file, as `whirl describe NAME` prints them. `scripts/reference.sh` writes
+it from the tables that the program reads cases with; a test compares the two. The [user guide](../guide/README.md)
+explains the parts, and [cases/reference.yaml](../../cases/reference.yaml) shows them in a case.
 
-A dash stands for no symbol, no unit (a name, a text, a list) or no default. A unit of 1 is a plain number.
+A dash means no symbol, no unit (a name, a text, a list) or no default. A unit of 1 is a plain number.
 
 END
     list_parts
