@@ -41,8 +41,8 @@ double whirl_probe_way(const whirl_probe *probe) {
 
 const whirl_member *whirl_probe_members(void) {
     static const whirl_member members[] = {
-        LENGTH(clearance, "clearance of the journal bearing, 0 where there is none"),
-        LENGTH(gap, "radius at which a stator is touched, 0 where there is none"),
+        LENGTH(clearance, "clearance of the journal bearing, 0 without one"),
+        LENGTH(gap, "radius at which a stator is touched, 0 without one"),
         COORDINATE(x, "x", PLACE),
         COORDINATE(y, "y", PLACE),
         COORDINATE(vx, "x'", RATE),

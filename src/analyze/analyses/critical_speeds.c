@@ -22,11 +22,11 @@ static const field_plan fields[FIELD_COUNT] = {
                "speed of the shaft at which a mode goes round with it, rising", WHIRL_PER_POINT, 1, kept},
     [DIRECTION] = {WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, "1",
                    "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1, kept},
-    [RIGID_BODY] = {WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, "1",
-                    "number of rigid-body modes, which nothing holds: they are left out", WHIRL_PER_POINT, 1, NULL},
+    [RIGID_BODY] = {WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, "1", "number of rigid-body modes, which are left out",
+                    WHIRL_PER_POINT, 1, NULL},
     [BEARINGS] =
         {WHIRL_FIELD_CRITICAL_SPEEDS_BEARINGS, "N/m",
-         "kxx, kyy (of the bearings there, at the lowest of these speeds; missing without springs in their place)",
+         "kxx, kyy (of the bearings there, at the lowest of these speeds; missing unless springs replace them)",
          WHIRL_PER_STATION, 2, looked_up},
     [SHAPE] =
         {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",

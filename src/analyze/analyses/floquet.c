@@ -19,15 +19,16 @@ enum {
 
 static const field_plan fields[FIELD_COUNT] = {
     [SEARCH] = {WHIRL_FIELD_FLOQUET_SEARCH, "1",
-                "0 no orbit looked for, 1 the motion is on a stable one, 2 on an unstable one, 3 the nearest one is "
+                "0 no search for an orbit, 1 the motion is on a stable one, 2 on an unstable one, 3 the nearest one is "
                 "elsewhere, 4 none found",
                 WHIRL_PER_POINT, 1, NULL},
     [PERIOD] = {WHIRL_FIELD_FLOQUET_PERIOD, "revolution", "revolutions after which the orbit closes", WHIRL_PER_POINT,
                 1, NULL},
-    [RESIDUAL] = {WHIRL_FIELD_FLOQUET_RESIDUAL, "1", "by which it fails to close, over its largest coordinate",
+    [RESIDUAL] = {WHIRL_FIELD_FLOQUET_RESIDUAL, "1", "error by which the orbit closes, over its largest coordinate",
                   WHIRL_PER_POINT, 1, NULL},
     [DISTANCE] = {WHIRL_FIELD_FLOQUET_DISTANCE, "1",
-                  "distance of the motion's last state from it, over the size of the motion", WHIRL_PER_POINT, 1, NULL},
+                  "distance of the motion's last state from the orbit, over the size of the motion", WHIRL_PER_POINT, 1,
+                  NULL},
     [MODULUS] = {WHIRL_FIELD_FLOQUET_MODULUS, "1", "modulus of its largest multiplier", WHIRL_PER_POINT, 1, NULL},
     [UNSTABLE] = {WHIRL_FIELD_FLOQUET_UNSTABLE, "1", "multipliers beyond the unit circle", WHIRL_PER_POINT, 1, NULL},
     [MULTIPLIERS] = {WHIRL_FIELD_FLOQUET_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, rows_per_coordinate},
@@ -38,7 +39,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [REVOLUTIONS] = {WHIRL_FIELD_FLOQUET_REVOLUTIONS, "revolution",
                      "revolutions that Newton's method took, with all perturbations", WHIRL_PER_POINT, 1, NULL},
     [SET_AT] = {WHIRL_FIELD_FLOQUET_SET_AT, "revolution",
-                "revolution after which the motion was set upon it (0: it ran all its way)", WHIRL_PER_POINT, 1, NULL},
+                "revolution from which the motion continues on the orbit (0: never)", WHIRL_PER_POINT, 1, NULL},
 };
 
 /// Writes the fields that follow from the multipliers.

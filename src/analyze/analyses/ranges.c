@@ -26,7 +26,7 @@ static size_t one_where_it_rests(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [REST] = {WHIRL_FIELD_RANGES_REST, "1",
-              "share of the static load up to which a place of rest was found; 1: there is one", WHIRL_PER_POINT, 1,
+              "largest share of the static load with a position of rest; 1: the whole load", WHIRL_PER_POINT, 1,
               one_where_it_rests},
     [ELSEWHERE] = {WHIRL_FIELD_RANGES_ELSEWHERE, "length",
                    "x, y (from there to another place of rest, to which that of the value before or after leads; "
@@ -35,7 +35,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [ELSEWHERE_GROWTH] = {WHIRL_FIELD_RANGES_ELSEWHERE_GROWTH, "1/s",
                           "largest real part of all eigenvalues at that place: stable below 0", WHIRL_PER_POINT, 1,
                           one_at_rest},
-    [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "how many ranges of laws were left", WHIRL_PER_POINT, 1, one_where_any},
+    [LEFT] = {WHIRL_FIELD_RANGES_LEFT, "1", "number of laws whose ranges were left", WHIRL_PER_POINT, 1, one_where_any},
     [REACHED] = {WHIRL_FIELD_RANGES_REACHED, "1", "reached, most (of every range, in its unit)", WHIRL_PER_POINT, 2,
                  every_range},
     [HELD] = {WHIRL_FIELD_RANGES_HELD, "force", "normal force of the contact at rest, 0: open", WHIRL_PER_CONTACT, 1,

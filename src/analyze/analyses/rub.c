@@ -6,7 +6,7 @@
 enum { WHIRL_WATCHED_OF_CONTACTS(WATCHED_INDEX) CONTACT, FIELD_COUNT };
 
 static const field_plan fields[FIELD_COUNT] = {
-    [CONTACT] = {WHIRL_FIELD_RUB_CONTACT, "1", "1 where anything touched, else 0", WHIRL_PER_POINT, 1, NULL},
+    [CONTACT] = {WHIRL_FIELD_RUB_CONTACT, "1", "1: a contact closed; else 0", WHIRL_PER_POINT, 1, NULL},
     // clang-format off
     WHIRL_WATCHED_OF_CONTACTS(WATCHED_PLAN)
     // clang-format on

@@ -53,7 +53,7 @@ static const field_plan fields[FIELD_COUNT] = {
                WHIRL_PER_POINT, 1, NULL},
     [RATIO] = {WHIRL_FIELD_STABILITY_RATIO, "1", "critical speed ratio: the speed over that on rigid supports",
                WHIRL_PER_POINT, 1, NULL},
-    [DENSITY] = {WHIRL_FIELD_STABILITY_DENSITY, "kg/m3", "average density of the gas (missing where it is not said)",
+    [DENSITY] = {WHIRL_FIELD_STABILITY_DENSITY, "kg/m3", "average density of the gas (missing if not given)",
                  WHIRL_PER_POINT, 1, NULL},
     [REGION] = {WHIRL_FIELD_STABILITY_REGION, "1", "of the screening diagram: 0: A, 1: B (missing without the density)",
                 WHIRL_PER_POINT, 1, NULL},

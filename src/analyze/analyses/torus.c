@@ -46,23 +46,22 @@ static size_t numbers_of_nodes(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [NUMBER] = {WHIRL_FIELD_TORUS_NUMBER, "1",
-                "which branch of tori, from 1 in the order of the points at which they begin", WHIRL_PER_POINT, 1,
-                NULL},
+                "number of the branch of tori, from 1 in the order of the points at which they begin", WHIRL_PER_POINT,
+                1, NULL},
     [BRANCH] = {WHIRL_FIELD_TORUS_BRANCH, "1", "the branch of orbits along which it begins", WHIRL_PER_POINT, 1, NULL},
     [POINT] = {WHIRL_FIELD_TORUS_POINT, "1", "the point of the table of branches at which it begins, from 1",
                WHIRL_PER_POINT, 1, NULL},
     [BEGINS] = {WHIRL_FIELD_TORUS_BEGINS, "1", "value of the parameter there, in SI", WHIRL_PER_POINT, 1, NULL},
     [END] = {WHIRL_FIELD_TORUS_END, "1",
-             "why the branch of tori ends here: 0 range, 1 points, 2 shrinks to an orbit, 3 rough or locks, 4 lost, "
-             "5 stopped, 6 none is found; else missing",
+             "reason for the end of the branch of tori here: 0 range, 1 points, 2 shrinks to an orbit, 3 rough or "
+             "locks, 4 lost, 5 stopped, 6 none is found; else missing",
              WHIRL_PER_POINT, 1, NULL},
     [LIMIT] =
         {WHIRL_FIELD_TORUS_LIMIT, "1",
-         "value of the parameter, in SI, at which its radius vanishes or its motion locks, as the last two points "
-         "tell",
+         "value of the parameter, in SI, at which its radius vanishes or its motion locks, from the last two points",
          WHIRL_PER_POINT, 1, NULL},
-    [REVOLUTIONS] = {WHIRL_FIELD_TORUS_REVOLUTIONS, "revolution", "from one section to the next", WHIRL_PER_POINT, 1,
-                     NULL},
+    [REVOLUTIONS] = {WHIRL_FIELD_TORUS_REVOLUTIONS, "revolution", "revolutions from one section to the next",
+                     WHIRL_PER_POINT, 1, NULL},
     [ROTATION] = {WHIRL_FIELD_TORUS_ROTATION, "1", "turns round the closed curve from one section to the next",
                   WHIRL_PER_POINT, 1, NULL},
     [RESONANCE] = {WHIRL_FIELD_TORUS_RESONANCE, "1", "p, q", WHIRL_PER_POINT, 2, NULL},

@@ -42,7 +42,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [PLACED] = {WHIRL_FIELD_UNBALANCE_PLACED, "kg m", "along x, along y (unbalance by rule, when the mark is at x)",
                 WHIRL_PER_STATION, 2, placed},
     [CLEARANCE] = {WHIRL_FIELD_UNBALANCE_CLEARANCE, "length",
-                   "radial, the least of a bearing's and a stator's here (missing where there is none)",
+                   "radial clearance, the least of a bearing's and a stator's here (missing without either)",
                    WHIRL_PER_STATION, 1, NULL},
     [SEEN] = {WHIRL_FIELD_UNBALANCE_SEEN, "length", "first, second (0-p amplitudes: not compensated, with runout)",
               WHIRL_PER_STATION, 2, runs_out},

@@ -12,7 +12,7 @@ static const field_plan fields[FIELD_COUNT] = {
                   "share of the time in which it turns against the rotation (about the mean position)",
                   WHIRL_PER_STATION, 1, NULL},
     [DIRECTION] = {WHIRL_FIELD_WINDING_DIRECTION, "1", "1 forward, -1 backward, 0 mixed", WHIRL_PER_STATION, 1, NULL},
-    [CONTACT] = {WHIRL_FIELD_WINDING_CONTACT, "1", "share of the time beyond the gap (missing where there is none)",
+    [CONTACT] = {WHIRL_FIELD_WINDING_CONTACT, "1", "share of the time beyond the gap (missing without a gap)",
                  WHIRL_PER_STATION, 1, NULL},
     [DRY_WHIP] = {WHIRL_FIELD_WINDING_DRY_WHIP, "1",
                   "1 for backward whirl in lasting contact, at no order of the shaft, else 0", WHIRL_PER_STATION, 1,
