@@ -60,8 +60,8 @@ static const field_plan fields[FIELD_COUNT] = {
                    "load of the bearings here by raising those at each station (0: no bearing)", WHIRL_PER_STATION, 1,
                    every_station},
     [ECCENTRICITY] = {WHIRL_FIELD_STATICS_ECCENTRICITY, "1",
-                      "of the journal in its film at rest, from the housing, over the clearance as assembled (missing "
-                      "where there is no film)",
+                      "eccentricity ratio of the journal in its film at rest, from the housing, over the clearance as "
+                      "assembled (missing without a film)",
                       WHIRL_PER_STATION, 1, NULL},
     [ATTITUDE] = {WHIRL_FIELD_STATICS_ATTITUDE, "deg",
                   "angle from the load of the film to the journal at rest, with the rotation", WHIRL_PER_STATION, 1,
