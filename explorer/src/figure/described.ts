@@ -296,7 +296,7 @@ function drawAxes(place: Place, { x, y, title, letter }: DescribedPanel, font: n
   if (x.shown && x.label)
     out += textAt(left + width / 2, top + height + tick + near + 1.35 * font, x.label, font, 'text-anchor="middle"');
   if (y.shown && y.label) {
-    const [at, middle] = [left - 2.5 * tick - 0.56 * near * widest, top + height / 2];
+    const [at, middle] = [left - 2.5 * tick - 0.64 * near * widest, top + height / 2];
     const low = height < 0.7 * CM;
     const lines = y.label.split('\n').length - 1;
     out += low
