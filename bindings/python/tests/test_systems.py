@@ -61,6 +61,7 @@ def test_a_python_function_is_a_system(tmp_path):
     again = whirl.open(tmp_path / "linear.h5")
     assert np.array_equal(again["sweep"]["poincare/section"], result["sweep"]["poincare/section"])
     assert again.plot.bifurcation().get_xlabel() == "$ω$ (rad/s)"
+    assert str(again).splitlines()[:2] == ["Linear", "sweep: 2 points over omega"]
 
 
 def test_lanes_of_python_have_the_bits_of_one_machine():

@@ -524,6 +524,19 @@ class Result:
             f"<table><tr><th>table</th><th>points</th><th>over</th></tr>{''.join(lines)}</table>"
         )
 
+    def __str__(self) -> str:
+        """The summary: warnings, and what was found of each table."""
+        lines = [self.title or self.case_name or "A result"]
+        lines += [f"warning: {words}" for words in self.warnings]
+        statements = self.statements()
+        for table in self.tables.values():
+            over = f" over {table.parameter}" if table.parameter else ""
+            size = " x ".join(map(str, table.shape))
+            lines.append(f"{table.name}: {size} point{'' if size == '1' else 's'}{over}")
+            lines += [f"  {own}" for own in statements if own.table == table.name]
+        lines += [str(own) for own in statements if own.table not in self.tables]
+        return "\n".join(lines + (["partial: not all points are there"] if self.partial else []))
+
     def __repr__(self) -> str:
         tables = ", ".join(f"{t.name} ({' x '.join(map(str, t.shape))})" for t in self.tables.values())
         count = len(self.warnings)
