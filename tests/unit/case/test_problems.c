@@ -335,7 +335,7 @@ static void structure(void **state) {
                    "t:19:3: study.conditions: needs a study of machines at rest or motions, which is done at each");
     expect_problem("  sweep: {", "  motions: {unbalance: first}\n  sweep: {",
                    "t:19:24: study.motions.unbalance: is first, which is no study of unbalance here, expected one "
-                   "beside it");
+                   "in the same study");
     expect_problem("  sweep: {", "  unbalance: {name: fast}\n  motions: {unbalance: fest}\n  sweep: {",
                    "t:20:24: study.motions.unbalance: is fest, which is no study of unbalance here, did you mean "
                    "fast?");
