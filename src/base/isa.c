@@ -15,7 +15,7 @@ static const isa known[VECTOR_ISAS] = {
 
 /// Returns true if the processor and the operating system support an instruction set; the compiler's builtins query
 /// cpuid.
-static bool present(int number) {
+static bool isa_present(int number) {
 #if defined(__x86_64__)
     if (!VECTOR_BUILT(number)) return false;
     switch (number) {
@@ -37,7 +37,7 @@ static bool present(int number) {
 }
 
 const isa *isa_at(int number) {
-    return number >= 0 && number < VECTOR_ISAS && present(number) ? &known[number] : NULL;
+    return number >= 0 && number < VECTOR_ISAS && isa_present(number) ? &known[number] : NULL;
 }
 
 whirl_status isa_choose(const isa **chosen) {

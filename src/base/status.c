@@ -29,7 +29,7 @@ static uint64_t hash_of(const char *text) {
 }
 
 /// Finds a text; returns true with its place, or false with the least recently used place.
-static bool find(const char *text, uint64_t hash, size_t *place) {
+static bool status_find(const char *text, uint64_t hash, size_t *place) {
     *place = 0;
     for (size_t i = 0; i < WHIRL_MESSAGES_KEPT; i++) {
         if (latest.used[i] < latest.used[*place]) *place = i;
@@ -40,11 +40,11 @@ static bool find(const char *text, uint64_t hash, size_t *place) {
     return false;
 }
 
-static const char *keep(const char text[WHIRL_MESSAGE_SIZE]) {
+static const char *status_keep(const char text[WHIRL_MESSAGE_SIZE]) {
     const uint64_t hash = hash_of(text);
     size_t place;
     lock_take(&latest_lock);
-    if (!find(text, hash, &place)) { // an existing text may be read at this moment and must not change
+    if (!status_find(text, hash, &place)) { // an existing text may be read at this moment and must not change
         latest.hash[place] = hash;
         memcpy(latest.text[place], text, strlen(text) + 1);
     }
@@ -65,7 +65,7 @@ whirl_status whirl_fail(whirl_code code, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
-    return (whirl_status){.code = code, .message = keep(text)};
+    return (whirl_status){.code = code, .message = status_keep(text)};
 }
 
 const char *whirl_code_text(whirl_code code) {

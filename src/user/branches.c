@@ -78,7 +78,7 @@ void user_tell_branches(const whirl_user_system *system, FILE *out) {
 
 // ---------------------------------------------------------------- their study
 
-static whirl_status check(const whirl_user_system *system) {
+static whirl_status branches_check(const whirl_user_system *system) {
     const user_branches *own = &system->branches;
     const whirl_trace_options *trace = &system->record.trace;
     if (system->axis_count > 0)
@@ -140,7 +140,7 @@ static whirl_batch tori_batch(const whirl_batch *branch) {
 
 whirl_status user_prepare_branches(whirl_user_system *copy, whirl_study *study) {
     const user_branches *own = &copy->branches;
-    const whirl_status status = check(copy);
+    const whirl_status status = branches_check(copy);
     if (status.code != WHIRL_OK) return status;
     copy->axis_count = own->curves ? 2 : 1;
     copy->axes[0] = (user_axis){.parameter = own->parameter};

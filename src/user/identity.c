@@ -20,19 +20,20 @@ whirl_status whirl_user_system_identity(whirl_user_system *system, const char *i
 }
 
 /// FNV-1a of 64 bits.
-static uint64_t checksum(const char *text) {
+static uint64_t identity_checksum(const char *text) {
     uint64_t sum = 0xcbf29ce484222325u;
     for (; *text; text++) sum = (sum ^ (unsigned char)*text) * 0x100000001b3u;
     return sum;
 }
 
 /// Adds a fact; of a long text its beginning and its checksum.
-static whirl_status add(whirl_result *result, const char *name, const char *text) {
+static whirl_status identity_add(whirl_result *result, const char *name, const char *text) {
     char plain[MAX_SHOWN + 32];
     if (strlen(text) <= MAX_SHOWN)
         snprintf(plain, sizeof plain, "%s", text);
     else
-        snprintf(plain, sizeof plain, "%.*s ... (%016llx)", MAX_SHOWN, text, (unsigned long long)checksum(text));
+        snprintf(plain, sizeof plain, "%.*s ... (%016llx)", MAX_SHOWN, text,
+                 (unsigned long long)identity_checksum(text));
     whirl_make_plain(plain);
     return whirl_result_add_fact(result, name, plain);
 }
@@ -75,7 +76,8 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
     } facts[] = {{"equations: form", put_form, true},
                  {"equations: start", put_start, true},
                  {"equations: branches", user_tell_branches, false}};
-    whirl_status status = add(result, "equations", system->identity ? system->identity : "functions of the user's own");
+    whirl_status status =
+        identity_add(result, "equations", system->identity ? system->identity : "functions of the user's own");
     for (size_t i = 0; i < sizeof facts / sizeof *facts && status.code == WHIRL_OK; i++) {
         char *text = NULL;
         size_t size;
@@ -85,7 +87,7 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
         if (!out || fclose(out) != 0 || !text)
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for what a result says of its system");
         else
-            status = add(result, facts[i].name, text);
+            status = identity_add(result, facts[i].name, text);
         free(text);
     }
     return status;

@@ -39,7 +39,7 @@ typedef struct block {
 } block;
 
 /// Notes a function's failure code and its time; returns true for success.
-static bool note(const whirl_user_system *from, int code, double t) {
+static bool machine_note(const whirl_user_system *from, int code, double t) {
     int expected = 0;
     if (code == 0) return true;
     if (atomic_compare_exchange_strong(&from->failure->code, &expected, code)) {
@@ -54,7 +54,7 @@ static bool slopes_of_each(const whirl_user_system *from, block *b) {
     for (size_t i = 0; i < b->count; i++) {
         for (size_t k = 0; k < from->dimension; k++) x[k] = b->x[k * b->row + i];
         for (size_t k = 0; k < from->parameter_count; k++) p[k] = b->p[k * b->row + i];
-        if (!note(from, from->rates(b->t[i], x, p, slopes, from->context), b->t[i])) return false;
+        if (!machine_note(from, from->rates(b->t[i], x, p, slopes, from->context), b->t[i])) return false;
         for (size_t k = 0; k < from->dimension; k++) b->slopes[k * b->row + i] = slopes[k];
     }
     return true;
@@ -74,7 +74,7 @@ static void take_slopes(const whirl_user_system *from, block *b) {
     bool good = atomic_load(&from->failure->code) == 0;
     scale_rows(from, b, b->x, false);
     if (good && from->lanes)
-        good = note(from, from->lanes(b->count, b->row, b->t, b->x, b->p, b->slopes, from->context), b->t[0]);
+        good = machine_note(from, from->lanes(b->count, b->row, b->t, b->x, b->p, b->slopes, from->context), b->t[0]);
     else if (good)
         good = slopes_of_each(from, b);
     for (size_t k = 0; !good && k < from->dimension; k++)
@@ -122,7 +122,7 @@ static bool slopes_at(const whirl_user_system *from, double t, const double *x, 
     const int code = from->lanes ? from->lanes(1, 1, &t, user, p, slopes, from->context)
                                  : from->rates(t, user, p, slopes, from->context);
     leave_units(from, slopes);
-    return note(from, code, t);
+    return machine_note(from, code, t);
 }
 
 /// Computes the derivative by the user's own function.
@@ -132,14 +132,14 @@ static bool own_tangent(const whirl_user_system *from, double t, const double *x
     const int code =
         from->tangent(t, in_units(from, x, room[0]), p, in_units(from, d, room[1]), out, from->tangent_context);
     leave_units(from, out);
-    return note(from, code, t);
+    return machine_note(from, code, t);
 }
 
 static bool own_slopes(const member *own, double t, const double *x, double *slopes) {
     return slopes_at(own->from, t, x, own->parameters, slopes);
 }
 
-static void rhs(const void *model, double s, const double *forcing, const double *x, double *dxdt) {
+static void machine_rhs(const void *model, double s, const double *forcing, const double *x, double *dxdt) {
     const member *own = model;
     double user[USER_MAX_STATES], slopes[USER_MAX_STATES];
     (void)forcing;
@@ -175,8 +175,8 @@ static double largest_change(size_t n, const double *lower, const double *upper,
 /// Returns true if the slopes jump between x - step d and x + step d, where they are `lower` and `upper`: follows their
 /// change into halves, down to a millionth of the way. The change of continuous slopes shrinks with the way. A
 /// derivative does not describe what a jump does to a perturbation.
-static bool jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
-                  double step, const double *lower, const double *upper) {
+static bool machine_jumps(const whirl_user_system *from, double t, const double *p, const double *x, const double *d,
+                          double step, const double *lower, const double *upper) {
     double ends[2][USER_MAX_STATES], between[USER_MAX_STATES], place[USER_MAX_STATES], low = -step, high = step;
     const size_t n = from->dimension;
     size_t which = 0;
@@ -213,13 +213,13 @@ static bool own_difference(const member *own, double t, const double *x, const d
     if (!own_slopes(own, t, beside, lower)) return false;
     for (size_t k = 0; k < n; k++) beside[k] = x[k] + step * d[k];
     if (!own_slopes(own, t, beside, out)) return false;
-    if (jumps(own->from, t, own->parameters, x, d, step, lower, out)) return false;
+    if (machine_jumps(own->from, t, own->parameters, x, d, step, lower, out)) return false;
     for (size_t k = 0; k < n; k++) out[k] = (out[k] - lower[k]) / (2.0 * step);
     return true;
 }
 
-static void tangent(const void *model, double s, const double *forcing, const double *x, const double *sides,
-                    size_t count, const double *dx, double *ddxdt) {
+static void machine_tangent(const void *model, double s, const double *forcing, const double *x, const double *sides,
+                            size_t count, const double *dx, double *ddxdt) {
     const member *own = model;
     const whirl_user_system *from = own->from;
     double user[USER_MAX_STATES], along[USER_MAX_STATES], slopes[USER_MAX_STATES];
@@ -254,7 +254,7 @@ static const double *row_of(const part *p, const void *rows, size_t set, size_t 
 }
 
 /// Returns a coordinate of the state (set 0) or of a perturbation, by the common time.
-static const double *coordinate(const part *p, size_t set, size_t k) {
+static const double *machine_coordinate(const part *p, size_t set, size_t k) {
     const size_t d = p->from->displacements, n = p->from->dimension;
     return k < d ? row_of(p, p->view->q, set, d, k) : row_of(p, p->view->v, set, n - d, k - d);
 }
@@ -270,7 +270,7 @@ static void begin_block(const part *p, block *b) {
 /// Fills in the states, with `step` [count] times a perturbation added (set above 0), in the user's own units.
 static void fill_states(const part *p, size_t set, double sign, const double *step, block *b) {
     for (size_t k = 0; k < p->from->dimension; k++) {
-        const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
+        const double *x = machine_coordinate(p, 0, k), *d = machine_coordinate(p, set, k);
         const bool velocity = is_velocity(p->from, k);
         for (size_t i = 0; i < b->count; i++) {
             const double value = set > 0 ? x[i] + sign * step[i] * d[i] : x[i];
@@ -299,13 +299,13 @@ static void look_for_jump(const part *p, size_t set, const block *b, size_t i, d
     double x[MAX_IN_LANES], d[MAX_IN_LANES], q[USER_MAX_PARAMETERS], below[MAX_IN_LANES], above[MAX_IN_LANES];
     for (size_t k = 0; k < p->from->dimension; k++) {
         const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
-        x[k] = coordinate(p, 0, k)[i] * unit;
-        d[k] = coordinate(p, set, k)[i] * unit;
+        x[k] = machine_coordinate(p, 0, k)[i] * unit;
+        d[k] = machine_coordinate(p, set, k)[i] * unit;
         below[k] = lower[k * b->row + i]; // NOLINT(clang-analyzer-core.uninitialized.Assign): memcpy has filled it
         above[k] = b->slopes[k * b->row + i];
     }
     for (size_t k = 0; k < p->from->parameter_count; k++) q[k] = b->p[k * b->row + i];
-    jumps(p->from, b->t[i], q, x, d, step, below, above);
+    machine_jumps(p->from, b->t[i], q, x, d, step, below, above);
 }
 
 /// Computes the derivative along a perturbation by differences, each lane with a step of its own.
@@ -314,7 +314,7 @@ static void flow_beside(const part *p, size_t set, block *b) {
     memset(size, 0, sizeof size);
     memset(length, 0, sizeof length);
     for (size_t k = 0; k < p->from->dimension; k++) {
-        const double *x = coordinate(p, 0, k), *d = coordinate(p, set, k);
+        const double *x = machine_coordinate(p, 0, k), *d = machine_coordinate(p, set, k);
         for (size_t i = 0; i < b->count; i++) {
             const double unit = is_velocity(p->from, k) ? 1.0 / b->scale[i] : 1.0;
             size[i] += x[i] * unit * x[i] * unit;
@@ -343,8 +343,8 @@ static void flow_along(const part *p, size_t set, block *b) {
     for (size_t i = 0; i < b->count; i++) {
         for (size_t k = 0; k < from->dimension; k++) {
             const double unit = is_velocity(from, k) ? 1.0 / b->scale[i] : 1.0;
-            x[k] = coordinate(p, 0, k)[i] * unit;
-            d[k] = coordinate(p, set, k)[i] * unit;
+            x[k] = machine_coordinate(p, 0, k)[i] * unit;
+            d[k] = machine_coordinate(p, set, k)[i] * unit;
         }
         for (size_t k = 0; k < from->parameter_count; k++) q[k] = b->p[k * b->row + i];
         const bool good = atomic_load(&from->failure->code) == 0 && own_tangent(from, b->t[i], x, q, d, out);
@@ -353,7 +353,7 @@ static void flow_along(const part *p, size_t set, block *b) {
     put_slopes(p, set, 1.0, NULL, false, b);
 }
 
-static void flow(const lanes_view *view, size_t lanes) {
+static void machine_flow_lanes(const lanes_view *view, size_t lanes) {
     const member *model = view->model;
     const whirl_user_system *from = model->from;
     const size_t all = view->vectors * lanes;
@@ -378,7 +378,7 @@ static void flow(const lanes_view *view, size_t lanes) {
 // Flow functions, one for every instruction set: they differ only in their lanes.
 #define OF_ISA(name, lanes_there)                                                                                      \
     static void flow_##name(const lanes_view *view) {                                                                  \
-        flow(view, lanes_there);                                                                                       \
+        machine_flow_lanes(view, lanes_there);                                                                         \
     }                                                                                                                  \
     static void times_##name(const void *model, size_t stride, size_t vectors, const void *t, void *forcing) {         \
         (void)model, (void)stride;                                                                                     \
@@ -444,7 +444,7 @@ static void fill_lanes(member *own) {
 
 // ---------------------------------------------------------------- a machine
 
-static void release(void *owner) {
+static void machine_release(void *owner) {
     member *own = owner;
     free(own->parameters);
     free(own->start);
@@ -471,7 +471,7 @@ static whirl_status make_probes(member *own) {
     return whirl_ok();
 }
 
-static whirl_status make(member *own, const double *parameters) {
+static whirl_status machine_make(member *own, const double *parameters) {
     const whirl_user_system *from = own->from;
     double values[USER_MAX_PARAMETERS], period, common;
     for (size_t k = 0; k < from->parameter_count; k++) values[k] = from->parameters[k].value;
@@ -491,10 +491,10 @@ static whirl_status make(member *own, const double *parameters) {
                                  .period = common,
                                  .forcing_count = 1,
                                  .forcing = time_alone,
-                                 .rhs = rhs,
+                                 .rhs = machine_rhs,
                                  .kinked = from->kinked,
                                  .angles = from->angles,
-                                 .tangent = tangent,
+                                 .tangent = machine_tangent,
                                  .probe_count = from->station_count,
                                  .probes = from->stations,
                                  .model = own};
@@ -506,15 +506,15 @@ whirl_status user_machine(const whirl_user_system *system, const double *paramet
     member *own = calloc(1, sizeof *own);
     if (!own) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine");
     own->from = system;
-    const whirl_status status = make(own, parameters);
+    const whirl_status status = machine_make(own, parameters);
     if (status.code != WHIRL_OK) {
-        release(own);
+        machine_release(own);
         return status;
     }
     *machine = (whirl_machine){.system = &own->system,
                                .start = own->start,
                                .owner = own,
-                               .release = release,
+                               .release = machine_release,
                                .clock = 2.0 * acos(-1.0) / own->system.period / own->scale,
                                .speed = 2.0 * acos(-1.0) / own->system.period / own->scale};
     return status;

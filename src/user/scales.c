@@ -15,7 +15,7 @@ static const double smallest = 1e-2, largest = 1e2;
 /// Growth from one half of a motion's record to the other above which it has no definite size.
 static const double steady = 4.0;
 
-static whirl_status check(const whirl_user_system *system) {
+static whirl_status scales_check(const whirl_user_system *system) {
     const size_t d = system->displacements;
     const double *scales = system->scales;
     for (size_t k = 0; scales && k < system->dimension; k++) {
@@ -119,7 +119,7 @@ static double nearest_power(double size) {
 }
 
 /// Unit of coordinate k by its size.
-static double unit_of(const whirl_user_system *system, size_t k, double size) {
+static double scales_unit_of(const whirl_user_system *system, size_t k, double size) {
     const bool is_angle = system->angles && system->angles[k] > 0.0;
     return is_angle || is_ordinary(size) ? 1.0 : nearest_power(size);
 }
@@ -138,7 +138,7 @@ static void take_sizes(whirl_user_system *system, const double *sizes) {
     for (size_t k = 0; k < n; k++) {
         const double at_once = sizes[k], half = fmax(at_once, sizes[n + k]), all = fmax(half, sizes[2 * n + k]);
         const double size = all <= steady * half ? all : sizes[3 * n + k];
-        system->units[k] = unit_of(system, k, size);
+        system->units[k] = scales_unit_of(system, k, size);
     }
     pair_units(system);
 }
@@ -170,7 +170,7 @@ static whirl_status see_sizes(whirl_user_system *system, const whirl_study *stud
     system->units = NULL;
     whirl_status status = see_points(study, &(look){system, 0, 0, sizes});
     system->units = units;
-    for (size_t k = 0; k < n; k++) units[k] = unit_of(system, k, sizes[k]);
+    for (size_t k = 0; k < n; k++) units[k] = scales_unit_of(system, k, sizes[k]);
     pair_units(system);
     memcpy(sizes + 3 * n, sizes, n * sizeof *sizes);
     memset(sizes, 0, n * sizeof *sizes);
@@ -185,7 +185,7 @@ whirl_status user_choose_units(whirl_user_system *copy, whirl_study *study) {
     long calls = 0;
     bool counts = false;
     copy->units = NULL;
-    whirl_status status = check(copy);
+    whirl_status status = scales_check(copy);
     if (status.code != WHIRL_OK) return status;
     double *sizes = calloc(4 * n, sizeof *sizes);
     copy->units = malloc(n * sizeof *copy->units);

@@ -27,7 +27,7 @@ static whirl_status machine_at(const void *family, const whirl_batch *batch, dou
 
 // ---------------------------------------------------------------- a study
 
-static whirl_status check(const whirl_user_system *system) {
+static whirl_status study_check(const whirl_user_system *system) {
     if (!system->rates && !system->lanes)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no function for its slopes");
     for (size_t i = 0; i < system->station_count && system->displacements > 0; i++) {
@@ -124,9 +124,9 @@ static void prepared_free(const prepared *p) {
 }
 
 /// Prepares a system. Freed by prepared_free, also after a failure.
-static whirl_status prepare(const whirl_user_system *system, prepared *p) {
+static whirl_status study_prepare(const whirl_user_system *system, prepared *p) {
     *p = (prepared){.system = *system, .station = first_station(system)};
-    whirl_status status = check(system);
+    whirl_status status = study_check(system);
     if (status.code != WHIRL_OK) return status;
     if (system->station_count == 0) {
         p->system.stations = &p->station;
@@ -152,7 +152,7 @@ static void name_clock(const whirl_user_system *system, whirl_table *table) {
         if (system->axes[i].parameter == system->speed && *names[i]) table->clock_of = (int)i + 1;
 }
 
-static whirl_status describe(const whirl_user_system *system, whirl_result *result) {
+static whirl_status study_describe(const whirl_user_system *system, whirl_result *result) {
     double values[USER_MAX_PARAMETERS], period;
     for (size_t k = 0; k < system->parameter_count; k++) values[k] = system->parameters[k].value;
     whirl_status status = user_period(system, values, &period);
@@ -177,7 +177,7 @@ static whirl_status describe(const whirl_user_system *system, whirl_result *resu
 }
 
 /// Returns the outcome of a run: a result from failed slopes is discarded.
-static whirl_status outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
+static whirl_status study_outcome(const whirl_user_system *system, whirl_status status, whirl_result **result) {
     const int code = atomic_load(&system->failure->code);
     if (code == USER_JUMP)
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
@@ -189,7 +189,7 @@ static whirl_status outcome(const whirl_user_system *system, whirl_status status
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE, "a function of the system gave %d at t = %.10g, expected 0", code,
                             atomic_load(&system->failure->told) ? system->failure->time : (double)NAN);
     if (*result && code == 0) {
-        whirl_status described = describe(system, *result);
+        whirl_status described = study_describe(system, *result);
         for (size_t i = 0; i < (*result)->table_count && described.code == WHIRL_OK; i++)
             described = user_restore(system, &(*result)->tables[i]);
         if (described.code == WHIRL_OK) return status;
@@ -200,14 +200,14 @@ static whirl_status outcome(const whirl_user_system *system, whirl_status status
     return status;
 }
 
-static whirl_status run(const void *subject, const whirl_run_options *options, whirl_result **result) {
+static whirl_status study_run_points(const void *subject, const whirl_run_options *options, whirl_result **result) {
     prepared p;
     *result = NULL;
-    whirl_status status = prepare(subject, &p);
+    whirl_status status = study_prepare(subject, &p);
     if (status.code == WHIRL_OK) status = user_check_rest(&p.study);
     if (status.code == WHIRL_OK) {
         status = whirl_study_run(&p.study, options, result);
-        status = outcome(&p.system, status, result);
+        status = study_outcome(&p.system, status, result);
     }
     prepared_free(&p);
     return status;
@@ -219,15 +219,15 @@ whirl_status whirl_user_system_outline(const whirl_user_system *system, whirl_re
     if (!system->identity)
         return whirl_fail(WHIRL_BAD_INPUT, "the system has no identity, by which a journal would know its functions "
                                            "again, expected a name and a version (whirl_user_system_identity)");
-    whirl_status status = prepare(system, &p);
+    whirl_status status = study_prepare(system, &p);
     if (status.code == WHIRL_OK) {
         status = whirl_study_outline(&p.study, outline);
-        status = outcome(&p.system, status, outline);
+        status = study_outcome(&p.system, status, outline);
     }
     prepared_free(&p);
     return status;
 }
 
 whirl_status whirl_job_of_user_system(const whirl_user_system *system, whirl_job **job) {
-    return whirl_job_of(run, system, job);
+    return whirl_job_of(study_run_points, system, job);
 }

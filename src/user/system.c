@@ -66,7 +66,7 @@ static size_t find_parameter(const whirl_user_system *system, const char *name) 
 }
 
 /// Grows a list by one item.
-static void *grow(void **items, size_t count, size_t size) {
+static void *system_grow(void **items, size_t count, size_t size) {
     void *more = realloc(*items, (count + 1) * size);
     if (!more) return NULL;
     *items = more;
@@ -99,7 +99,7 @@ whirl_status whirl_user_system_parameter(whirl_user_system *system, const char *
     if (known.code != WHIRL_OK) return known;
     if (system->parameter_count == USER_MAX_PARAMETERS)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d parameters", USER_MAX_PARAMETERS);
-    whirl_parameter *one = grow((void **)&system->parameters, system->parameter_count, sizeof *one);
+    whirl_parameter *one = system_grow((void **)&system->parameters, system->parameter_count, sizeof *one);
     if (!one) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a parameter");
     system->parameter_count++;
     snprintf(one->name, sizeof one->name, "%s", name);
@@ -174,7 +174,7 @@ whirl_status whirl_user_system_station(whirl_user_system *system, const char *na
             return whirl_fail(WHIRL_BAD_INPUT, "there are two stations called %s", name);
     if (system->station_count == WHIRL_MAX_PROBES)
         return whirl_fail(WHIRL_BAD_INPUT, "there are more than %d stations", WHIRL_MAX_PROBES);
-    whirl_probe *one = grow((void **)&system->stations, system->station_count, sizeof *one);
+    whirl_probe *one = system_grow((void **)&system->stations, system->station_count, sizeof *one);
     if (!one) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a station");
     system->station_count++;
     *one = (whirl_probe){.x = x, .y = y, .vx = vx, .vy = vy};
@@ -282,7 +282,7 @@ whirl_status whirl_user_system_analyze(whirl_user_system *system, const char *an
 }
 
 /// Sets a member by the text that a case would have.
-static whirl_status say(const whirl_member *member, void *object, const char *value) {
+static whirl_status system_set(const whirl_member *member, void *object, const char *value) {
     const bool words = member->type == WHIRL_MEMBER_WORD || member->type == WHIRL_MEMBER_FLAG;
     if (words && member->key.choices && *member->key.choices && whirl_key_choice(&member->key, value) < 0)
         return whirl_fail(WHIRL_BAD_INPUT, "%s is '%.63s', expected one of %s", member->name, value,
@@ -325,7 +325,7 @@ whirl_status whirl_user_system_set(whirl_user_system *system, const char *option
     if (strcmp(option, "carry") == 0) return set_carry(system, value);
     for (size_t g = 0; g < sizeof groups / sizeof *groups; g++) {
         const whirl_member *found = whirl_member_find(groups[g].members, option);
-        if (found && *found->part) return say(found, groups[g].object, value);
+        if (found && *found->part) return system_set(found, groups[g].object, value);
         for (const whirl_member *one = groups[g].members; one->part && count < 128; one++)
             if (one->name && *one->part) names[count++] = one->name;
     }

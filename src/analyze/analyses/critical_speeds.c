@@ -9,7 +9,7 @@ enum { SPEED, DIRECTION, RIGID_BODY, SHAPE, BEARINGS, FIELD_COUNT };
 /// Number of lowest critical speeds at which the bearings' stiffness is evaluated.
 enum { LOOKED_UP = 6 };
 
-static size_t kept(const block_shape *shape) {
+static size_t critical_speeds_kept(const block_shape *shape) {
     return (size_t)shape->options->modes;
 }
 
@@ -19,9 +19,11 @@ static size_t looked_up(const block_shape *shape) {
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_CRITICAL_SPEEDS_SPEED, "rad/s",
-               "speed of the shaft at which a mode goes round with it, rising", WHIRL_PER_POINT, 1, kept},
+               "speed of the shaft at which a mode goes round with it, rising", WHIRL_PER_POINT, 1,
+               critical_speeds_kept},
     [DIRECTION] = {WHIRL_FIELD_CRITICAL_SPEEDS_DIRECTION, "1",
-                   "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1, kept},
+                   "1: circles with the rotation, -1: against it, 0: neither", WHIRL_PER_POINT, 1,
+                   critical_speeds_kept},
     [RIGID_BODY] = {WHIRL_FIELD_CRITICAL_SPEEDS_RIGID_BODY, "1", "number of rigid-body modes, which are left out",
                     WHIRL_PER_POINT, 1, NULL},
     [BEARINGS] =
@@ -31,7 +33,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [SHAPE] =
         {WHIRL_FIELD_CRITICAL_SPEEDS_SHAPE, "1",
          "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1; missing where the mode moves no station)",
-         WHIRL_PER_STATION, 4, kept},
+         WHIRL_PER_STATION, 4, critical_speeds_kept},
 };
 
 void bearings_place(const whirl_system *alone, double *x, const whirl_system *machine, const double *rest) {
@@ -110,7 +112,8 @@ static whirl_status fill_bearings(const whirl_resting *point, const whirl_critic
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status critical_speeds_compute(const whirl_resting *point, const whirl_record_options *options,
+                                            const block_view *view) {
     const whirl_machine own = {
         .system = point->system, .start = point->start, .clock = point->clock, .speed = point->speed};
     whirl_machine faster;
@@ -132,4 +135,4 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
 }
 
 const analysis_plan critical_speeds_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .compute_resting = critical_speeds_compute};

@@ -24,7 +24,8 @@ static const field_plan fields[FIELD_COUNT] = {
                  WHIRL_PER_POINT, 1, NULL},
 };
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status evidence_fields_compute(const whirl_record *record, const whirl_record_options *options,
+                                            const block_view *view) {
     const evidence e = evidence_gather(record);
     const correlation c = correlation_find(&e.points, e.rounding * e.size);
     const whirl_verdict verdict = whirl_judge(record);
@@ -42,5 +43,7 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan evidence_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .uses_growth = WHIRL_GROWTH_LARGEST, .compute = compute};
+const analysis_plan evidence_analysis = {.fields = fields,
+                                         .field_count = FIELD_COUNT,
+                                         .uses_growth = WHIRL_GROWTH_LARGEST,
+                                         .compute = evidence_fields_compute};

@@ -58,7 +58,8 @@ static const field_plan fields[FIELD_COUNT] = {
                 NULL},
 };
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status exponents_compute(const whirl_record *record, const whirl_record_options *options,
+                                      const block_view *view) {
     const size_t n = record->dimension, count = record->growth_count;
     (void)options;
     whirl_estimate *exponents = malloc(n * sizeof *exponents + count * sizeof(double));
@@ -80,7 +81,7 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan exponents_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_ALL, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_ALL, .compute = exponents_compute};
 
 void whirl_block_compare_exponents(const whirl_layout *layout, double *block, const whirl_layout *other_layout,
                                    const double *other) {

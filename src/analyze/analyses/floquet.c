@@ -63,7 +63,8 @@ static void put_multipliers(const whirl_record_orbit *orbit, const block_view *v
     if (hypot(least[0], least[1]) > lost) *view_numbers(view, VOLUME_ERROR, 0) = sum - orbit->volume;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status floquet_compute(const whirl_record *record, const whirl_record_options *options,
+                                    const block_view *view) {
     const whirl_record_orbit *orbit = &record->orbit;
     (void)options;
     *view_numbers(view, SEARCH, 0) = orbit->search;
@@ -74,4 +75,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan floquet_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .uses_orbits = true, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .uses_orbits = true, .compute = floquet_compute};

@@ -28,7 +28,7 @@ void whirl_analysis_needs(whirl_analysis_set set, whirl_record_options *options)
     }
 }
 
-static size_t repetitions(whirl_extent extent, const block_shape *shape) {
+static size_t layout_repetitions(whirl_extent extent, const block_shape *shape) {
     switch (extent) {
     case WHIRL_PER_STATION:
         return shape->station_count;
@@ -42,7 +42,7 @@ static size_t repetitions(whirl_extent extent, const block_shape *shape) {
 
 static whirl_status add_field(whirl_layout *layout, const field_plan *plan, const block_shape *shape) {
     const size_t rows = plan->rows ? plan->rows(shape) : 1;
-    const size_t repeat = repetitions(plan->extent, shape);
+    const size_t repeat = layout_repetitions(plan->extent, shape);
     if (rows == 0 || repeat == 0) return whirl_ok();
     if (layout->field_count == WHIRL_MAX_FIELDS) {
         return whirl_fail(WHIRL_BAD_INPUT, "the chosen analyses have more than %d fields", WHIRL_MAX_FIELDS);

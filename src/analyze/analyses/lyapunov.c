@@ -163,7 +163,8 @@ static const field_plan fields[FIELD_COUNT] = {
                "its standard error, with the difference at a second tolerance", WHIRL_PER_POINT, 1, NULL},
 };
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status lyapunov_compute(const whirl_record *record, const whirl_record_options *options,
+                                     const block_view *view) {
     (void)options;
     const whirl_estimate exponent = whirl_lyapunov_largest(record);
     *view_numbers(view, LARGEST, 0) = exponent.value;
@@ -172,4 +173,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan lyapunov_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_LARGEST, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_growth = WHIRL_GROWTH_LARGEST, .compute = lyapunov_compute};

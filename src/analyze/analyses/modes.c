@@ -27,32 +27,32 @@ enum {
     FIELD_COUNT
 };
 
-static size_t kept(const block_shape *shape) {
+static size_t modes_kept(const block_shape *shape) {
     return (size_t)shape->options->modes;
 }
 
 /// Rows of located events: at most one crossing for each mode, and a threshold.
-static size_t located(const block_shape *shape) {
+static size_t modes_located(const block_shape *shape) {
     return (size_t)shape->options->modes + 1;
 }
 
 static const field_plan fields[FIELD_COUNT] = {
     [SPEED] = {WHIRL_FIELD_MODES_SPEED, "rad/s", "speed of the shaft", WHIRL_PER_POINT, 1, NULL},
     [FREQUENCY] = {WHIRL_FIELD_MODES_FREQUENCY, "rad/s", "damped natural frequency, by rising frequency",
-                   WHIRL_PER_POINT, 1, kept},
-    [NATURAL] = {WHIRL_FIELD_MODES_NATURAL, "rad/s", "modulus of the eigenvalue", WHIRL_PER_POINT, 1, kept},
+                   WHIRL_PER_POINT, 1, modes_kept},
+    [NATURAL] = {WHIRL_FIELD_MODES_NATURAL, "rad/s", "modulus of the eigenvalue", WHIRL_PER_POINT, 1, modes_kept},
     [GROWTH] = {WHIRL_FIELD_MODES_GROWTH, "1/s", "real part of the eigenvalue: below 0 the mode dies out",
-                WHIRL_PER_POINT, 1, kept},
+                WHIRL_PER_POINT, 1, modes_kept},
     [RATIO] = {WHIRL_FIELD_MODES_DAMPING_RATIO, "1", "real part over modulus of the eigenvalue, with the other sign",
-               WHIRL_PER_POINT, 1, kept},
+               WHIRL_PER_POINT, 1, modes_kept},
     [DECREMENT] = {WHIRL_FIELD_MODES_DECREMENT, "1", "logarithmic decrement of one turn of the mode", WHIRL_PER_POINT,
-                   1, kept},
+                   1, modes_kept},
     [DIRECTION] = {WHIRL_FIELD_MODES_DIRECTION, "1", "1: circles with the rotation, -1: against it, 0: neither",
-                   WHIRL_PER_POINT, 1, kept},
+                   WHIRL_PER_POINT, 1, modes_kept},
     [BEFORE] = {WHIRL_FIELD_MODES_BEFORE, "1", "number of the same mode at the value before, from 1; 0: none",
-                WHIRL_PER_POINT, 1, kept},
+                WHIRL_PER_POINT, 1, modes_kept},
     [OVERDAMPED] = {WHIRL_FIELD_MODES_OVERDAMPED, "1/s", "eigenvalues without a frequency, largest first",
-                    WHIRL_PER_POINT, 1, kept},
+                    WHIRL_PER_POINT, 1, modes_kept},
     [RIGID_BODY] = {WHIRL_FIELD_MODES_RIGID_BODY, "1", "number of rigid-body modes, whose frequency is 0",
                     WHIRL_PER_POINT, 1, NULL},
     [STABILITY] = {WHIRL_FIELD_MODES_STABILITY, "1/s", "largest real part of all eigenvalues: stable below 0",
@@ -69,12 +69,12 @@ static const field_plan fields[FIELD_COUNT] = {
     [SENSITIVITY_FREQUENCY] = {WHIRL_FIELD_MODES_SENSITIVITY_FREQUENCY, "rad/s",
                                "frequency at which the sensitivity is largest", WHIRL_PER_POINT, 1, NULL},
     [CRITICAL] = {WHIRL_FIELD_MODES_CRITICAL, "1", "kind, value, speed, frequency, damping, direction", WHIRL_PER_POINT,
-                  6, located},
+                  6, modes_located},
     [REST] = {WHIRL_FIELD_MODES_REST, "length", "x, y (from the centre)", WHIRL_PER_STATION, 2, NULL},
     [SHAPE] =
         {WHIRL_FIELD_MODES_SHAPE, "1",
          "x_cos, x_sin, y_cos, y_sin (relative: the largest amplitude is 1; missing where the mode moves no station)",
-         WHIRL_PER_STATION, 4, kept},
+         WHIRL_PER_STATION, 4, modes_kept},
 };
 
 static void fill_modes(const whirl_resting *point, const whirl_modes *modes, size_t most, const block_view *view) {
@@ -108,7 +108,8 @@ static void fill_critical(const whirl_resting *point, size_t most, const block_v
     }
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status modes_compute(const whirl_resting *point, const whirl_record_options *options,
+                                  const block_view *view) {
     const whirl_modes *modes = point->modes;
     const size_t most = (size_t)options->modes;
     *view_numbers(view, SPEED, 0) = point->speed;
@@ -132,4 +133,4 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     return status;
 }
 
-const analysis_plan modes_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+const analysis_plan modes_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = modes_compute};

@@ -24,7 +24,8 @@ static bool orbit_rests(const double *low, const double *high, double max_radius
     return hypot(high[0] - low[0], high[1] - low[1]) <= 2.0 * MIN_MOTION * max_radius;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status orbit_compute(const whirl_record *record, const whirl_record_options *options,
+                                  const block_view *view) {
     (void)options;
     for (size_t which = 0; which < record->probe_count; which++) {
         const whirl_probe *probe = &record->probes[which];
@@ -41,4 +42,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan orbit_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = compute};
+const analysis_plan orbit_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = orbit_compute};

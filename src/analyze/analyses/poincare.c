@@ -13,7 +13,8 @@ static const field_plan fields[] = {
                  WHIRL_PER_STATION, 4, recorded_revolutions},
 };
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status poincare_compute(const whirl_record *record, const whirl_record_options *options,
+                                     const block_view *view) {
     (void)options;
     const double *oldest = record->section + (record->section_count - record->record_count) * record->dimension;
     for (size_t s = 0; s < record->probe_count; s++) {
@@ -27,4 +28,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan poincare_analysis = {.fields = fields, .field_count = 1, .compute = compute};
+const analysis_plan poincare_analysis = {.fields = fields, .field_count = 1, .compute = poincare_compute};

@@ -42,7 +42,7 @@ static const field_plan fields[FIELD_COUNT] = {
               one_at_rest},
 };
 
-static void fill(const whirl_system *system, const whirl_extremes *seen, const block_view *view) {
+static void ranges_fill(const whirl_system *system, const whirl_extremes *seen, const block_view *view) {
     whirl_law_range range;
     double left = 0.0;
     if (!view->fields[LEFT]) return;
@@ -66,9 +66,10 @@ static whirl_status fill_held(const whirl_system *system, const double *x, const
     return status;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status ranges_compute(const whirl_record *record, const whirl_record_options *options,
+                                   const block_view *view) {
     (void)options;
-    fill(record->system, &(whirl_extremes){record->low, record->high, record->max_radius}, view);
+    ranges_fill(record->system, &(whirl_extremes){record->low, record->high, record->max_radius}, view);
     return whirl_ok();
 }
 
@@ -99,7 +100,7 @@ static whirl_status compute_resting(const whirl_resting *point, const whirl_reco
     for (size_t p = 0; p < probes; p++)
         radius[p] = hypot(whirl_probe_value(&system->probes[p], x, 0), whirl_probe_value(&system->probes[p], x, 1));
     if (status.code == WHIRL_OK) {
-        fill(system, &(whirl_extremes){x, x, radius}, view);
+        ranges_fill(system, &(whirl_extremes){x, x, radius}, view);
         status = fill_held(system, x, view);
     }
     free(x);
@@ -116,7 +117,7 @@ void whirl_unfound_at_rest(const whirl_layout *layout, double share, double *blo
 }
 
 const analysis_plan ranges_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .compute = compute, .compute_resting = compute_resting};
+    .fields = fields, .field_count = FIELD_COUNT, .compute = ranges_compute, .compute_resting = compute_resting};
 
 const char *whirl_analysis_of_ranges(void) {
     return "ranges";

@@ -225,7 +225,8 @@ static void put_judgement(const whirl_record *record, const block_view *view) {
     *view_numbers(view, REVOLUTIONS, 0) = record->revolutions;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status regime_compute(const whirl_record *record, const whirl_record_options *options,
+                                   const block_view *view) {
     (void)options;
     put_judgement(record, view);
     return whirl_ok();
@@ -234,16 +235,16 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 const analysis_plan regime_analysis = {.fields = fields,
                                        .field_count = FIELD_COUNT,
                                        .uses_growth = WHIRL_GROWTH_LARGEST,
-                                       .compute = compute,
+                                       .compute = regime_compute,
                                        .compute_diverged = put_judgement};
 
 /// Reads a number of a field of this analysis, NaN if the block has none.
-static double stored(const whirl_layout *layout, const double *block, const char *name) {
+static double regime_stored(const whirl_layout *layout, const double *block, const char *name) {
     const whirl_field *field = whirl_layout_field(layout, name);
     return field ? block[field->offset] : NAN;
 }
 
-static int whole(double value, int most) {
+static int regime_whole(double value, int most) {
     return value >= 0.0 && value <= (double)most ? (int)value : 0;
 }
 
@@ -256,65 +257,74 @@ bool whirl_layout_has_verdict(const whirl_layout *layout) {
 }
 
 whirl_verdict whirl_block_verdict(const whirl_layout *layout, const double *block) {
-    const double factor = stored(layout, block, WHIRL_FIELD_REGIME_ADVICE_FACTOR);
-    const double diverged_at = stored(layout, block, WHIRL_FIELD_REGIME_DIVERGED_AT);
+    const double factor = regime_stored(layout, block, WHIRL_FIELD_REGIME_ADVICE_FACTOR);
+    const double diverged_at = regime_stored(layout, block, WHIRL_FIELD_REGIME_DIVERGED_AT);
     return (whirl_verdict){
-        .regime = whirl_layout_has_verdict(layout)
-                      ? (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_CODE), WHIRL_DIVERGING)
-                      : WHIRL_NOT_JUDGED,
-        .period = whole(stored(layout, block, WHIRL_FIELD_REGIME_PERIOD), WHIRL_MAX_PERIOD),
-        .curves = whole(stored(layout, block, WHIRL_FIELD_REGIME_CURVES), WHIRL_MAX_PERIOD),
-        .frequencies = whole(stored(layout, block, WHIRL_FIELD_REGIME_FREQUENCIES), 3),
+        .regime =
+            whirl_layout_has_verdict(layout)
+                ? (whirl_regime)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_CODE), WHIRL_DIVERGING)
+                : WHIRL_NOT_JUDGED,
+        .period = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_PERIOD), WHIRL_MAX_PERIOD),
+        .curves = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_CURVES), WHIRL_MAX_PERIOD),
+        .frequencies = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_FREQUENCIES), 3),
         .diverged_at = isnan(diverged_at) ? 0.0 : diverged_at,
-        .limit = fmax(stored(layout, block, WHIRL_FIELD_REGIME_LIMIT), 0.0),
-        .limit_coordinate = whole(stored(layout, block, WHIRL_FIELD_REGIME_LIMIT_COORDINATE), INT_MAX),
-        .confidence = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_CONFIDENCE), WHIRL_HIGH),
-        .agreement = (whirl_confidence)whole(stored(layout, block, WHIRL_FIELD_REGIME_AGREEMENT), WHIRL_HIGH),
-        .advice = {(whirl_remedy)whole(stored(layout, block, WHIRL_FIELD_REGIME_ADVICE), WHIRL_OTHER_START),
+        .limit = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_LIMIT), 0.0),
+        .limit_coordinate = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_LIMIT_COORDINATE), INT_MAX),
+        .confidence =
+            (whirl_confidence)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_CONFIDENCE), WHIRL_HIGH),
+        .agreement =
+            (whirl_confidence)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_AGREEMENT), WHIRL_HIGH),
+        .advice = {(whirl_remedy)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_ADVICE),
+                                              WHIRL_OTHER_START),
                    factor >= 1.0 ? factor : 1.0},
-        .confirmed = !isnan(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE)),
-        .other_regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE), WHIRL_DIVERGING),
-        .other_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_OTHER_PERIOD), WHIRL_MAX_PERIOD),
-        .followed = fmax(stored(layout, block, WHIRL_FIELD_REGIME_FOLLOWED), 0.0),
-        .later_regime = (whirl_regime)whole(stored(layout, block, WHIRL_FIELD_REGIME_LATER_CODE), WHIRL_DIVERGING),
-        .later_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_LATER_PERIOD), WHIRL_MAX_PERIOD),
-        .exponent = {stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT),
-                     stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT_ERROR)},
-        .exponents_failed = stored(layout, block, WHIRL_FIELD_EXPONENTS_FAILED) > 0.5,
-        .recurrence = stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE),
-        .recurrence_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_PERIOD), WHIRL_MAX_PERIOD),
-        .longest_period = whole(stored(layout, block, WHIRL_FIELD_REGIME_LONGEST_PERIOD), WHIRL_MAX_PERIOD),
-        .recurrence_trend = stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_TREND),
-        .regularity = stored(layout, block, WHIRL_FIELD_REGIME_REGULARITY),
-        .chaos = stored(layout, block, WHIRL_FIELD_REGIME_CHAOS),
-        .rotation = stored(layout, block, WHIRL_FIELD_REGIME_ROTATION),
-        .neighbours = whole(stored(layout, block, WHIRL_FIELD_REGIME_NEIGHBOURS), INT_MAX),
-        .unlocked = whole(stored(layout, block, WHIRL_FIELD_REGIME_UNLOCKED), INT_MAX),
-        .round = stored(layout, block, WHIRL_FIELD_REGIME_ROUND),
-        .orbit = (whirl_orbit_search)whole(stored(layout, block, WHIRL_FIELD_FLOQUET_SEARCH), WHIRL_ORBIT_NONE),
-        .orbit_period = whole(stored(layout, block, WHIRL_FIELD_FLOQUET_PERIOD), WHIRL_MAX_PERIOD),
-        .orbit_residual = stored(layout, block, WHIRL_FIELD_FLOQUET_RESIDUAL),
-        .orbit_distance = stored(layout, block, WHIRL_FIELD_FLOQUET_DISTANCE),
-        .orbit_modulus = stored(layout, block, WHIRL_FIELD_FLOQUET_MODULUS),
-        .step_growth = stored(layout, block, WHIRL_FIELD_REGIME_STEP_GROWTH),
-        .step_error = stored(layout, block, WHIRL_FIELD_REGIME_STEP_ERROR),
-        .revolutions = fmax(stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 0.0),
-        .swelling = stored(layout, block, WHIRL_FIELD_REGIME_SWELLING),
-        .sought = !isnan(stored(layout, block, WHIRL_FIELD_REGIME_REFUGE)),
-        .refuge = stored(layout, block, WHIRL_FIELD_REGIME_REFUGE) == WHIRL_REFUGE_AT_REST
+        .confirmed = !isnan(regime_stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE)),
+        .other_regime =
+            (whirl_regime)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_OTHER_CODE), WHIRL_DIVERGING),
+        .other_period = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_OTHER_PERIOD), WHIRL_MAX_PERIOD),
+        .followed = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_FOLLOWED), 0.0),
+        .later_regime =
+            (whirl_regime)regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_LATER_CODE), WHIRL_DIVERGING),
+        .later_period = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_LATER_PERIOD), WHIRL_MAX_PERIOD),
+        .exponent = {regime_stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT),
+                     regime_stored(layout, block, WHIRL_FIELD_REGIME_EXPONENT_ERROR)},
+        .exponents_failed = regime_stored(layout, block, WHIRL_FIELD_EXPONENTS_FAILED) > 0.5,
+        .recurrence = regime_stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE),
+        .recurrence_period =
+            regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_PERIOD), WHIRL_MAX_PERIOD),
+        .longest_period =
+            regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_LONGEST_PERIOD), WHIRL_MAX_PERIOD),
+        .recurrence_trend = regime_stored(layout, block, WHIRL_FIELD_REGIME_RECURRENCE_TREND),
+        .regularity = regime_stored(layout, block, WHIRL_FIELD_REGIME_REGULARITY),
+        .chaos = regime_stored(layout, block, WHIRL_FIELD_REGIME_CHAOS),
+        .rotation = regime_stored(layout, block, WHIRL_FIELD_REGIME_ROTATION),
+        .neighbours = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_NEIGHBOURS), INT_MAX),
+        .unlocked = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_UNLOCKED), INT_MAX),
+        .round = regime_stored(layout, block, WHIRL_FIELD_REGIME_ROUND),
+        .orbit = (whirl_orbit_search)regime_whole(regime_stored(layout, block, WHIRL_FIELD_FLOQUET_SEARCH),
+                                                  WHIRL_ORBIT_NONE),
+        .orbit_period = regime_whole(regime_stored(layout, block, WHIRL_FIELD_FLOQUET_PERIOD), WHIRL_MAX_PERIOD),
+        .orbit_residual = regime_stored(layout, block, WHIRL_FIELD_FLOQUET_RESIDUAL),
+        .orbit_distance = regime_stored(layout, block, WHIRL_FIELD_FLOQUET_DISTANCE),
+        .orbit_modulus = regime_stored(layout, block, WHIRL_FIELD_FLOQUET_MODULUS),
+        .step_growth = regime_stored(layout, block, WHIRL_FIELD_REGIME_STEP_GROWTH),
+        .step_error = regime_stored(layout, block, WHIRL_FIELD_REGIME_STEP_ERROR),
+        .revolutions = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 0.0),
+        .swelling = regime_stored(layout, block, WHIRL_FIELD_REGIME_SWELLING),
+        .sought = !isnan(regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE)),
+        .refuge = regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE) == WHIRL_REFUGE_AT_REST
                       ? WHIRL_REFUGE_AT_REST
-                      : whole(stored(layout, block, WHIRL_FIELD_REGIME_REFUGE), WHIRL_MAX_PERIOD),
-        .survived = fmax(stored(layout, block, WHIRL_FIELD_REGIME_SURVIVED), 0.0),
-        .ended = whole(stored(layout, block, WHIRL_FIELD_REGIME_ENDED), INT_MAX),
-        .settles = stored(layout, block, WHIRL_FIELD_REGIME_SETTLES) > 0.5,
-        .settling = {stored(layout, block, WHIRL_FIELD_REGIME_SETTLING),
-                     stored(layout, block, WHIRL_FIELD_REGIME_SETTLING_ERROR)},
-        .line = stored(layout, block, WHIRL_FIELD_REGIME_LINE),
-        .line_share = stored(layout, block, WHIRL_FIELD_REGIME_LINE_SHARE),
-        .line_trend = stored(layout, block, WHIRL_FIELD_REGIME_LINE_TREND),
-        .rests = stored(layout, block, WHIRL_FIELD_REGIME_RESTS) > 0.5,
-        .rest_distance = stored(layout, block, WHIRL_FIELD_REGIME_REST_DISTANCE),
-        .rest_order = stored(layout, block, WHIRL_FIELD_REGIME_REST_ORDER),
+                      : regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_REFUGE), WHIRL_MAX_PERIOD),
+        .survived = fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_SURVIVED), 0.0),
+        .ended = regime_whole(regime_stored(layout, block, WHIRL_FIELD_REGIME_ENDED), INT_MAX),
+        .settles = regime_stored(layout, block, WHIRL_FIELD_REGIME_SETTLES) > 0.5,
+        .settling = {regime_stored(layout, block, WHIRL_FIELD_REGIME_SETTLING),
+                     regime_stored(layout, block, WHIRL_FIELD_REGIME_SETTLING_ERROR)},
+        .line = regime_stored(layout, block, WHIRL_FIELD_REGIME_LINE),
+        .line_share = regime_stored(layout, block, WHIRL_FIELD_REGIME_LINE_SHARE),
+        .line_trend = regime_stored(layout, block, WHIRL_FIELD_REGIME_LINE_TREND),
+        .rests = regime_stored(layout, block, WHIRL_FIELD_REGIME_RESTS) > 0.5,
+        .rest_distance = regime_stored(layout, block, WHIRL_FIELD_REGIME_REST_DISTANCE),
+        .rest_order = regime_stored(layout, block, WHIRL_FIELD_REGIME_REST_ORDER),
     };
 }
 
@@ -359,6 +369,6 @@ void whirl_block_confirm(const whirl_layout *layout, double *block, const whirl_
 void whirl_block_follow(const whirl_layout *layout, double *block, const whirl_verdict *later, double revolutions) {
     whirl_verdict verdict = whirl_block_verdict(layout, block);
     whirl_verdict_follow(&verdict, later, revolutions,
-                         fmax(stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 1.0));
+                         fmax(regime_stored(layout, block, WHIRL_FIELD_REGIME_REVOLUTIONS), 1.0));
     store_verdict(layout, block, &verdict);
 }

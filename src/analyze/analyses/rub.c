@@ -23,7 +23,8 @@ static void settle_friction(const whirl_record *record, size_t which, const bloc
     *view_numbers(view, WATCHED_contact_power, which) = number;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status rub_compute(const whirl_record *record, const whirl_record_options *options,
+                                const block_view *view) {
     (void)options;
     bool touched = false;
     for (size_t which = 0; which < record->contact_count; which++) {
@@ -35,4 +36,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
     return whirl_ok();
 }
 
-const analysis_plan rub_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = compute};
+const analysis_plan rub_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute = rub_compute};

@@ -52,8 +52,8 @@ static const double enough = 0.99, at_rest = 1e-7;
 /// Fills in the bins and the lines between them: of `bins` bins, or of twice, four times ... as many up to `most`,
 /// until the lines hold enough of the motion's mean square. By Parseval's theorem squares of all bins sum to 3 times
 /// that, since the window is squared. `power` has space for `most`. Returns the mean square of the lines.
-static double fill(whirl_spectrum *spectrum, const wave_transform *wave, double square, size_t bins, size_t most,
-                   double *power) {
+static double spectrum_fill(whirl_spectrum *spectrum, const wave_transform *wave, double square, size_t bins,
+                            size_t most, double *power) {
     double held = 0.0, lines = 0.0;
     for (size_t k = 0; k < bins; k++) {
         const whirl_line bin = spectrum_line((double)k, wave_transform_at(wave, (double)k));
@@ -84,8 +84,8 @@ static double largest_of(const double *samples, size_t count) {
 
 /// Analyses a signal of `turn` samples per revolution into a spectrum with space for its bins; lines of `bins` bins, up
 /// to `most` if there is more of the motion. False without memory.
-static bool analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins, size_t most,
-                    whirl_spectrum *spectrum) {
+static bool spectrum_analyse(const double *of_x, const double *of_y, size_t count, size_t turn, size_t bins,
+                             size_t most, whirl_spectrum *spectrum) {
     double *x = malloc((3 * count + most) * sizeof *x);
     if (!x) return false;
     double *y = x + count, *window = y + count, *power = window + count;
@@ -98,7 +98,7 @@ static bool analyse(const double *of_x, const double *of_y, size_t count, size_t
         const double largest = fmax(largest_of(of_x, count), largest_of(of_y, count));
         const double square = (squares_of(x, count) + squares_of(y, count)) / (0.375 * (double)count);
         const bool still = sqrt(square) < at_rest * largest;
-        const double lines = fill(spectrum, wave, square, bins, still ? bins : most, power);
+        const double lines = spectrum_fill(spectrum, wave, square, bins, still ? bins : most, power);
         if (!still) spectrum->line_share = fmin(lines / square, 1.0);
         spectrum->synchronous = synchronous_part(wave, turn, largest);
     }
@@ -136,7 +136,7 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
     const size_t most = further ? spectrum_bins(revolutions, samples_per_revolution, INFINITY) : bins;
 
     whirl_spectrum *made = empty_spectrum(kept, 1.0 / (double)revolutions);
-    if (!made || !analyse(x, y, count, samples_per_revolution, bins, most, made)) {
+    if (!made || !spectrum_analyse(x, y, count, samples_per_revolution, bins, most, made)) {
         whirl_spectrum_free(made);
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for the spectrum of %zu samples", count);
     }
@@ -144,7 +144,7 @@ whirl_status spectrum_of(const double *x, const double *y, size_t count, size_t 
     return whirl_ok();
 }
 
-static void swap(double *one, double *other) {
+static void spectrum_swap(double *one, double *other) {
     const double kept = *one;
     *one = *other;
     *other = kept;
@@ -155,9 +155,10 @@ static void swap_directions(whirl_spectrum *spectrum) {
     double *forward = spectrum->forward;
     spectrum->forward = spectrum->backward;
     spectrum->backward = forward;
-    for (size_t l = 0; l < spectrum->line_count; l++) swap(&spectrum->lines[l].forward, &spectrum->lines[l].backward);
-    swap(&spectrum->synchronous.amplitude[2], &spectrum->synchronous.amplitude[3]);
-    swap(&spectrum->synchronous.lag[2], &spectrum->synchronous.lag[3]);
+    for (size_t l = 0; l < spectrum->line_count; l++)
+        spectrum_swap(&spectrum->lines[l].forward, &spectrum->lines[l].backward);
+    spectrum_swap(&spectrum->synchronous.amplitude[2], &spectrum->synchronous.amplitude[3]);
+    spectrum_swap(&spectrum->synchronous.lag[2], &spectrum->synchronous.lag[3]);
 }
 
 whirl_status whirl_spectrum_new(const whirl_record *record, size_t probe, double highest_order,
@@ -228,7 +229,8 @@ static void put_spectrum(const whirl_spectrum *spectrum, const block_view *view,
     memcpy(view_numbers(view, LAG, station), spectrum->synchronous.lag, 4 * sizeof(double));
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status spectrum_compute(const whirl_record *record, const whirl_record_options *options,
+                                     const block_view *view) {
     for (size_t s = 0; s < record->probe_count; s++) {
         whirl_spectrum *spectrum;
         const whirl_status status = whirl_spectrum_new(record, s, options->highest_order, &spectrum);
@@ -240,4 +242,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan spectrum_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = spectrum_compute};

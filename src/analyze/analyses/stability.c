@@ -101,7 +101,7 @@ static double highest_of(const whirl_modes *modes, const bool *any, double clock
 
 /// Marks the deciding modes: not clearly backward, and with visible damping; if there are none, with any damping. Modes
 /// of two almost uncoupled planes have no definite direction and both decide.
-static void choose(const whirl_modes *modes, double clock, double speed, bool *any) {
+static void stability_choose(const whirl_modes *modes, double clock, double speed, bool *any) {
     static const double backward = -0.3, damped[] = {0.8, INFINITY};
     bool found = false;
     for (size_t round = 0; round < 2 && !found; round++) {
@@ -147,7 +147,7 @@ static whirl_status at_frequency(const void *context, double frequency, whirl_ma
 }
 
 /// Marks in any [modes->count] the modes that the deciding ones have become.
-static whirl_status follow(const deciding *from, const whirl_modes *modes, double clock, bool *any) {
+static whirl_status stability_follow(const deciding *from, const whirl_modes *modes, double clock, bool *any) {
     const whirl_status status = whirl_modes_match(from->modes, modes, from->clock / clock, from->partner, NULL);
     for (size_t i = 0; i < from->modes->count && status.code == WHIRL_OK; i++)
         if (from->any[i] && from->partner[i] < modes->count) any[from->partner[i]] = true;
@@ -155,15 +155,16 @@ static whirl_status follow(const deciding *from, const whirl_modes *modes, doubl
 }
 
 /// Computes the decrement of modes, followed from those with bearings alone; chosen anew if none of these is left.
-static whirl_status tell(probing *p, const whirl_machine *machine, const whirl_modes *modes, double *decrement) {
+static whirl_status stability_report(probing *p, const whirl_machine *machine, const whirl_modes *modes,
+                                     double *decrement) {
     const bool known = p->from.modes && p->from.modes->dimension == modes->dimension;
     bool *any = calloc(modes->count + 1, sizeof *any);
     whirl_status status = any ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
-    if (any && known) status = follow(&p->from, modes, machine->clock, any);
+    if (any && known) status = stability_follow(&p->from, modes, machine->clock, any);
     if (status.code == WHIRL_OK)
         *decrement = least_decrement(modes, any, machine->clock, machine->speed, &p->frequency);
     if (status.code == WHIRL_OK && isnan(*decrement)) {
-        choose(modes, machine->clock, machine->speed, any);
+        stability_choose(modes, machine->clock, machine->speed, any);
         *decrement = least_decrement(modes, any, machine->clock, machine->speed, &p->frequency);
     }
     free(any);
@@ -180,11 +181,11 @@ static whirl_status modes_of(const probing *p, whirl_variant variant, double val
     return whirl_modes_of(machine, &(whirl_whirling){at_frequency, &own}, modes);
 }
 
-static whirl_status probe(probing *p, whirl_variant variant, double value, double *decrement) {
+static whirl_status stability_probe(probing *p, whirl_variant variant, double value, double *decrement) {
     whirl_machine machine;
     whirl_modes *modes;
     whirl_status status = modes_of(p, variant, value, &machine, &modes);
-    if (status.code == WHIRL_OK) status = tell(p, &machine, modes, decrement);
+    if (status.code == WHIRL_OK) status = stability_report(p, &machine, modes, decrement);
     if (status.code == WHIRL_OK && variant == WHIRL_WITH_STAGES) p->anticipated = machine.cross_coupling;
     whirl_modes_free(modes);
     if (machine.release) machine.release(machine.owner);
@@ -192,7 +193,7 @@ static whirl_status probe(probing *p, whirl_variant variant, double value, doubl
 }
 
 /// Chooses the deciding modes with bearings alone. Freed by forget.
-static whirl_status begin(probing *p) {
+static whirl_status stability_begin(probing *p) {
     deciding *from = &p->from;
     whirl_machine machine;
     whirl_status status = modes_of(p, WHIRL_WITH_STAGES, 0.0, &machine, &from->modes);
@@ -202,12 +203,12 @@ static whirl_status begin(probing *p) {
         from->partner = calloc(from->modes->count + 1, sizeof *from->partner);
         if (!from->any || !from->partner) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
     }
-    if (status.code == WHIRL_OK) choose(from->modes, machine.clock, machine.speed, from->any);
+    if (status.code == WHIRL_OK) stability_choose(from->modes, machine.clock, machine.speed, from->any);
     if (machine.release) machine.release(machine.owner);
     return status;
 }
 
-static void forget(probing *p) {
+static void stability_free(probing *p) {
     whirl_modes_free(p->from.modes);
     free(p->from.any);
     free(p->from.partner);
@@ -220,7 +221,7 @@ static double or_overdamped(double decrement) {
 
 /// Computes the decrement with a multiple of the stages' cross coupling.
 static whirl_status probe_stages(probing *p, double share, double *decrement) {
-    const whirl_status status = probe(p, WHIRL_WITH_STAGES, share, decrement);
+    const whirl_status status = stability_probe(p, WHIRL_WITH_STAGES, share, decrement);
     *decrement = or_overdamped(*decrement);
     return status;
 }
@@ -256,7 +257,7 @@ static whirl_status fill_curve(probing *p, double limit, const block_view *view)
     for (size_t i = 0; i < CURVE_POINTS && status.code == WHIRL_OK; i++) {
         const double share = end * (double)i / (CURVE_POINTS - 1);
         coupling[i] = share * p->anticipated;
-        status = probe(p, WHIRL_WITH_STAGES, share, &curve[i]);
+        status = stability_probe(p, WHIRL_WITH_STAGES, share, &curve[i]);
     }
     return status;
 }
@@ -265,7 +266,7 @@ static whirl_status fill_parts(probing *p, double basic, const block_view *view)
     whirl_status status = whirl_ok();
     for (size_t s = 0; s < p->point->system->probe_count && status.code == WHIRL_OK; s++) {
         double own = NAN;
-        status = probe(p, WHIRL_WITH_DRAG_AT, (double)s, &own);
+        status = stability_probe(p, WHIRL_WITH_DRAG_AT, (double)s, &own);
         *view_numbers(view, PART, s) = own == basic ? (double)NAN : own; // equal to the bit: the station has none
     }
     return status;
@@ -329,18 +330,19 @@ static whirl_status fill_screening(const whirl_resting *point, double density, c
     return status;
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status stability_compute(const whirl_resting *point, const whirl_record_options *options,
+                                      const block_view *view) {
     probing p = {.point = point};
     double basic = NAN, anticipated = NAN, complete = NAN, limit = NAN;
-    whirl_status status = begin(&p);
-    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
+    whirl_status status = stability_begin(&p);
+    if (status.code == WHIRL_OK) status = stability_probe(&p, WHIRL_WITH_STAGES, 0.0, &basic);
     if (status.code == WHIRL_OK) status = fill_screening(point, options->gas_density, view);
-    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_AS_GIVEN, 0.0, &complete);
+    if (status.code == WHIRL_OK) status = stability_probe(&p, WHIRL_AS_GIVEN, 0.0, &complete);
     if (status.code == WHIRL_OK) status = fill_parts(&p, basic, view);
     if (status.code == WHIRL_OK && p.anticipated > 0.0) status = find_limit(&p, basic, &limit);
     if (status.code == WHIRL_OK && p.anticipated > 0.0) status = fill_curve(&p, limit, view);
-    if (status.code == WHIRL_OK) status = probe(&p, WHIRL_WITH_STAGES, 1.0, &anticipated);
-    forget(&p);
+    if (status.code == WHIRL_OK) status = stability_probe(&p, WHIRL_WITH_STAGES, 1.0, &anticipated);
+    stability_free(&p);
     *view_numbers(view, SPEED, 0) = point->speed;
     *view_numbers(view, ANTICIPATED, 0) = p.anticipated;
     *view_numbers(view, LIMIT, 0) = limit * p.anticipated;
@@ -351,4 +353,5 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     return status;
 }
 
-const analysis_plan stability_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+const analysis_plan stability_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .compute_resting = stability_compute};

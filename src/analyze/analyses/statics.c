@@ -185,7 +185,8 @@ static whirl_status fill_coefficients(const whirl_resting *point, const block_vi
     return status.code == WHIRL_NO_MEMORY ? status : whirl_ok();
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status statics_compute(const whirl_resting *point, const whirl_record_options *options,
+                                    const block_view *view) {
     const size_t probes = point->system->probe_count;
     whirl_machine machine = {.statics = NULL};
     (void)options;
@@ -211,4 +212,5 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     return status.code == WHIRL_OK ? fill_coefficients(point, view) : status;
 }
 
-const analysis_plan statics_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+const analysis_plan statics_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .compute_resting = statics_compute};

@@ -159,8 +159,8 @@ static void put_station(const block_view *view, const whirl_torus_trace *trace, 
     }
 }
 
-static whirl_status compute(const whirl_torus_trace *trace, const whirl_record_options *options,
-                            const block_view *view) {
+static whirl_status torus_compute(const whirl_torus_trace *trace, const whirl_record_options *options,
+                                  const block_view *view) {
     const whirl_torus *torus = trace->torus;
     const size_t most = whirl_trace_torus_nodes(&options->trace), longest_orbit = (size_t)options->trace.longest;
     put_place(view, trace);
@@ -173,7 +173,7 @@ static whirl_status compute(const whirl_torus_trace *trace, const whirl_record_o
     return whirl_ok();
 }
 
-const analysis_plan torus_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_torus = compute};
+const analysis_plan torus_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_torus = torus_compute};
 
 size_t whirl_trace_torus_nodes(const whirl_trace_options *options) {
     return (size_t)options->torus_nodes | 1u;

@@ -28,7 +28,7 @@ enum {
     FIELD_COUNT
 };
 
-static size_t touches(const block_shape *shape) {
+static size_t trace_touches(const block_shape *shape) {
     return shape->touch_count;
 }
 
@@ -66,7 +66,8 @@ static const field_plan fields[FIELD_COUNT] = {
                   WHIRL_PER_POINT, 1, NULL},
     [VOLUME] = {WHIRL_FIELD_TRACE_VOLUME, "1", "sum of ln|multiplier| by the divergence", WHIRL_PER_POINT, 1, NULL},
     [MULTIPLIERS] = {WHIRL_FIELD_TRACE_MULTIPLIERS, "1", "real, imaginary", WHIRL_PER_POINT, 2, rows_per_coordinate},
-    [TOUCHES] = {WHIRL_FIELD_TRACE_TOUCHES, "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4, touches},
+    [TOUCHES] = {WHIRL_FIELD_TRACE_TOUCHES, "1", "switch, intervals, nearest, share", WHIRL_PER_POINT, 4,
+                 trace_touches},
     [NODES] = {WHIRL_FIELD_TRACE_NODES, "1", "states at the beginnings of segments, one after the other",
                WHIRL_PER_POINT, 1, numbers_of_nodes},
     [SECTION] = {WHIRL_FIELD_TRACE_SECTION, "length",
@@ -131,7 +132,8 @@ static void put_station(const block_view *view, const whirl_system *system, cons
     }
 }
 
-static whirl_status compute(const whirl_trace *trace, const whirl_record_options *options, const block_view *view) {
+static whirl_status trace_compute(const whirl_trace *trace, const whirl_record_options *options,
+                                  const block_view *view) {
     const whirl_orbit *orbit = trace->point.orbit;
     const size_t most = (size_t)options->trace.longest;
     if (orbit->revolutions > most || orbit->segment_count > most * (size_t)options->trace.segments)
@@ -143,7 +145,7 @@ static whirl_status compute(const whirl_trace *trace, const whirl_record_options
     return whirl_ok();
 }
 
-const analysis_plan trace_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_trace = compute};
+const analysis_plan trace_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_trace = trace_compute};
 
 // ---------------------------------------------------------------- and back
 
@@ -168,7 +170,7 @@ static bool is_size(double number) {
 }
 
 /// Number of leading rows without missing numbers.
-static size_t filled(const double *numbers, size_t rows, size_t columns) {
+static size_t trace_filled(const double *numbers, size_t rows, size_t columns) {
     size_t count = 0;
     while (count < rows && !isnan(numbers[columns * count])) count++;
     return count;
@@ -194,8 +196,8 @@ static whirl_orbit *take_orbit(const reading *r, const whirl_record_options *opt
                               .revolutions = (size_t)revolutions,
                               .period = period,
                               .segment_count = segments * (revolutions > 0.0 ? (size_t)revolutions : 1),
-                              .multiplier_count = filled(multipliers, dimension, 2),
-                              .touch_count = contacts ? filled(contacts, field_of(r, TOUCHES)->rows, 4) : 0};
+                              .multiplier_count = trace_filled(multipliers, dimension, 2),
+                              .touch_count = contacts ? trace_filled(contacts, field_of(r, TOUCHES)->rows, 4) : 0};
     whirl_orbit *orbit = whirl_orbit_new(&like);
     if (!orbit) return NULL;
     orbit->unstable = (size_t)*read_numbers(r, UNSTABLE);

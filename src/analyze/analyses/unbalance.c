@@ -20,7 +20,7 @@ enum {
     FIELD_COUNT
 };
 
-static size_t placed(const block_shape *shape) {
+static size_t unbalance_placed(const block_shape *shape) {
     return shape->options->antinodes_of > 0 || *shape->options->placed_at;
 }
 
@@ -40,7 +40,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [PROBE] = {WHIRL_FIELD_UNBALANCE_PROBE, "length", "first, second (0-p amplitudes)", WHIRL_PER_STATION, 2, NULL},
     [PROBE_LAG] = {WHIRL_FIELD_UNBALANCE_PROBE_LAG, "deg", "first, second", WHIRL_PER_STATION, 2, NULL},
     [PLACED] = {WHIRL_FIELD_UNBALANCE_PLACED, "kg m", "along x, along y (unbalance by rule, when the mark is at x)",
-                WHIRL_PER_STATION, 2, placed},
+                WHIRL_PER_STATION, 2, unbalance_placed},
     [CLEARANCE] = {WHIRL_FIELD_UNBALANCE_CLEARANCE, "length",
                    "radial clearance, the least of a bearing's and a stator's here (missing without either)",
                    WHIRL_PER_STATION, 1, NULL},
@@ -53,7 +53,7 @@ static const field_plan fields[FIELD_COUNT] = {
 static const double degree = 3.14159265358979323846 / 180.0;
 
 /// Amplitude that a probe along (c, s) sees, and by how many degrees the peak comes after the mark.
-static void look(const double *x, const double *y, double c, double s, double *amplitude, double *lag) {
+static void unbalance_look(const double *x, const double *y, double c, double s, double *amplitude, double *lag) {
     const double real = x[0] * c + y[0] * s, imaginary = x[1] * c + y[1] * s;
     *amplitude = hypot(real, imaginary);
     *lag = *amplitude > 0.0 ? fmod(360.0 - atan2(imaginary, real) / degree, 360.0) : (double)NAN;
@@ -74,7 +74,7 @@ static void look_at_surface(const block_view *view, size_t which, const whirl_pr
             seen[0] += v[0] * c - v[1] * back;
             seen[1] += v[1] * c + v[0] * back;
         }
-        look(seen, (const double[2]){0.0, 0.0}, 1.0, 0.0, &amplitude[nth], &lag[nth]);
+        unbalance_look(seen, (const double[2]){0.0, 0.0}, 1.0, 0.0, &amplitude[nth], &lag[nth]);
     }
 }
 
@@ -84,10 +84,10 @@ static void fill_station(const block_view *view, size_t which, const double *x, 
     double *amplitude = view_numbers(view, AMPLITUDE, which), *lag = view_numbers(view, LAG, which);
     double *probe = view_numbers(view, PROBE, which), *probe_lag = view_numbers(view, PROBE_LAG, which);
     const double c = cos(angle), s = sin(angle);
-    look(x, y, 1.0, 0.0, &amplitude[0], &lag[0]);
-    look(x, y, 0.0, 1.0, &amplitude[1], &lag[1]);
-    look(x, y, c, s, &probe[0], &probe_lag[0]);
-    look(x, y, -s, c, &probe[1], &probe_lag[1]);
+    unbalance_look(x, y, 1.0, 0.0, &amplitude[0], &lag[0]);
+    unbalance_look(x, y, 0.0, 1.0, &amplitude[1], &lag[1]);
+    unbalance_look(x, y, c, s, &probe[0], &probe_lag[0]);
+    unbalance_look(x, y, -s, c, &probe[1], &probe_lag[1]);
     // x + iy = forward exp(i tau) + backward exp(-i tau).
     const double forward[2] = {0.5 * (x[0] - y[1]), 0.5 * (x[1] + y[0])};
     const double backward[2] = {0.5 * (x[0] + y[1]), 0.5 * (y[0] - x[1])};
@@ -115,7 +115,8 @@ static void fill_beside(const whirl_resting *point, const block_view *view) {
     }
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status unbalance_compute(const whirl_resting *point, const whirl_record_options *options,
+                                      const block_view *view) {
     const whirl_system *system = point->system;
     const size_t d = system->dimension;
     double *rest = calloc(3 * d + 1, sizeof *rest), *response = rest ? rest + d : NULL;
@@ -137,4 +138,5 @@ static whirl_status compute(const whirl_resting *point, const whirl_record_optio
     return status;
 }
 
-const analysis_plan unbalance_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+const analysis_plan unbalance_analysis = {
+    .fields = fields, .field_count = FIELD_COUNT, .compute_resting = unbalance_compute};

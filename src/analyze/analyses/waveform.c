@@ -15,7 +15,8 @@ static const field_plan fields[] = {
                  kept_samples},
 };
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status waveform_compute(const whirl_record *record, const whirl_record_options *options,
+                                     const block_view *view) {
     const size_t kept = (size_t)options->waveform_revolutions * record->samples_per_revolution;
     if (kept > record->sample_count) {
         return whirl_fail(WHIRL_BAD_INPUT, "the record holds %zu samples of a waveform, expected %zu or more",
@@ -36,4 +37,4 @@ static whirl_status compute(const whirl_record *record, const whirl_record_optio
 }
 
 const analysis_plan waveform_analysis = {
-    .fields = fields, .field_count = 1, .needs_waveform = true, .compute = compute};
+    .fields = fields, .field_count = 1, .needs_waveform = true, .compute = waveform_compute};

@@ -90,7 +90,7 @@ static bool is_dry_whip(double contact, double direction, double winding, double
     return contact >= lasting_share && direction < 0.0 && fabs(winding - round(winding)) > 2.0 * resolution;
 }
 
-static void describe(const whirl_record *record, size_t station, const block_view *view) {
+static void winding_describe(const whirl_record *record, size_t station, const block_view *view) {
     const path p = path_of(record, station);
     const double gap = record->probes[station].gap,
                  revolutions = (double)p.count / (double)record->samples_per_revolution;
@@ -110,13 +110,14 @@ static void describe(const whirl_record *record, size_t station, const block_vie
             is_dry_whip(contact, direction, winding, 1.0 / revolutions) ? 1.0 : 0.0;
 }
 
-static whirl_status compute(const whirl_record *record, const whirl_record_options *options, const block_view *view) {
+static whirl_status winding_compute(const whirl_record *record, const whirl_record_options *options,
+                                    const block_view *view) {
     (void)options;
     for (size_t s = 0; s < record->probe_count; s++)
         if (record->probes[s].x != record->probes[s].y)
-            describe(record, s, view); // a single coordinate has no sense of whirl
+            winding_describe(record, s, view); // a single coordinate has no sense of whirl
     return whirl_ok();
 }
 
 const analysis_plan winding_analysis = {
-    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = compute};
+    .fields = fields, .field_count = FIELD_COUNT, .needs_waveform = true, .compute = winding_compute};

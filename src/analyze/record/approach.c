@@ -70,7 +70,7 @@ double approach_spent(const approach *a) {
 }
 
 /// Allocates the numbers that belong to an orbit: one block, monodromy first.
-static bool make_room(approach *a, size_t n) {
+static bool approach_make_room(approach *a, size_t n) {
     a->monodromy = calloc(2 * n * n + 3 * n + 1, sizeof *a->monodromy);
     if (!a->monodromy) return false;
     a->metric = a->monodromy + n * n;
@@ -88,7 +88,7 @@ void approach_archive(approach *a, archive *to) {
     if (revolutions == 0 || !to->sound) return;
     if (!a->orbit) {
         a->orbit = shot_new(a->system, revolutions, NULL);
-        if (!a->orbit || !make_room(a, a->orbit->kept)) to->sound = false;
+        if (!a->orbit || !approach_make_room(a, a->orbit->kept)) to->sound = false;
     }
     if (!to->sound) return;
     const size_t n = a->orbit->kept;
@@ -104,7 +104,7 @@ void approach_archive(approach *a, archive *to) {
 
 // ---------------------------------------------------------------- when to try
 
-static double distance(const approach *a, const double *x, const double *y) {
+static double approach_distance(const approach *a, const double *x, const double *y) {
     double sum = 0.0;
     for (size_t i = 0; i < a->system->dimension; i++) {
         if (turns_on(a->system->turns, i)) continue;
@@ -119,7 +119,7 @@ static double largest_return(const approach *a, const settling *s, size_t k, siz
     double most = 0.0;
     for (size_t i = back; i < back + count; i++) {
         const double *x = settling_state(s, i), *before = settling_state(s, i + k);
-        most = before ? fmax(most, distance(a, x, before)) : (double)INFINITY;
+        most = before ? fmax(most, approach_distance(a, x, before)) : (double)INFINITY;
     }
     return most;
 }
@@ -134,7 +134,7 @@ static size_t window_of(size_t k, int revolution) {
 static bool closes_in(const approach *a, const settling *s, size_t k, int revolution, double size) {
     const size_t window = window_of(k, revolution);
     const double *first = settling_state(s, 2 * window + k - 1);
-    if (!first || distance(a, settling_state(s, 0), settling_state(s, k)) > near_enough * size) return false;
+    if (!first || approach_distance(a, settling_state(s, 0), settling_state(s, k)) > near_enough * size) return false;
     const double late = largest_return(a, s, k, 0, window);
     if (late > near_enough * size) return false;
     return late <= a->noise * size || late <= has_shrunk * largest_return(a, s, k, window, window);
@@ -142,7 +142,7 @@ static bool closes_in(const approach *a, const settling *s, size_t k, int revolu
 
 /// Returns the least divisor of k after which the motion returns nearly as well: a spiral that goes round in k
 /// revolutions approaches its limit after k first.
-static size_t shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
+static size_t approach_shortest(const approach *a, const settling *s, size_t k, size_t repeats, int revolution) {
     const double as_well = 3.0;
     const size_t window = window_of(k, revolution);
     const double late = largest_return(a, s, k, 0, window);
@@ -156,10 +156,10 @@ size_t approach_tries(approach *a, const settling *s, int revolution) {
     const size_t repeats = a->system->turns ? a->system->repeats : 1;
     if (a->orbit || revolution < a->next || repeats == 0) return 0;
     a->next = revolution + (revolution / 16 > MIN_PAUSE ? revolution / 16 : MIN_PAUSE);
-    const double size = distance(a, settling_state(s, 0), NULL);
+    const double size = approach_distance(a, settling_state(s, 0), NULL);
     for (size_t k = repeats; k <= LONGEST && k <= (size_t)a->options->record; k += repeats)
         if (orbits_pay(a->system->dimension, a->options, k, a->spent) && closes_in(a, s, k, revolution, size))
-            return shortest(a, s, k, repeats, revolution);
+            return approach_shortest(a, s, k, repeats, revolution);
     return 0;
 }
 
@@ -177,7 +177,7 @@ static void note_return(approach *a, const double *x) {
         for (size_t k = 0; k < n; k++) a->rest[i] -= a->monodromy[i * n + k] * a->before[k];
         rest += a->rest[i] * a->rest[i];
     }
-    const bool foretold = sqrt(rest) <= a->noise * distance(a, x, NULL) ||
+    const bool foretold = sqrt(rest) <= a->noise * approach_distance(a, x, NULL) ||
                           metric_length(n, a->metric, a->rest) <= safety * a->least_shrinking * from;
     if (a->good == 0) a->far = from;
     a->good = foretold ? a->good + 1 : 0;
@@ -198,12 +198,12 @@ static void note_past(approach *a, const settling *s) {
 }
 
 /// Makes the distances about the orbit; false if it is not stable.
-static bool measure(approach *a, bool *memory) {
+static bool approach_measure(approach *a, bool *memory) {
     const double margin = 1e-6;
     const size_t n = a->orbit->kept;
     const whirl_multiplier *largest = a->orbit->values;
     double *room = malloc((3 * n * n + 1) * sizeof *room);
-    *memory = room && make_room(a, n);
+    *memory = room && approach_make_room(a, n);
     bool stable = *memory && a->orbit->found && (n == 0 || hypot(largest->real, largest->imaginary) < 1.0 - margin);
     if (stable) {
         shot_monodromy(a->orbit, a->monodromy, room);
@@ -219,7 +219,7 @@ whirl_status approach_take(approach *a, shot *s, const settling *states, int rev
     a->spent += s->carried;
     a->next = revolution + (revolution / 4 > MIN_PAUSE ? revolution / 4 : MIN_PAUSE);
     a->orbit = s;
-    if (measure(a, &memory))
+    if (approach_measure(a, &memory))
         note_past(a, states);
     else
         leave_orbit(a);
@@ -238,5 +238,6 @@ void approach_goes_on(approach *a, const settling *states) {
 bool approach_arrives(const approach *a, const settling *states) {
     const double rounding = 10.0;
     if (!a->orbit || a->past % a->orbit->revolutions != 0 || a->good < fewest_returns) return false;
-    return a->last <= nearer * a->far || a->last <= rounding * a->noise * distance(a, settling_state(states, 0), NULL);
+    return a->last <= nearer * a->far ||
+           a->last <= rounding * a->noise * approach_distance(a, settling_state(states, 0), NULL);
 }

@@ -14,7 +14,7 @@ typedef struct path {
     double *states;        ///< [count][dimension]
 } path;
 
-static void keep(void *context, double t, const double *x) {
+static void orbit_record_keep(void *context, double t, const double *x) {
     path *p = context;
     (void)t;
     p->next = (p->next + 1) % p->count;
@@ -32,8 +32,8 @@ static size_t instants_of(const whirl_orbit *orbit, const whirl_orbit_options *o
 }
 
 /// Computes the states of an orbit. Freed by free(p->states).
-static whirl_status follow(const whirl_system *system, const whirl_orbit *orbit, const whirl_orbit_options *options,
-                           size_t samples, path *p) {
+static whirl_status orbit_record_follow(const whirl_system *system, const whirl_orbit *orbit,
+                                        const whirl_orbit_options *options, size_t samples, path *p) {
     const bool rests = orbit->period == 0.0;
     const size_t instants = rests ? 1 : instants_of(orbit, options, samples);
     *p = (path){.count = rests ? 1 : instants * orbit->segment_count, .dimension = orbit->dimension};
@@ -41,7 +41,7 @@ static whirl_status follow(const whirl_system *system, const whirl_orbit *orbit,
     p->states = malloc(p->count * p->dimension * sizeof *p->states);
     if (!p->states) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the path of an orbit");
     memcpy(p->states, orbit->nodes, p->dimension * sizeof *p->states);
-    return rests ? whirl_ok() : whirl_orbit_observe(system, orbit, options, instants, keep, p);
+    return rests ? whirl_ok() : whirl_orbit_observe(system, orbit, options, instants, orbit_record_keep, p);
 }
 
 /// State after so many revolutions, by the cubic between two states of the path whose slopes are those of the chords
@@ -59,7 +59,7 @@ static void state_after(const path *p, double revolutions, double *x) {
 }
 
 /// Observes bounds, and all that is watched, along one period of the orbit; counts are those of the whole record.
-static whirl_status see(const whirl_system *system, const path *p, whirl_record *record) {
+static whirl_status orbit_record_observe(const whirl_system *system, const path *p, whirl_record *record) {
 #define SEEN(array, ...) .array = record->array,
     const whirl_ensemble_seen seen = {.low = record->low, .high = record->high, WHIRL_WATCHED(SEEN)};
 #undef SEEN
@@ -105,10 +105,10 @@ whirl_status whirl_record_along(const whirl_system *system, const whirl_orbit *o
     whirl_status status = whirl_record_check(system, &options->integrate, &own);
     path p = {.states = NULL};
     const size_t samples = (size_t)whirl_record_samples(&own, options->integrate.steps_per_revolution);
-    if (status.code == WHIRL_OK) status = follow(system, orbit, options, samples, &p);
+    if (status.code == WHIRL_OK) status = orbit_record_follow(system, orbit, options, samples, &p);
     whirl_record *record = status.code == WHIRL_OK ? record_new(system, &options->integrate, &own) : NULL;
     if (status.code == WHIRL_OK && !record) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a record");
-    if (status.code == WHIRL_OK) status = see(system, &p, record);
+    if (status.code == WHIRL_OK) status = orbit_record_observe(system, &p, record);
     if (status.code == WHIRL_OK) {
         write_revolutions(system, &p, record);
         record_close_turns(record);

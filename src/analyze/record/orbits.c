@@ -30,7 +30,7 @@ size_t orbits_settled_period(const whirl_record *record, const whirl_record_opti
     return orbits_pay(record->dimension, options, whole, 0.0) ? whole : 0;
 }
 
-static whirl_orbit_search outcome(const whirl_record_orbit *orbit, const shot *s) {
+static whirl_orbit_search orbits_outcome(const whirl_record_orbit *orbit, const shot *s) {
     if (!s->found) return WHIRL_ORBIT_NONE;
     if (orbit->set_at > 0.0) return WHIRL_ORBIT_STABLE;
     if (orbit->distance > elsewhere) return WHIRL_ORBIT_ELSEWHERE;
@@ -49,5 +49,5 @@ void orbits_tell(whirl_record *record, const shot *s, double distance) {
         orbit->multipliers[2 * i + 1] = s->values[i].imaginary;
     }
     orbit->modulus = orbit->multiplier_count > 0 ? hypot(s->values[0].real, s->values[0].imaginary) : 0.0;
-    orbit->search = outcome(orbit, s);
+    orbit->search = orbits_outcome(orbit, s);
 }

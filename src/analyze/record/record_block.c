@@ -22,8 +22,8 @@ typedef struct sizes {
     size_t section, points, growth, growths, waveform, multipliers, dimension, probes, contacts;
 } sizes;
 
-static sizes measure(const whirl_system *system, const whirl_integrate_options *integrate,
-                     const whirl_record_options *options) {
+static sizes record_block_measure(const whirl_system *system, const whirl_integrate_options *integrate,
+                                  const whirl_record_options *options) {
     const size_t watch = (size_t)whirl_record_watch(options);
     const size_t samples = (size_t)whirl_record_samples(options, integrate->steps_per_revolution);
     const size_t angles = turns_count(system->angles, system->dimension);
@@ -38,33 +38,33 @@ static sizes measure(const whirl_system *system, const whirl_integrate_options *
                    .contacts = system->contact_count};
 }
 
-static double *cut(double **block, size_t count) {
+static double *record_block_cut(double **block, size_t count) {
     double *part = *block;
     *block += count;
     return part;
 }
 
-static void lay_out(whirl_record *record, double *block, const sizes *size) {
-    record->section = cut(&block, size->section);
-    if (size->points > 0) record->points = cut(&block, size->points);
-    record->growth = cut(&block, size->growth);
+static void record_block_lay_out(whirl_record *record, double *block, const sizes *size) {
+    record->section = record_block_cut(&block, size->section);
+    if (size->points > 0) record->points = record_block_cut(&block, size->points);
+    record->growth = record_block_cut(&block, size->growth);
     if (size->growths > 0) {
-        record->growths = cut(&block, size->growths * size->dimension);
-        record->volume = cut(&block, size->growths);
+        record->growths = record_block_cut(&block, size->growths * size->dimension);
+        record->volume = record_block_cut(&block, size->growths);
     }
-    record->orbit.multipliers = cut(&block, size->multipliers);
-    record->waveform = cut(&block, size->waveform);
-    record->low = cut(&block, size->dimension);
-    record->high = cut(&block, size->dimension);
-    record->end = cut(&block, size->dimension);
+    record->orbit.multipliers = record_block_cut(&block, size->multipliers);
+    record->waveform = record_block_cut(&block, size->waveform);
+    record->low = record_block_cut(&block, size->dimension);
+    record->high = record_block_cut(&block, size->dimension);
+    record->end = record_block_cut(&block, size->dimension);
 #define CUT(array, extent, columns, ...)                                                                               \
-    record->array = cut(&block, WHIRL_WATCHED_SIZE(extent, columns, size->probes, size->contacts));
+    record->array = record_block_cut(&block, WHIRL_WATCHED_SIZE(extent, columns, size->probes, size->contacts));
     WHIRL_WATCHED(CUT)
 #undef CUT
 }
 
 /// Numbers that are observed at every instant.
-static size_t observed(size_t dimension, size_t probes, size_t contacts) {
+static size_t record_block_observed(size_t dimension, size_t probes, size_t contacts) {
 #define COUNT(array, extent, columns, ...) +WHIRL_WATCHED_SIZE(extent, columns, probes, contacts)
     return 3 * dimension WHIRL_WATCHED(COUNT);
 #undef COUNT
@@ -72,12 +72,13 @@ static size_t observed(size_t dimension, size_t probes, size_t contacts) {
 
 whirl_record *record_new(const whirl_system *system, const whirl_integrate_options *integrate,
                          const whirl_record_options *options) {
-    const sizes size = measure(system, integrate, options);
+    const sizes size = record_block_measure(system, integrate, options);
     const size_t numbers = size.section + size.points + size.growth + size.growths * (size.dimension + 1) +
-                           size.waveform + size.multipliers + observed(size.dimension, size.probes, size.contacts);
+                           size.waveform + size.multipliers +
+                           record_block_observed(size.dimension, size.probes, size.contacts);
     whirl_record *record = calloc(1, sizeof *record + numbers * sizeof(double));
     if (!record) return NULL;
-    lay_out(record, (double *)(record + 1), &size);
+    record_block_lay_out(record, (double *)(record + 1), &size);
     record->dimension = system->dimension;
     record->probe_count = system->probe_count;
     record->contact_count = system->contact_count;
@@ -124,7 +125,7 @@ void record_archive(whirl_record *r, const whirl_integrate_options *integrate, c
     for (size_t i = 0; i < 2 * r->probe_count; i++)
         archive_part(a, r->waveform + i * samples, r->sample_count * sizeof *r->waveform);
     // The numbers observed at every instant follow the waveform, to the end.
-    archive_part(a, r->low, observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
+    archive_part(a, r->low, record_block_observed(r->dimension, r->probe_count, r->contact_count) * sizeof *r->low);
 }
 
 /// Repeats the last k of `count` rows of `width` numbers over all rows before them.

@@ -65,11 +65,11 @@ static bool is_followed(const whirl_recorder *r, const motion *m) {
     return m->revolution >= r->first_watched && !is_on_orbit(m);
 }
 
-static bool follows(const whirl_recorder *r, const motion *m) {
+static bool recorder_follows(const whirl_recorder *r, const motion *m) {
     return has_twins(r) && is_followed(r, m);
 }
 
-static bool records(const motion *m) {
+static bool recorder_records(const motion *m) {
     return m->revolution >= m->first_recorded;
 }
 
@@ -77,7 +77,7 @@ static bool is_over(const whirl_recorder *r, const motion *m) {
     return m->record->motion != WHIRL_BOUNDED || m->revolution == r->last;
 }
 
-static bool waits(const motion *m) {
+static bool recorder_waits(const motion *m) {
     return m->lane == NO_LANE;
 }
 
@@ -124,7 +124,7 @@ static void leave_lanes(whirl_recorder *r, motion *m) {
 static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
-    if (status.code == WHIRL_OK && follows(r, m)) {
+    if (status.code == WHIRL_OK && recorder_follows(r, m)) {
         m->twin_lane = take_lane(r, m);
         status = whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
     }
@@ -135,7 +135,7 @@ static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
 }
 
 static size_t lanes_needed(const whirl_recorder *r, const motion *m) {
-    return follows(r, m) ? 2 : 1;
+    return recorder_follows(r, m) ? 2 : 1;
 }
 
 // ---------------------------------------------------------------- motions come and go
@@ -161,7 +161,7 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     if (m->record && r->beside > 0) record_place_perturbations(m->record, r->beside, m->perturbations);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     m->first_recorded = r->options->transient;
-    if (m->record && follows(r, m)) twin_begin(&m->twin, m->x);
+    if (m->record && recorder_follows(r, m)) twin_begin(&m->twin, m->x);
     if (r->options->settle) m->settling = settling_new(task->system);
     // The smallest of all exponents are lost in a matrix's rounding, so such motions run to the end.
     const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
@@ -210,13 +210,13 @@ static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) 
         return motion_new(r, task);
     }
     // It was saved before the revolution in which its growth is followed.
-    if (follows(r, m) && m->record->growth_count == 0) twin_begin(&m->twin, m->x);
+    if (recorder_follows(r, m) && m->record->growth_count == 0) twin_begin(&m->twin, m->x);
     return m;
 }
 
 /// Serializes one motion; false without memory.
 static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *state) {
-    if (!waits(m)) {
+    if (!recorder_waits(m)) {
         m->saved = malloc(whirl_ensemble_numbers(r->ensemble) * sizeof *m->saved);
         if (!m->saved) return false;
         whirl_ensemble_save(r->ensemble, m->lane, m->saved);
@@ -225,7 +225,7 @@ static bool save_motion(const whirl_recorder *r, motion *m, whirl_motion_state *
     motion_archive(r, m, &a);
     a = (archive){ARCHIVE_WRITE, malloc(a.at), a.at, 0, true};
     if (a.bytes) motion_archive(r, m, &a);
-    if (!waits(m)) {
+    if (!recorder_waits(m)) {
         free(m->saved);
         m->saved = NULL;
     }
@@ -263,11 +263,11 @@ static whirl_status admit_new(whirl_recorder *r) {
 }
 
 /// Fills free lanes: first with motions that wait, then with new ones.
-static whirl_status fill(whirl_recorder *r) {
+static whirl_status recorder_fill(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         motion *m = r->motions[i];
-        if (!waits(m) || m->shot) continue;
+        if (!recorder_waits(m) || m->shot) continue;
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
@@ -298,10 +298,10 @@ static void note_beside(motion *m) {
 }
 
 /// Prepares a motion for a revolution, in which it may begin to be watched or recorded.
-static whirl_status prepare(whirl_recorder *r, motion *m) {
+static whirl_status recorder_prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == m->first_recorded) whirl_ensemble_forget(r->ensemble, m->lane);
     if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
-    if (!follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
+    if (!recorder_follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
     twin_begin(&m->twin, m->x);
     if (r->used < r->lane_count) {
         m->twin_lane = take_lane(r, m);
@@ -315,7 +315,7 @@ static whirl_status prepare(whirl_recorder *r, motion *m) {
 static whirl_status prepare_all(whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++)
-        if (!waits(r->motions[i])) status = prepare(r, r->motions[i]);
+        if (!recorder_waits(r->motions[i])) status = recorder_prepare(r, r->motions[i]);
     return status;
 }
 
@@ -324,7 +324,7 @@ static whirl_status prepare_all(whirl_recorder *r) {
 /// used, never store them.
 static motion *recorded_in(const whirl_recorder *r, size_t lane) {
     motion *m = lane < r->used ? r->owner[lane] : NULL;
-    return m && m->lane == lane && records(m) ? m : NULL;
+    return m && m->lane == lane && recorder_records(m) ? m : NULL;
 }
 
 /// Carries all lanes over one revolution, and watches those whose motions are recorded.
@@ -340,7 +340,7 @@ static void revolve_lanes(whirl_recorder *r) {
 }
 
 /// Takes one sample of all lanes' waveforms: rows of the ensemble, which are sorted by motion after the revolution.
-static void sample(void *context) {
+static void recorder_sample(void *context) {
     whirl_recorder *r = context;
     double *to = r->samples + r->sample_count++ * 2 * r->probe_count * r->lane_count;
     for (size_t k = 0; k < 2 * r->probe_count; k++, to += r->lane_count) {
@@ -388,7 +388,7 @@ static whirl_status follow_all(whirl_recorder *r) {
     size_t count = 0;
     for (size_t i = 0; r->variational && i < r->count; i++) {
         motion *m = r->motions[i];
-        if (waits(m) || !is_followed(r, m)) continue;
+        if (recorder_waits(m) || !is_followed(r, m)) continue;
         const whirl_status status = whirl_ensemble_load(r->variational, count, m->task.system, m->x);
         if (status.code != WHIRL_OK) return status;
         carry_beside(r, m, r->variational, count++);
@@ -414,13 +414,13 @@ static void note_limit(const whirl_recorder *r, const motion *m) {
 }
 
 /// Notes the result of a motion's revolution.
-static void note(whirl_recorder *r, motion *m) {
+static void recorder_note(whirl_recorder *r, motion *m) {
     whirl_record *record = m->record;
     memcpy(record->end, m->x, record->dimension * sizeof *m->x);
     whirl_ensemble_state(r->ensemble, m->lane, m->x);
     record->motion = whirl_ensemble_motion(r->ensemble, m->lane);
     note_beside(m);
-    if (records(m)) record->sample_count += r->sample_count;
+    if (recorder_records(m)) record->sample_count += r->sample_count;
     m->revolution++;
     record->revolutions += 1.0;
     if (record->motion != WHIRL_BOUNDED) {
@@ -457,7 +457,7 @@ static void close_record(const whirl_recorder *r, const motion *m) {
 }
 
 /// Completes the records of finished motions.
-static whirl_status complete(const whirl_recorder *r) {
+static whirl_status recorder_complete(const whirl_recorder *r) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < r->count && status.code == WHIRL_OK; i++) {
         const motion *m = r->motions[i];
@@ -474,7 +474,7 @@ static whirl_status complete(const whirl_recorder *r) {
 
 /// Returns the period of an orbit to be searched near the motion; 0: none.
 static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
-    if (waits(m) || m->record->motion != WHIRL_BOUNDED || is_on_orbit(m)) return 0;
+    if (recorder_waits(m) || m->record->motion != WHIRL_BOUNDED || is_on_orbit(m)) return 0;
     if (m->revolution == r->last) return orbits_settled_period(m->record, r->options);
     if (!m->approach || m->revolution >= r->options->transient) return 0;
     return approach_tries(m->approach, m->settling, m->revolution);
@@ -482,7 +482,7 @@ static size_t orbit_to_try(const whirl_recorder *r, const motion *m) {
 
 /// Starts the searches of motions near an orbit. They leave their lanes and wait until there are enough: Newton's
 /// method is cheapest side by side.
-static whirl_status aim(whirl_recorder *r) {
+static whirl_status recorder_start_searches(whirl_recorder *r) {
     for (size_t i = 0; i < r->count && r->shooter; i++) {
         motion *m = r->motions[i];
         const size_t k = orbit_to_try(r, m);
@@ -500,7 +500,7 @@ static void set_on_orbit(whirl_recorder *r, motion *m) {
     m->record->orbit.set_at = m->revolution;
     leave_twin(r, m);
     memcpy(m->x, orbit->nodes, r->dimension * sizeof *m->x);
-    if (!waits(m)) whirl_ensemble_place(r->ensemble, m->lane, m->x);
+    if (!recorder_waits(m)) whirl_ensemble_place(r->ensemble, m->lane, m->x);
     m->revolution = m->first_recorded = r->last - (int)orbit->revolutions;
     record_begin_orbit(m->record, r->options, orbit->revolutions);
 }
@@ -574,7 +574,7 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     *turned = 0;
     whirl_status status = look_for_orbits(r); // of restored motions that waited for it
     end_transients(r);
-    if (status.code == WHIRL_OK) status = fill(r);
+    if (status.code == WHIRL_OK) status = recorder_fill(r);
     if (status.code == WHIRL_OK) status = prepare_all(r);
     if (status.code != WHIRL_OK || r->count == 0) return status;
     status = follow_all(r);
@@ -582,12 +582,12 @@ whirl_status whirl_recorder_revolve(whirl_recorder *r, size_t *turned) {
     revolve_lanes(r);
     keep_samples(r);
     for (size_t i = 0; i < r->count; i++) {
-        if (waits(r->motions[i])) continue;
-        note(r, r->motions[i]);
+        if (recorder_waits(r->motions[i])) continue;
+        recorder_note(r, r->motions[i]);
         ++*turned;
     }
-    status = complete(r);
-    if (status.code == WHIRL_OK) status = aim(r);
+    status = recorder_complete(r);
+    if (status.code == WHIRL_OK) status = recorder_start_searches(r);
     if (status.code == WHIRL_OK) status = look_for_orbits(r);
     end_transients(r);
     // Results since a stop are invalid: no record is handed over, and no state saved.
@@ -628,7 +628,7 @@ static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system
     return whirl_ensemble_variational(system, r->integrate, &r->variational);
 }
 
-static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
+static whirl_status recorder_start(whirl_recorder *r, const whirl_system *system, size_t lanes) {
     const whirl_status status = start_ensemble(r, system, lanes);
     if (status.code != WHIRL_OK) return status;
     if (r->options->orbits && system->tangent) {
@@ -642,7 +642,7 @@ static whirl_status start(whirl_recorder *r, const whirl_system *system, size_t 
     r->motions = calloc(r->most, sizeof(motion *));
     r->probes = system->probes;
     r->probe_count = system->probe_count;
-    r->watch = (whirl_ensemble_observe){.sample = sample, .context = r, .lanes = r->recorded};
+    r->watch = (whirl_ensemble_observe){.sample = recorder_sample, .context = r, .lanes = r->recorded};
     if (r->options->waveform)
         r->watch.stride = (size_t)(r->integrate->steps_per_revolution /
                                    whirl_record_samples(r->options, r->integrate->steps_per_revolution));
@@ -683,7 +683,7 @@ whirl_status whirl_recorder_new(const whirl_system *system, const whirl_integrat
     r->dimension = system->dimension;
     r->last = options->transient + options->record;
     r->first_watched = r->last - whirl_record_watch(options);
-    status = start(r, system, lanes);
+    status = recorder_start(r, system, lanes);
     if (status.code == WHIRL_OK)
         *out = r;
     else

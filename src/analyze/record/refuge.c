@@ -12,7 +12,7 @@
 static const double margin = 0.1;
 
 /// Returns true if x [dimension] is in the box of the record, or near it.
-static bool is_within(const whirl_record *record, const double *x) {
+static bool refuge_is_within(const whirl_record *record, const double *x) {
     for (size_t i = 0; i < record->dimension; i++) {
         const double reach = margin * (record->high[i] - record->low[i]);
         if (!(x[i] >= record->low[i] - reach && x[i] <= record->high[i] + reach)) return false;
@@ -43,7 +43,7 @@ static whirl_status seek_rest(const whirl_system *system, const whirl_record *re
     for (size_t k = 0; k < STATES && free_of_time && *refuge == 0 && status.code == WHIRL_OK; k++) {
         whirl_modes *modes;
         status = whirl_modes_new(system, record->section + k * (record->section_count / STATES) * d, &modes);
-        if (status.code == WHIRL_OK && modes->growth < 0.0 && is_within(record, modes->rest))
+        if (status.code == WHIRL_OK && modes->growth < 0.0 && refuge_is_within(record, modes->rest))
             *refuge = WHIRL_REFUGE_AT_REST;
         if (status.code != WHIRL_NO_MEMORY) status = whirl_ok(); // none from there
         whirl_modes_free(modes);

@@ -46,13 +46,13 @@ void shot_monodromy(const shot *s, double *matrix, double *room) {
     }
 }
 
-static void difference(const shot *s, const double *a, const double *b, double *out) {
+static void shooter_difference(const shot *s, const double *a, const double *b, double *out) {
     for (size_t i = 0; i < s->dimension; i++)
         if (!turns_on(s->system->turns, i)) *out++ = short_way(s->system->angles, i, a[i] - b[i]);
 }
 
 void shot_difference(const shot *s, const double *x, double *out) {
-    difference(s, x, s->nodes, out);
+    shooter_difference(s, x, s->nodes, out);
 }
 
 double shot_distance(const shot *s, const double *x) {
@@ -65,7 +65,7 @@ double shot_distance(const shot *s, const double *x) {
 }
 
 /// Largest modulus of the coordinates that do not turn.
-static double largest(const shot *s, const double *x) {
+static double shooter_largest(const shot *s, const double *x) {
     double most = 0.0;
     for (size_t i = 0; i < s->dimension; i++)
         if (!turns_on(s->system->turns, i)) most = fmax(most, fabs(x[i]));
@@ -99,7 +99,7 @@ struct shooter {
 
 /// Options for searches: methods with a tolerance use one at which Newton's method sees a smooth map, and the orbit is
 /// two digits more exact than the motion.
-static whirl_integrate_options exact(const whirl_integrate_options *integrate, double *tolerance) {
+static whirl_integrate_options shooter_exact(const whirl_integrate_options *integrate, double *tolerance) {
     whirl_integrate_options own = *integrate;
     const double finest = strcmp(own.method, "dop853") == 0 ? 1e-13 : 1e-11; // order 8 and 5
     *tolerance = 1e-12;
@@ -127,7 +127,7 @@ whirl_status shooter_new(const whirl_system *system, const whirl_integrate_optio
                             integrate->method);
     shooter *s = status.code == WHIRL_OK ? calloc(1, sizeof *s) : NULL;
     if (!s) return status.code == WHIRL_OK ? whirl_fail(WHIRL_NO_MEMORY, "no memory to look for orbits") : status;
-    const whirl_integrate_options options = exact(integrate, &s->tolerance);
+    const whirl_integrate_options options = shooter_exact(integrate, &s->tolerance);
     s->dimension = system->dimension;
     status = make_ensemble(s, system, &options);
     if (status.code == WHIRL_OK) {
@@ -188,11 +188,11 @@ static void end_revolution(const shooter *s, size_t lane, shot *of, size_t r, do
 enum { MAX_STEPS = 8 };
 
 /// Takes a Newton step after a search reached `end`; returns true if it continues, from a node that was moved.
-static bool step(const shooter *s, shot *of, const double *end, double *room) {
+static bool shooter_step(const shooter *s, shot *of, const double *end, double *room) {
     const size_t n = of->kept;
-    const double before = of->residual, size = largest(of, of->nodes);
+    const double before = of->residual, size = shooter_largest(of, of->nodes);
     double *gap = room, *matrix = room + n;
-    difference(of, end, of->nodes, gap);
+    shooter_difference(of, end, of->nodes, gap);
     of->residual = largest_of(n, gap) / fmax(size, 1e-300);
     // The orbit closes, or only rounding is left, which no step reduces.
     of->found = of->residual <= s->tolerance || (of->residual <= 100.0 * s->tolerance && of->residual > 0.25 * before);
@@ -206,8 +206,8 @@ static bool step(const shooter *s, shot *of, const double *end, double *room) {
 }
 
 /// Shortens an orbit that closes after fewer revolutions.
-static void shorten(shot *s, double tolerance) {
-    const double same = 1e3 * tolerance * largest(s, s->nodes);
+static void shooter_shorten(shot *s, double tolerance) {
+    const double same = 1e3 * tolerance * shooter_largest(s, s->nodes);
     const size_t repeats = s->system->turns ? s->system->repeats : 1, d = s->dimension;
     for (size_t j = repeats; 2 * j <= s->revolutions; j += repeats) {
         double away = 0.0;
@@ -220,29 +220,29 @@ static void shorten(shot *s, double tolerance) {
 }
 
 /// Puts a search at the beginning of its orbit.
-static whirl_status begin(const shooter *s, size_t lane, flight *f) {
+static whirl_status shooter_begin(const shooter *s, size_t lane, flight *f) {
     f->revolution = 0;
     f->of->volume = 0.0;
     return whirl_ensemble_load(s->ensemble, lane, f->of->system, f->of->nodes);
 }
 
 /// Ends a revolution; *stays tells if the search stays in its lane. `end` has dimension numbers.
-static whirl_status go_on(const shooter *s, size_t lane, flight *f, double *end, double *room, bool *stays) {
+static whirl_status shooter_advance(const shooter *s, size_t lane, flight *f, double *end, double *room, bool *stays) {
     const bool bounded = whirl_ensemble_motion(s->ensemble, lane) == WHIRL_BOUNDED;
     end_revolution(s, lane, f->of, f->revolution++, end);
     *stays = bounded;
     if (!bounded || f->revolution < f->of->revolutions) return whirl_ok();
-    *stays = step(s, f->of, end, room) && ++f->steps < MAX_STEPS;
-    return *stays ? begin(s, lane, f) : whirl_ok();
+    *stays = shooter_step(s, f->of, end, room) && ++f->steps < MAX_STEPS;
+    return *stays ? shooter_begin(s, lane, f) : whirl_ok();
 }
 
 /// Removes a search that is done; the last one moves to its lane.
-static void leave(shooter *s, size_t lane) {
+static void shooter_leave(shooter *s, size_t lane) {
     shot *of = s->flights[lane].of;
     of->flies = false;
     of->done = true;
     if (of->found) {
-        shorten(of, s->tolerance);
+        shooter_shorten(of, s->tolerance);
         of->found = whirl_product_eigenvalues(of->kept, of->revolutions, of->factors, of->values);
     }
     whirl_ensemble_unload(s->ensemble, lane);
@@ -251,14 +251,14 @@ static void leave(shooter *s, size_t lane) {
 }
 
 /// Carries all searches in lanes over a revolution.
-static whirl_status revolve(shooter *s, double *end) {
+static whirl_status shooter_revolve(shooter *s, double *end) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < s->used; i++) begin_revolution(s, i);
     whirl_ensemble_revolve(s->ensemble, s->used, NULL);
     for (size_t i = s->used; i-- > 0 && status.code == WHIRL_OK;) {
         bool stays;
-        status = go_on(s, i, &s->flights[i], end, end + s->dimension, &stays);
-        if (!stays) leave(s, i);
+        status = shooter_advance(s, i, &s->flights[i], end, end + s->dimension, &stays);
+        if (!stays) shooter_leave(s, i);
     }
     return status;
 }
@@ -273,11 +273,11 @@ whirl_status shooter_fire(shooter *s, shot *const *shots, size_t count, size_t l
             if (shots[next]->flies || shots[next]->done) continue;
             s->flights[s->used] = (flight){.of = shots[next]};
             shots[next]->flies = true;
-            status = begin(s, s->used, &s->flights[s->used]);
+            status = shooter_begin(s, s->used, &s->flights[s->used]);
             s->used++;
         }
         if (s->used < least || s->used == 0 || status.code != WHIRL_OK) break;
-        status = revolve(s, end);
+        status = shooter_revolve(s, end);
     }
     free(end);
     return status;

@@ -14,7 +14,7 @@ static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances =
 static const double outgrown = 1e3;
 
 /// Norm of the coordinates that do not turn.
-static double norm(const trajectory_twin *twin, const double *x) {
+static double twin_norm(const trajectory_twin *twin, const double *x) {
     double sum = 0.0;
     for (size_t i = 0; i < twin->dimension; i++) sum += turns_on(twin->turns, i) ? 0.0 : x[i] * x[i];
     return sqrt(sum);
@@ -44,7 +44,7 @@ static double distance_beside(const trajectory_twin *twin, double size) {
 }
 
 void twin_begin(trajectory_twin *twin, const double *x) {
-    twin->distance = distance_beside(twin, norm(twin, x));
+    twin->distance = distance_beside(twin, twin_norm(twin, x));
     twin_place(twin, x);
 }
 
@@ -55,7 +55,7 @@ double twin_growth(trajectory_twin *twin, const double *x, bool bounded) {
         distance += d * d;
     }
     distance = sqrt(distance);
-    const double size = norm(twin, x), before = twin->distance, next = distance_beside(twin, size);
+    const double size = twin_norm(twin, x), before = twin->distance, next = distance_beside(twin, size);
     const bool lost = !(distance > DBL_EPSILON * size);
     if (next > outgrown * before || next < before / outgrown) twin->distance = next;
     if (lost || !bounded || !isfinite(distance)) {

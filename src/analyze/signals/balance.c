@@ -15,7 +15,8 @@ static bool is_row(const whirl_balance_row *row, const whirl_balance_vibration *
     return row->speed == seen->speed && strcmp(row->probe, seen->probe) == 0;
 }
 
-static const whirl_modelled_row *modelled(const whirl_balance_model *model, const whirl_balance_vibration *seen) {
+static const whirl_modelled_row *balance_modelled(const whirl_balance_model *model,
+                                                  const whirl_balance_vibration *seen) {
     for (size_t i = 0; model && i < model->row_count; i++)
         if (model->rows[i].speed == seen->speed && strcmp(model->rows[i].probe, seen->probe) == 0)
             return &model->rows[i];
@@ -31,7 +32,7 @@ static void find_rows(const whirl_balance *of, const whirl_balance_model *model,
             out->rows[out->row_count++] = (whirl_balance_row){.speed = seen->speed,
                                                               .probe = seen->probe,
                                                               .weight = seen->weight,
-                                                              .model = modelled(model, seen),
+                                                              .model = balance_modelled(model, seen),
                                                               .worst = NAN};
     }
 }
@@ -50,8 +51,8 @@ static size_t find_tried(const whirl_balance *of, bool by_set, size_t index[WHIR
 }
 
 /// Fits the coefficients to the readings of runs, for the planes or sets at index [count].
-static whirl_status fit(const whirl_balance *of, whirl_balance_row *row, bool by_set, const size_t *index,
-                        size_t count) {
+static whirl_status balance_fit(const whirl_balance *of, whirl_balance_row *row, bool by_set, const size_t *index,
+                                size_t count) {
     const double rpm = two_pi / 60.0;
     balance_normal equations = {.n = count + 1};
     size_t runs = 0;
@@ -131,7 +132,7 @@ static whirl_status find_influence(const whirl_balance *of, whirl_correction *ou
         if (are_known(of) || of->trial_count == 0)
             take_known(of, out, &out->rows[r]);
         else
-            status = fit(of, &out->rows[r], out->by_set, index, count);
+            status = balance_fit(of, &out->rows[r], out->by_set, index, count);
     }
     return status;
 }
@@ -165,7 +166,7 @@ static double after_with(const whirl_balance *of, const whirl_correction *out, c
     return cabs(sum);
 }
 
-static void predict(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
+static void balance_predict(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
     for (size_t r = 0; r < out->row_count; r++) {
         whirl_balance_row *row = &out->rows[r];
         double complex after = balance_number(row->before);
@@ -185,8 +186,8 @@ static double complex share_of(const whirl_balance *of, const whirl_correction *
 }
 
 /// Adds the unknowns' weights in the planes.
-static void place(const whirl_balance *of, const whirl_correction *found, const double complex *amounts,
-                  const size_t *index, size_t count, double (*moment)[2]) {
+static void balance_place(const whirl_balance *of, const whirl_correction *found, const double complex *amounts,
+                          const size_t *index, size_t count, double (*moment)[2]) {
     for (size_t n = 0; n < count; n++)
         for (size_t p = 0; p < of->plane_count; p++) {
             const double complex share = share_of(of, found, index[n], p);
@@ -280,7 +281,7 @@ static double left_with(const whirl_balance *of, const whirl_correction *out, co
 }
 
 /// Reports unknowns that act nearly alike, and the correction without the least significant of these.
-static whirl_status reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
+static whirl_status balance_reduce(const whirl_balance *of, whirl_correction *out, const size_t *index, size_t count) {
     double significance[BALANCE_UNKNOWNS];
     whirl_status status = whirl_ok();
     const balance_normal equations = equations_of(of, out, index, count);
@@ -298,12 +299,12 @@ static whirl_status reduce(const whirl_balance *of, whirl_correction *out, const
         const double remains = left_with(of, out, amounts, others, left);
         if (out->reduced.there && remains >= out->reduced.left) continue;
         out->reduced = (whirl_balance_reduced){.there = true, .without = index[n], .left = remains};
-        place(of, out, amounts, others, left, out->reduced.moment);
+        balance_place(of, out, amounts, others, left, out->reduced.moment);
     }
     return status;
 }
 
-static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
+static whirl_status balance_correct(const whirl_balance *of, whirl_correction *out) {
     size_t index[WHIRL_MAX_PLANES] = {0};
     double complex amounts[BALANCE_UNKNOWNS];
     bool told;
@@ -321,14 +322,14 @@ static whirl_status correct(const whirl_balance *of, whirl_correction *out) {
         out->used[index[n]] = true;
         balance_set(out->amount[index[n]], amounts[n]);
     }
-    place(of, out, amounts, index, count, out->moment);
-    predict(of, out, index, count);
+    balance_place(of, out, amounts, index, count, out->moment);
+    balance_predict(of, out, index, count);
     out->left = left_with(of, out, amounts, index, count);
     out->found = true;
-    return reduce(of, out, index, count);
+    return balance_reduce(of, out, index, count);
 }
 
-static whirl_status solve(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
+static whirl_status balance_solve(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
     whirl_status status = whirl_ok();
     if (of->by_model && !model)
         return whirl_fail(WHIRL_BAD_INPUT, "influence is to be the model's, and there is no model");
@@ -336,7 +337,7 @@ static whirl_status solve(const whirl_balance *of, const whirl_balance_model *mo
     out->by_set = !are_known(of) && of->trial_count > 0 && of->trials[0].plane == WHIRL_BALANCE_SET;
     if (of->mode_count > 0) status = balance_find_sets(of, model, out);
     if (status.code == WHIRL_OK) status = find_influence(of, out);
-    if (status.code == WHIRL_OK && (of->trial_count > 0 || are_known(of))) status = correct(of, out);
+    if (status.code == WHIRL_OK && (of->trial_count > 0 || are_known(of))) status = balance_correct(of, out);
     if (status.code == WHIRL_OK && !out->found && model) balance_propose(of, model, out);
     return status;
 }
@@ -347,8 +348,8 @@ whirl_status whirl_balance_solve(const whirl_balance *balance, const whirl_balan
     *correction = NULL;
     if (out) out->rows = calloc(balance->vibration_count + 1, sizeof *out->rows);
     for (size_t n = 0; out && n < WHIRL_MAX_PLANES; n++) out->significance[n] = NAN;
-    const whirl_status status =
-        out && out->rows ? solve(balance, model, out) : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
+    const whirl_status status = out && out->rows ? balance_solve(balance, model, out)
+                                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory to balance a rotor");
     if (status.code == WHIRL_OK)
         *correction = out;
     else

@@ -33,7 +33,7 @@ static double complex slope_of(const double complex *of, size_t k) {
 }
 
 /// Barrier -log(limit^2 - |u|^2), infinite outside of the limit.
-static double wall(double complex u, double limit) {
+static double balance_limits_wall(double complex u, double limit) {
     const double inside = limit - cabs(u);
     return inside > 0.0 ? -log(inside * (limit + cabs(u))) : (double)INFINITY;
 }
@@ -44,11 +44,11 @@ static double barrier_value(const barrier *b, const double *z) {
     for (size_t r = 0; r < b->rows; r++) {
         const double complex u = row_at(b, b->effect + r * b->n, b->before[r], z);
         if (b->bound)
-            walls += wall(u, z[b->size - 1]);
+            walls += balance_limits_wall(u, z[b->size - 1]);
         else
             goal += creal(u * conj(u));
     }
-    for (size_t p = 0; p < b->planes; p++) walls += wall(row_at(b, b->share + p * b->n, 0.0, z), 1.0);
+    for (size_t p = 0; p < b->planes; p++) walls += balance_limits_wall(row_at(b, b->share + p * b->n, 0.0, z), 1.0);
     return b->sharpness * goal + walls;
 }
 
@@ -62,7 +62,7 @@ static void add_square(const barrier *b, const double complex *of, double comple
 }
 
 /// Adds the wall of a row: its limit is t where `moves`, else 1.
-static void add_wall(const barrier *b, const double complex *of, double complex u, bool moves) {
+static void balance_limits_add_wall(const barrier *b, const double complex *of, double complex u, bool moves) {
     const size_t t = b->size - 1;
     const double limit = moves ? b->z[t] : 1.0, gap = (limit - cabs(u)) * (limit + cabs(u)), square = gap * gap;
     add_square(b, of, u, 1.0 / gap);
@@ -84,12 +84,12 @@ static void find_derivatives(const barrier *b) {
     for (size_t r = 0; r < b->rows; r++) {
         const double complex *of = b->effect + r * b->n, u = row_at(b, of, b->before[r], b->z);
         if (b->bound)
-            add_wall(b, of, u, true);
+            balance_limits_add_wall(b, of, u, true);
         else
             add_square(b, of, u, b->sharpness);
     }
     for (size_t p = 0; p < b->planes; p++)
-        add_wall(b, b->share + p * b->n, row_at(b, b->share + p * b->n, 0.0, b->z), false);
+        balance_limits_add_wall(b, b->share + p * b->n, row_at(b, b->share + p * b->n, 0.0, b->z), false);
 }
 
 /// Takes a Newton step, halved until the value falls; false if no gain is left.
@@ -114,7 +114,7 @@ static bool take_step(barrier *b) {
 
 /// Follows the minima as the goal's weight grows: the last one is at most 2 (rows + planes)/sharpness above the least
 /// value (Boyd and Vandenberghe 2004, sec. 11.2 and 11.6.2).
-static void follow(barrier *b) {
+static void balance_limits_follow(barrier *b) {
     enum { MAX_STEPS = 100 };
     static const double gap = 1e-12, growth = 8.0;
     const double walls = 2.0 * (double)((b->bound ? b->rows : 0) + b->planes);
@@ -162,7 +162,7 @@ bool balance_best_within(const balance_goal *goal, double complex *amounts) {
         b.trial = b.z + b.size;
         b.gradient = b.trial + b.size;
         b.hessian = b.gradient + b.size;
-        if (barrier_begin(goal, &b, scale)) follow(&b);
+        if (barrier_begin(goal, &b, scale)) balance_limits_follow(&b);
         for (size_t j = 0; j < n; j++) amounts[j] = scale[j] * (b.z[2 * j] + b.z[2 * j + 1] * I);
     }
     free(block);

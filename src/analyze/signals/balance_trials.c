@@ -14,7 +14,7 @@ typedef struct view {
     bool own; ///< at the speed that the unknown is for
 } view;
 
-static view look(const whirl_balance *of, const whirl_correction *out, size_t r, size_t unknown) {
+static view balance_trials_look(const whirl_balance *of, const whirl_correction *out, size_t r, size_t unknown) {
     const whirl_balance_row *row = &out->rows[r];
     view seen = {.before = balance_number(row->before), .limit = INFINITY};
     seen.own = of->mode_count == 0 || balance_mode_of(of, row->speed) == unknown;
@@ -29,7 +29,7 @@ static view look(const whirl_balance *of, const whirl_correction *out, size_t r,
 static double complex direction_of(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     double complex sum = 0.0;
     for (size_t r = 0; r < out->row_count; r++) {
-        const view seen = look(of, out, r, unknown);
+        const view seen = balance_trials_look(of, out, r, unknown);
         if (seen.own) sum -= out->rows[r].weight * conj(seen.effect) * seen.before;
     }
     return cabs(sum) > 0.0 ? sum / cabs(sum) : 1.0;
@@ -51,12 +51,12 @@ static double by_force(const whirl_balance *of, const whirl_balance_model *model
     own->load = model->load[own->bearing];
     if (isnan(own->load) && of->mass > 0.0) own->load = 0.5 * of->mass * gravity;
     for (size_t r = 0; r < out->row_count; r++)
-        if (look(of, out, r, unknown).own) own->speed = fmax(own->speed, out->rows[r].speed);
+        if (balance_trials_look(of, out, r, unknown).own) own->speed = fmax(own->speed, out->rows[r].speed);
     return own->load > 0.0 && own->speed > 0.0 ? force_share * own->load / (own->speed * own->speed) : 0.0;
 }
 
 /// Largest weight in that direction up to which a row stays within its limit; infinite without one.
-static double within(const view *seen, double complex way) {
+static double balance_trials_within(const view *seen, double complex way) {
     const double complex effect = seen->effect * way;
     const double b = creal(conj(seen->before) * effect), a = creal(effect * conj(effect));
     const double c = creal(seen->before * conj(seen->before)) - seen->limit * seen->limit;
@@ -74,8 +74,8 @@ typedef struct bounds {
 static bounds find_bounds(const whirl_balance *of, const whirl_correction *out, size_t unknown, double complex way) {
     bounds found = {.least = INFINITY, .most = INFINITY, .limit = INFINITY};
     for (size_t r = 0; r < out->row_count; r++) {
-        const view seen = look(of, out, r, unknown);
-        const double effect = cabs(seen.effect), limit = within(&seen, way);
+        const view seen = balance_trials_look(of, out, r, unknown);
+        const double effect = cabs(seen.effect), limit = balance_trials_within(&seen, way);
         if (limit < found.limit && cabs(seen.before) <= seen.limit) found.limit = limit, found.limit_row = r;
         if (!seen.own || !(effect > 0.0)) continue;
         const double least = fmax(least_change * cabs(seen.before), clear * seen.repeatability) / effect;
@@ -90,11 +90,11 @@ static bounds find_bounds(const whirl_balance *of, const whirl_correction *out, 
 /// Returns true if there is a reading at the speed that an unknown is for.
 static bool was_read(const whirl_balance *of, const whirl_correction *out, size_t unknown) {
     for (size_t r = 0; r < out->row_count; r++)
-        if (look(of, out, r, unknown).own) return true;
+        if (balance_trials_look(of, out, r, unknown).own) return true;
     return false;
 }
 
-static double choose(double force, const bounds *on, whirl_balance_proposal *own) {
+static double balance_trials_choose(double force, const bounds *on, whirl_balance_proposal *own) {
     double size = force;
     own->reason = size > 0.0 ? WHIRL_TRIAL_BY_FORCE : WHIRL_TRIAL_BY_NOTHING;
     own->row = on->most_row;
@@ -105,19 +105,19 @@ static double choose(double force, const bounds *on, whirl_balance_proposal *own
     return size;
 }
 
-static void propose(const whirl_balance *of, const whirl_balance_model *model, const whirl_correction *out,
-                    size_t unknown, whirl_balance_proposal *own) {
+static void balance_trials_propose(const whirl_balance *of, const whirl_balance_model *model,
+                                   const whirl_correction *out, size_t unknown, whirl_balance_proposal *own) {
     own->over = out->row_count;
     own->reason = WHIRL_TRIAL_BY_NOTHING;
     own->load = own->change = NAN;
     if (!was_read(of, out, unknown)) return;
     const double complex way = direction_of(of, out, unknown);
     const bounds on = find_bounds(of, out, unknown, way);
-    const double size = choose(by_force(of, model, out, unknown, own), &on, own);
+    const double size = balance_trials_choose(by_force(of, model, out, unknown, own), &on, own);
     double beyond = 1.0 + 1e-9; // times its limit
     balance_set(own->moment, size * way);
     for (size_t r = 0; r < out->row_count; r++) {
-        const view seen = look(of, out, r, unknown);
+        const view seen = balance_trials_look(of, out, r, unknown);
         const double complex after = seen.before + size * way * seen.effect;
         if (r == own->row) {
             own->change = size * cabs(seen.effect) / cabs(seen.before);
@@ -133,7 +133,7 @@ static void propose(const whirl_balance *of, const whirl_balance_model *model, c
 
 void balance_propose(const whirl_balance *of, const whirl_balance_model *model, whirl_correction *out) {
     out->proposal_count = balance_unknown_count(of);
-    for (size_t n = 0; n < out->proposal_count; n++) propose(of, model, out, n, &out->proposals[n]);
+    for (size_t n = 0; n < out->proposal_count; n++) balance_trials_propose(of, model, out, n, &out->proposals[n]);
 }
 
 void whirl_balance_proposed(const whirl_correction *correction, size_t proposal, size_t plane, double moment[2]) {

@@ -77,33 +77,33 @@ static double complex hann_lobe(const line_search *search, turn whole, turn part
 }
 
 /// Product of a and b; C's own product also handles infinities and is slower.
-static double complex times(double complex a, double complex b) {
+static double complex lines_times(double complex a, double complex b) {
     return (creal(a) * creal(b) - cimag(a) * cimag(b)) + I * (creal(a) * cimag(b) + cimag(a) * creal(b));
 }
 
-static void subtract(const line_search *search, wave_amplitudes *value, const sinusoid *line, const frequency *at,
-                     bool main_lobe) {
+static void lines_subtract(const line_search *search, wave_amplitudes *value, const sinusoid *line, const frequency *at,
+                           bool main_lobe) {
     const turn whole = turn_on(at->whole, line->at.whole), part = turn_on(at->part, line->at.part);
     const double complex mirror = hann_lobe(search, whole, part);
-    value->x -= times(conj(line->a.x), mirror);
-    value->y -= times(conj(line->a.y), mirror);
+    value->x -= lines_times(conj(line->a.x), mirror);
+    value->y -= lines_times(conj(line->a.y), mirror);
     if (!main_lobe) return;
     const double complex there =
         hann_lobe(search, turn_back(at->whole, line->at.whole), turn_back(at->part, line->at.part));
-    value->x -= times(line->a.x, there);
-    value->y -= times(line->a.y, there);
+    value->x -= lines_times(line->a.x, there);
+    value->y -= lines_times(line->a.y, there);
 }
 
 /// Transform at `bin` without the leakage of all lines but `own`. Lines whose main lobes overlap that of `own` stay.
-static wave_amplitudes isolated(const line_search *search, size_t own, double bin) {
+static wave_amplitudes lines_isolated(const line_search *search, size_t own, double bin) {
     const frequency at = frequency_of(bin, search->samples);
     wave_amplitudes value = wave_transform_at(search->wave, bin);
     for (size_t m = 0; m < search->count; m++) {
         const sinusoid *line = &search->lines[m];
         if (m == own)
-            subtract(search, &value, line, &at, false);
+            lines_subtract(search, &value, line, &at, false);
         else if (fabs(line->at.bin - search->lines[own].at.bin) >= 2.5)
-            subtract(search, &value, line, &at, true);
+            lines_subtract(search, &value, line, &at, true);
     }
     return value;
 }
@@ -113,16 +113,16 @@ static double pair_power(wave_amplitudes value) {
 }
 
 /// Refines one line: its frequency from the two sides of the lobe, then its amplitudes.
-static void refine(line_search *search, size_t own) {
+static void lines_refine(line_search *search, size_t own) {
     sinusoid *line = &search->lines[own];
-    const double above = pair_power(isolated(search, own, line->at.bin + 0.5));
-    const double below = pair_power(isolated(search, own, line->at.bin - 0.5));
+    const double above = pair_power(lines_isolated(search, own, line->at.bin + 0.5));
+    const double below = pair_power(lines_isolated(search, own, line->at.bin - 0.5));
     if (above > 0.0 && below > 0.0) {
         const double moved = line->at.bin + 0.375 * log(above / below);
         const double bin = fmin(fmax(moved, (double)line->peak - 0.75), (double)line->peak + 0.75);
         line->at = frequency_of(bin, search->samples);
     }
-    line->a = isolated(search, own, line->at.bin);
+    line->a = lines_isolated(search, own, line->at.bin);
 }
 
 /// Finds the largest local maxima of `power`, largest first.
@@ -165,7 +165,7 @@ size_t spectrum_lines(const wave_transform *wave, const double *power, size_t bi
     line_search search = {.wave = wave, .samples = samples, .unit = turn_of(0.5 * two_pi / samples)};
     pick_peaks(&search, power, bins);
     for (int round = 0; round < ROUNDS; round++) {
-        for (size_t l = 0; l < search.count; l++) refine(&search, l);
+        for (size_t l = 0; l < search.count; l++) lines_refine(&search, l);
     }
     const size_t count = search.count;
     for (size_t l = 0; l < count; l++) lines[l] = spectrum_line(search.lines[l].at.bin, search.lines[l].a);

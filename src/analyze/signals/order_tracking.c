@@ -71,8 +71,8 @@ static double stencil_sum(const stencil *s, const double *values) {
     return sum;
 }
 
-static whirl_status check(const double *time, const double *values, size_t count, size_t channels,
-                          const double *instants, size_t pulses, int order) {
+static whirl_status order_tracking_check(const double *time, const double *values, size_t count, size_t channels,
+                                         const double *instants, size_t pulses, int order) {
     if (order < 1 || order > WHIRL_SIGNALS_HIGHEST_ORDER || order % 2 == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the order of interpolation is %d, expected 1, 3, 5, 7 or 9", order);
     const whirl_status status = signal_check_turns(time, count, (size_t)order + 1, instants, pulses);
@@ -83,7 +83,7 @@ whirl_status whirl_signals_section(const double *time, const double *values, siz
                                    const double *instants, size_t pulses, double phase, int order, double *section,
                                    size_t *points) {
     *points = 0;
-    const whirl_status status = check(time, values, count, channels, instants, pulses, order);
+    const whirl_status status = order_tracking_check(time, values, count, channels, instants, pulses, order);
     if (status.code != WHIRL_OK) return status;
     if (!(phase >= 0.0 && phase < two_pi))
         return whirl_fail(WHIRL_BAD_INPUT, "the phase of the section is %g rad, expected 0 or more and below 2 pi",
@@ -115,7 +115,7 @@ whirl_status whirl_signals_samples(const double *time, size_t count, const doubl
 whirl_status whirl_signals_resample(const double *time, const double *values, size_t count, size_t channels,
                                     const double *instants, size_t pulses, size_t samples, int order,
                                     double *resampled) {
-    const whirl_status status = check(time, values, count, channels, instants, pulses, order);
+    const whirl_status status = order_tracking_check(time, values, count, channels, instants, pulses, order);
     if (status.code != WHIRL_OK) return status;
     const size_t revolutions = pulses - 1;
     if (samples < 3 || samples > WHIRL_SIGNALS_MAX / channels / revolutions)

@@ -10,7 +10,7 @@ typedef struct curve {
 } curve;
 
 /// Value between points i and i + 1, by the cubic through these and one on either side (the parabola at the ends).
-static double between(const curve *c, size_t i, double at) {
+static double peaks_between(const curve *c, size_t i, double at) {
     const size_t first = i > 0 ? i - 1 : 0, after = i + 3 < c->count ? i + 3 : c->count;
     double sum = 0.0;
     for (size_t j = first; j < after; j++) {
@@ -29,8 +29,8 @@ static double top_of(const curve *c, size_t i) {
     double low = c->x[i - 1], high = c->x[i + 1];
     for (int n = 0; n < HALVINGS; n++) {
         const double one = low + (high - low) / 3.0, other = high - (high - low) / 3.0;
-        const double below = between(c, one < c->x[i] ? i - 1 : i, one);
-        const double above = between(c, other < c->x[i] ? i - 1 : i, other);
+        const double below = peaks_between(c, one < c->x[i] ? i - 1 : i, one);
+        const double above = peaks_between(c, other < c->x[i] ? i - 1 : i, other);
         if (below < above)
             low = one;
         else
@@ -52,7 +52,7 @@ static double side_of(const curve *c, size_t i, int side, double level) {
     double low = c->x[left], high = c->x[left + 1];
     for (int n = 0; n < HALVINGS; n++) {
         const double middle = 0.5 * (low + high);
-        if ((between(c, left, middle) > level) == (side < 0))
+        if ((peaks_between(c, left, middle) > level) == (side < 0))
             high = middle;
         else
             low = middle;
@@ -68,7 +68,7 @@ static double phase_slope(const curve *c, const double *lags, size_t i) {
 
 static whirl_response_peak peak_at(const curve *c, const double *lags, size_t i) {
     whirl_response_peak peak = {.speed = top_of(c, i)};
-    peak.amplitude = between(c, peak.speed < c->x[i] ? i - 1 : i, peak.speed);
+    peak.amplitude = peaks_between(c, peak.speed < c->x[i] ? i - 1 : i, peak.speed);
     const double level = peak.amplitude / 1.41421356237309504880;
     peak.low = side_of(c, i, -1, level);
     peak.high = side_of(c, i, 1, level);
@@ -99,22 +99,22 @@ size_t whirl_response_peaks(size_t count, const double *speeds, const double *am
 }
 
 /// Value at a speed from the first point to the last.
-static double value_at(const curve *c, double at) {
+static double peaks_value_at(const curve *c, double at) {
     size_t i = 0;
     while (i + 2 < c->count && c->x[i + 1] < at) i++;
-    return c->count > 1 ? between(c, i, at) : c->y[0];
+    return c->count > 1 ? peaks_between(c, i, at) : c->y[0];
 }
 
 double whirl_response_largest(size_t count, const double *speeds, const double *amplitudes, double low, double high) {
     static const double same = 1e-9; // an end may be given in another unit than a point
     const curve c = {count, speeds, amplitudes};
     if (count == 0 || low < speeds[0] * (1.0 - same) || high > speeds[count - 1] * (1.0 + same)) return NAN;
-    double largest = fmax(value_at(&c, low), value_at(&c, high));
+    double largest = fmax(peaks_value_at(&c, low), peaks_value_at(&c, high));
     for (size_t i = 0; i < count; i++) {
         if (speeds[i] >= low && speeds[i] <= high) largest = fmax(largest, amplitudes[i]);
         if (!is_peak(&c, i)) continue;
         const double top = top_of(&c, i);
-        if (top >= low && top <= high) largest = fmax(largest, value_at(&c, top));
+        if (top >= low && top <= high) largest = fmax(largest, peaks_value_at(&c, top));
     }
     return largest;
 }

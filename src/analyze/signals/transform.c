@@ -35,8 +35,9 @@ static void fill_turns(size_t size, double *re, double *im) {
 }
 
 /// A stage of the transform: pairs `half` groups apart, in groups of `stride`.
-static void stage(size_t half, size_t stride, const double *turn_re, const double *turn_im, const double *restrict re,
-                  const double *restrict im, double *restrict to_re, double *restrict to_im) {
+static void transform_stage(size_t half, size_t stride, const double *turn_re, const double *turn_im,
+                            const double *restrict re, const double *restrict im, double *restrict to_re,
+                            double *restrict to_im) {
     for (size_t p = 0; p < half; p++) {
         const double c = turn_re[p * stride], s = turn_im[p * stride];
         const size_t first = p * stride, second = (p + half) * stride, to = 2 * p * stride;
@@ -57,7 +58,7 @@ static void transform_in_place(double *re, double *im, size_t size, double *work
     double *from_re = re, *from_im = im, *to_re = work, *to_im = work + size;
     fill_turns(size, turn_re, turn_im);
     for (size_t half = size / 2, stride = 1; half > 0; half /= 2, stride *= 2) {
-        stage(half, stride, turn_re, turn_im, from_re, from_im, to_re, to_im);
+        transform_stage(half, stride, turn_re, turn_im, from_re, from_im, to_re, to_im);
         double *const was_re = from_re, *const was_im = from_im;
         from_re = to_re, from_im = to_im;
         to_re = was_re, to_im = was_im;
@@ -67,7 +68,7 @@ static void transform_in_place(double *re, double *im, size_t size, double *work
 }
 
 /// Spreads the samples around place 0: the later half from there on, the earlier half at the end.
-static void spread(wave_transform *t, const double *x, const double *y, double widening) {
+static void transform_spread(wave_transform *t, const double *x, const double *y, double widening) {
     const size_t middle = t->count / 2;
     for (size_t j = 0; j < t->count; j++) {
         const double n = (double)j - (double)middle, factor = exp(widening * n * n);
@@ -91,7 +92,7 @@ wave_transform *wave_transform_new(const double *x, const double *y, size_t coun
         t->im = t->re + size;
         t->scale = sqrt(pi / width) / window_sum;
         for (int m = 0; m <= REACH; m++) t->bell[m] = exp(-t->narrowness * m * m);
-        spread(t, x, y, width / (length * length));
+        transform_spread(t, x, y, width / (length * length));
         transform_in_place(t->re, t->im, size, work);
     } else {
         free(t);
@@ -124,7 +125,7 @@ static position position_of(const wave_transform *t, double bin, size_t factor, 
 }
 
 /// Transform of x + iy about the middle of the samples, at a place between those of the grid.
-static double complex interpolate(const wave_transform *t, size_t at, double d) {
+static double complex transform_interpolate(const wave_transform *t, size_t at, double d) {
     const size_t mask = t->size - 1;
     // e^(-c (d - m)^2) is e^(-c d^2) (e^(2 c d))^m e^(-c m^2).
     const double step = exp(2.0 * t->narrowness * d), back = 1.0 / step;
@@ -143,8 +144,8 @@ wave_amplitudes wave_transform_at(const wave_transform *t, double bin) {
     const position place = position_of(t, bin, t->size, t->size);
     const position turn = position_of(t, bin, t->count / 2, 1);
     const double c = cos(2.0 * pi * turn.rest), s = -sin(2.0 * pi * turn.rest);
-    const double complex plus = interpolate(t, place.whole, place.rest);
-    const double complex minus = conj(interpolate(t, (t->size - place.whole) & (t->size - 1), -place.rest));
+    const double complex plus = transform_interpolate(t, place.whole, place.rest);
+    const double complex minus = conj(transform_interpolate(t, (t->size - place.whole) & (t->size - 1), -place.rest));
     // With z = x + iy: X(k) = (Z(k) + conj Z(-k))/2, Y(k) = (Z(k) - conj Z(-k))/2i.
     const double complex x = 0.5 * (plus + minus), y = -0.5 * I * (plus - minus);
     return (wave_amplitudes){(creal(x) * c - cimag(x) * s) + I * (creal(x) * s + cimag(x) * c),

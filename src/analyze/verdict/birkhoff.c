@@ -31,7 +31,7 @@ typedef struct comparison {
     double early, late; ///< square of the spread of the halves
 } comparison;
 
-static double variance(const section *all, size_t coordinate, double *mean) {
+static double birkhoff_variance(const section *all, size_t coordinate, double *mean) {
     double sum = 0.0, squares = 0.0;
     for (size_t n = 0; n < all->count; n++) sum += all->points[n * all->dimension + coordinate];
     *mean = sum / (double)all->count;
@@ -44,7 +44,7 @@ static double variance(const section *all, size_t coordinate, double *mean) {
 
 static void compare_halves(const section *all, size_t coordinate, double size, comparison *sums) {
     double centre;
-    const double spread = variance(all, coordinate, &centre);
+    const double spread = birkhoff_variance(all, coordinate, &centre);
     if (!(sqrt(spread) > 1e-9 * size)) return; // only rounding moves here
     const size_t half = all->count / 2;
     const moments early = weighted_moments(all, coordinate, 0, half, centre);

@@ -121,7 +121,7 @@ static whirl_confidence weigh_chaotic(const whirl_verdict *v, const evidence *e)
     return strong && irregular && (double)e->points.count >= enough_watched ? WHIRL_HIGH : WHIRL_FAIR;
 }
 
-static whirl_confidence weigh(const whirl_verdict *v, const evidence *e) {
+static whirl_confidence confidence_weigh(const whirl_verdict *v, const evidence *e) {
     switch (v->regime) {
     case WHIRL_PERIODIC:
         return v->rests ? weigh_rest(v, e) : weigh_periodic(v, e);
@@ -185,7 +185,7 @@ bool weigh_swelling(const whirl_verdict *v) {
     return v->exponent.value > error && fabs(v->swelling - v->exponent.value) <= share * v->exponent.value + error;
 }
 
-static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
+static whirl_advice confidence_advise(const whirl_verdict *v, const evidence *e, const whirl_record *record) {
     if (v->agreement == WHIRL_HIGH) return (whirl_advice){WHIRL_NO_REMEDY, 1.0};
     if (v->regime == WHIRL_CHAOTIC) return (whirl_advice){WHIRL_LONGER_WATCH, exponent_factor(v->exponent)};
     if (v->regime == WHIRL_QUASI_PERIODIC) return (whirl_advice){WHIRL_LONGER_WATCH, usual_factor};
@@ -198,19 +198,19 @@ static whirl_advice advise(const whirl_verdict *v, const evidence *e, const whir
     return (whirl_advice){WHIRL_LONGER_WATCH, drift_factor(v, e)};
 }
 
-static whirl_confidence lesser(whirl_confidence a, whirl_confidence b) {
+static whirl_confidence confidence_lesser(whirl_confidence a, whirl_confidence b) {
     return a < b ? a : b;
 }
 
 /// Limits the confidence of a single tolerance.
-static whirl_confidence unconfirmed(whirl_confidence agreement) {
-    return lesser(agreement, WHIRL_FAIR);
+static whirl_confidence confidence_unconfirmed(whirl_confidence agreement) {
+    return confidence_lesser(agreement, WHIRL_FAIR);
 }
 
 void weigh_verdict(whirl_verdict *verdict, const evidence *e, const whirl_record *record) {
-    verdict->agreement = weigh(verdict, e);
-    verdict->confidence = unconfirmed(verdict->agreement);
-    verdict->advice = advise(verdict, e, record);
+    verdict->agreement = confidence_weigh(verdict, e);
+    verdict->confidence = confidence_unconfirmed(verdict->agreement);
+    verdict->advice = confidence_advise(verdict, e, record);
 }
 
 double verdict_least_life(const whirl_verdict *v) {
@@ -233,11 +233,11 @@ static bool leave_alike(const whirl_verdict *a, const whirl_verdict *b) {
 /// Confidence of two verdicts with the same regime. Different exponents of chaos are artefacts of the steps; those of
 /// periodic motions may belong to two that coexist.
 static whirl_confidence joint_confidence(const whirl_verdict *a, const whirl_verdict *b) {
-    const whirl_confidence both = lesser(a->agreement, b->agreement);
+    const whirl_confidence both = confidence_lesser(a->agreement, b->agreement);
     if (a->regime == WHIRL_DIVERGING) return leave_alike(a, b) ? both : WHIRL_LOW;
     if (exponents_differ(a->exponent, b->exponent))
-        return a->regime == WHIRL_CHAOTIC ? WHIRL_LOW : lesser(both, WHIRL_FAIR);
-    return a->curves == b->curves ? both : lesser(both, WHIRL_FAIR);
+        return a->regime == WHIRL_CHAOTIC ? WHIRL_LOW : confidence_lesser(both, WHIRL_FAIR);
+    return a->curves == b->curves ? both : confidence_lesser(both, WHIRL_FAIR);
 }
 
 /// Returns true if no attractor is known on which chaos may end, and copies of it stayed chaotic for long.
@@ -281,7 +281,7 @@ static int end_rank(whirl_regime regime) {
 }
 
 /// Verdict at a copy's end: a motion that returns has settled, even if its record is mostly chaotic.
-static whirl_verdict end_of(const whirl_verdict *later) {
+static whirl_verdict confidence_end_of(const whirl_verdict *later) {
     whirl_verdict end = *later;
     if (end.regime == WHIRL_UNDETERMINED && end.recurrence <= recurrence_tolerance) {
         end.regime = WHIRL_PERIODIC;
@@ -291,7 +291,7 @@ static whirl_verdict end_of(const whirl_verdict *later) {
 }
 
 void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, double revolutions, double all) {
-    const whirl_verdict end = end_of(copy), *later = &end;
+    const whirl_verdict end = confidence_end_of(copy), *later = &end;
     if (verdict->regime != WHIRL_CHAOTIC) return;
     const whirl_regime before = verdict->followed > 0.0 ? verdict->later_regime : WHIRL_CHAOTIC;
     const int period = verdict->followed > 0.0 ? verdict->later_period : 0;
@@ -302,11 +302,11 @@ void whirl_verdict_follow(whirl_verdict *verdict, const whirl_verdict *copy, dou
     verdict->later_period = counts ? later->period : period;
     if (verdict->later_regime == WHIRL_CHAOTIC) return;
     const bool ended = verdict->later_regime != WHIRL_UNDETERMINED;
-    verdict->confidence = lesser(verdict->confidence, ended ? WHIRL_LOW : WHIRL_FAIR);
+    verdict->confidence = confidence_lesser(verdict->confidence, ended ? WHIRL_LOW : WHIRL_FAIR);
     verdict->advice = (whirl_advice){WHIRL_LONGER_TRANSIENT, bounded_factor(1.0 + verdict->followed / all)};
 }
 
-static int times(int count, double factor) {
+static int confidence_times(int count, double factor) {
     const double product = ceil(count * factor * (1.0 - 1e-12));
     return product < INT_MAX / 2 ? (int)product : INT_MAX / 2;
 }
@@ -318,7 +318,7 @@ whirl_integrate_options whirl_integrate_tighter(const whirl_integrate_options *o
         tighter.rtol = fmin(options->rtol, fmax(options->rtol / factor, least_tolerance));
         tighter.atol = options->atol / factor;
     } else {
-        tighter.steps_per_revolution = times(options->steps_per_revolution, sqrt(sqrt(factor)));
+        tighter.steps_per_revolution = confidence_times(options->steps_per_revolution, sqrt(sqrt(factor)));
     }
     return tighter;
 }
@@ -329,10 +329,10 @@ void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate,
     switch (advice.remedy) {
     case WHIRL_LONGER_TRANSIENT:
         record->watch = watched;
-        record->transient = times(all, advice.factor) - record->record;
+        record->transient = confidence_times(all, advice.factor) - record->record;
         break;
     case WHIRL_LONGER_WATCH:
-        record->watch = watched + (int)fmin(times(watched, advice.factor) - watched, room);
+        record->watch = watched + (int)fmin(confidence_times(watched, advice.factor) - watched, room);
         record->transient += record->watch - watched;
         break;
     case WHIRL_TIGHTER:
@@ -341,7 +341,7 @@ void whirl_advice_apply(whirl_advice advice, whirl_integrate_options *integrate,
         break;
     case WHIRL_MORE_STEPS:
         record->samples_per_revolution = whirl_record_samples(record, integrate->steps_per_revolution);
-        integrate->steps_per_revolution = times(integrate->steps_per_revolution, advice.factor);
+        integrate->steps_per_revolution = confidence_times(integrate->steps_per_revolution, advice.factor);
         break;
     case WHIRL_OTHER_START:
     case WHIRL_NO_REMEDY:

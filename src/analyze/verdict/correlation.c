@@ -22,7 +22,7 @@ static double correlation_at(const section *all, const double *mean, size_t lag)
 }
 
 /// Root mean square distance from the mean.
-static double spread(const section *all, const double *mean) {
+static double correlation_spread(const section *all, const double *mean) {
     double sum = 0.0;
     for (size_t n = 0; n < all->count; n++)
         for (size_t i = 0; i < all->dimension; i++) {
@@ -45,7 +45,7 @@ correlation correlation_find(const section *all, double least) {
         for (size_t i = 0; i < points.dimension; i++)
             mean[i] += points.points[n * points.dimension + i] / (double)points.count;
     size_t last = 0; // last lag with a significant correlation
-    const bool moves = spread(&points, mean) > least;
+    const bool moves = correlation_spread(&points, mean) > least;
     found.late = moves ? 0.0 : NAN;
     for (size_t lag = 1; lag <= longest && moves; lag++) {
         const double size = fabs(correlation_at(&points, mean, lag));

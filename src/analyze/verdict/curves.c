@@ -44,7 +44,7 @@ static int longer_first(const void *a, const void *b) {
 }
 
 /// Prim's algorithm, from point 0.
-static void grow(tree *t, const section *points) {
+static void curves_grow(tree *t, const section *points) {
     for (size_t i = 1; i < t->count; i++) {
         t->distance[i] = section_distance(points, 0, i);
         t->nearest[i] = 0;
@@ -127,7 +127,7 @@ static void longest_paths(const tree *t, size_t parts, descent *down, part_path 
 }
 
 /// Largest distance of a part's points from one of them.
-static double reach(const tree *t, const section *points, size_t from) {
+static double curves_reach(const tree *t, const section *points, size_t from) {
     double farthest = 0.0;
     for (size_t i = 0; i < t->count; i++) {
         if (t->label[i] == t->label[from]) farthest = fmax(farthest, section_distance(points, from, i));
@@ -143,7 +143,7 @@ static bool is_closed(const tree *t, const section *points, const part_path *pat
     const double widest_gap = 0.35;    // of the curve's diameter
     if ((double)path->length < least_on_path * (double)path->size) return false;
     if (section_distance(points, path->ends[0], path->ends[1]) > widest_closing * longest_edge) return false;
-    return longest_edge <= widest_gap * reach(t, points, path->ends[0]);
+    return longest_edge <= widest_gap * curves_reach(t, points, path->ends[0]);
 }
 
 static bool all_closed(const tree *t, const section *points, size_t parts) {
@@ -157,7 +157,7 @@ static bool all_closed(const tree *t, const section *points, size_t parts) {
     return closed;
 }
 
-static int ascending(const void *a, const void *b) {
+static int curves_ascending(const void *a, const void *b) {
     const size_t first = *(const size_t *)a, second = *(const size_t *)b;
     return (first > second) - (first < second);
 }
@@ -169,7 +169,7 @@ static int median_lag(tree *t) {
         const size_t a = t->edges[e].point, b = t->edges[e].parent;
         if (t->label[a] == t->label[b]) lags[count++] = a > b ? a - b : b - a;
     }
-    qsort(lags, count, sizeof *lags, ascending);
+    qsort(lags, count, sizeof *lags, curves_ascending);
     return (int)lags[count / 2];
 }
 
@@ -180,7 +180,7 @@ closed_curves curves_find(const section *all) {
     if (points.count < MIN_POINTS_A_CURVE) return found;
     tree *t = tree_new(points.count);
     if (!t) return found;
-    grow(t, &points);
+    curves_grow(t, &points);
     for (size_t parts = points.count / MIN_POINTS_A_CURVE; parts >= 1 && found.count == 0; parts--) {
         if (parts > MAX_CURVES) continue;
         if (parts > 1 && t->longest[parts - 2].length < clear_gap * t->longest[parts - 1].length) continue;

@@ -15,7 +15,7 @@ static const double beside = 3.0, same_line = 1.0;
 /// Highest order of the search: lines above are combinations of lower ones.
 static const double highest = 4.0;
 
-static double amplitude(const whirl_line *line) {
+static double main_line_amplitude(const whirl_line *line) {
     return hypot(line->x, line->y);
 }
 
@@ -51,7 +51,7 @@ static bool are_of_two(const whirl_spectrum *spectrum, double order) {
     for (size_t i = 0; i < spectrum->line_count; i++) {
         const whirl_line *line = &spectrum->lines[i];
         double away = INFINITY;
-        if (amplitude(line) < matters * amplitude(&spectrum->lines[0])) continue;
+        if (main_line_amplitude(line) < matters * main_line_amplitude(&spectrum->lines[0])) continue;
         for (int k = -MAX_MULTIPLE; k <= MAX_MULTIPLE; k++) {
             const double off = line->order - k * order;
             away = fmin(away, fabs(off - round(off)));
@@ -62,7 +62,7 @@ static bool are_of_two(const whirl_spectrum *spectrum, double order) {
 }
 
 /// Share of the samples' mean square that the lines leave unexplained.
-static double unexplained(const whirl_record *record, size_t station, const whirl_spectrum *spectrum) {
+static double main_line_unexplained(const whirl_record *record, size_t station, const whirl_spectrum *spectrum) {
     const size_t count = record->sample_count;
     double squares = 0.0, lines = 0.0;
     for (size_t c = 0; c < 2; c++) {
@@ -71,7 +71,7 @@ static double unexplained(const whirl_record *record, size_t station, const whir
         for (size_t j = 0; j < count; j++) mean += x[j] / (double)count;
         for (size_t j = 0; j < count; j++) squares += (x[j] - mean) * (x[j] - mean) / (double)count;
     }
-    for (size_t i = 0; i < spectrum->line_count; i++) lines += 0.5 * pow(amplitude(&spectrum->lines[i]), 2.0);
+    for (size_t i = 0; i < spectrum->line_count; i++) lines += 0.5 * pow(main_line_amplitude(&spectrum->lines[i]), 2.0);
     return fabs(squares - lines) / squares;
 }
 
@@ -86,11 +86,11 @@ main_line main_line_find(const whirl_record *record) {
                                         whirl_probe_value(&record->probes[s], record->low, 0),
                                     whirl_probe_value(&record->probes[s], record->high, 1) -
                                         whirl_probe_value(&record->probes[s], record->low, 1));
-        const double share = line && extent > 0.0 ? amplitude(line) / (0.5 * extent) : 0.0;
+        const double share = line && extent > 0.0 ? main_line_amplitude(line) / (0.5 * extent) : 0.0;
         if (share > 0.0 && !(share <= found.share)) {
             found.share = share;
             found.order = line->order;
-            found.two = are_of_two(spectrum, line->order) && unexplained(record, s, spectrum) <= 0.01;
+            found.two = are_of_two(spectrum, line->order) && main_line_unexplained(record, s, spectrum) <= 0.01;
             station = s;
         }
         whirl_spectrum_free(spectrum);
@@ -102,7 +102,7 @@ main_line main_line_find(const whirl_record *record) {
     const whirl_line *first = nearest_line(early, found.order), *second = nearest_line(late, found.order);
     if (first && second) {
         const double revolutions = (double)record->record_count - 0.5 * (double)record->record_count;
-        found.trend = log(amplitude(second) / amplitude(first)) / revolutions;
+        found.trend = log(main_line_amplitude(second) / main_line_amplitude(first)) / revolutions;
         found.drift = second->order - first->order;
     } else {
         found.two = false;

@@ -8,7 +8,7 @@
 
 enum { MIN_RETURNS = 12, MAX_RETURNS = 64 };
 
-static double coordinate(const section *all, size_t n, size_t k, size_t i) {
+static double multiplier_coordinate(const section *all, size_t n, size_t k, size_t i) {
     return all->points[(n + k) * all->dimension + i] - all->points[n * all->dimension + i];
 }
 
@@ -21,7 +21,7 @@ typedef struct products {
 static void add_return(const section *all, size_t n, size_t k, double square, products *sums) {
     for (size_t i = 0; i < all->dimension; i++) {
         double d[3];
-        for (size_t j = 0; j < 3; j++) d[j] = coordinate(all, n + j * k, k, i);
+        for (size_t j = 0; j < 3; j++) d[j] = multiplier_coordinate(all, n + j * k, k, i);
         for (size_t a = 0; a < 3; a++)
             for (size_t b = 0; b < 3; b++) sums->p[a][b] += d[a] * d[b] / square;
     }
@@ -29,7 +29,7 @@ static void add_return(const section *all, size_t n, size_t k, double square, pr
 }
 
 /// Collects the last returns that are small enough to be linear and large enough not to be rounding.
-static products collect(const section *all, size_t k, double size, double rounding) {
+static products multiplier_collect(const section *all, size_t k, double size, double rounding) {
     const double most = 1e-2 * size, least = fmin(1e3 * rounding, 1e-4) * size;
     products sums = {0};
     for (size_t end = all->count; end > 3 * k && sums.count < MAX_RETURNS; end--) {
@@ -44,7 +44,7 @@ multiplier multiplier_find(const section *all, int period, double size, double r
     const double well_fit = 1e-4; // share of the squares that may stay unexplained
     const multiplier none = {NAN, NAN};
     if (period < 1) return none;
-    const products s = collect(all, (size_t)period, size, rounding);
+    const products s = multiplier_collect(all, (size_t)period, size, rounding);
     if (s.count < MIN_RETURNS) return none;
     const double mu = s.p[0][1] / s.p[0][0];
     if (s.p[1][1] - mu * s.p[0][1] <= well_fit * s.p[1][1]) return (multiplier){mu, 0.0};

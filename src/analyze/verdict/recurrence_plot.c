@@ -19,7 +19,7 @@ static void end_line(line_count *lines) {
     lines->now = 0;
 }
 
-static void walk(line_count *lines, bool recurs) {
+static void recurrence_plot_walk(line_count *lines, bool recurs) {
     if (!recurs) {
         end_line(lines);
         return;
@@ -33,7 +33,7 @@ static line_count diagonal_lines(const section *points, double radius, size_t sh
     line_count lines = {.shortest = shortest};
     for (size_t apart = 1; apart < points->count; apart++) {
         for (size_t n = 0; n + apart < points->count; n++)
-            walk(&lines, section_distance(points, n, n + apart) <= radius);
+            recurrence_plot_walk(&lines, section_distance(points, n, n + apart) <= radius);
         end_line(&lines);
     }
     return lines;
@@ -43,7 +43,8 @@ static line_count diagonal_lines(const section *points, double radius, size_t sh
 static line_count vertical_lines(const section *points, double radius, size_t shortest) {
     line_count lines = {.shortest = shortest};
     for (size_t n = 0; n < points->count; n++) {
-        for (size_t m = 0; m < points->count; m++) walk(&lines, section_distance(points, n, m) <= radius);
+        for (size_t m = 0; m < points->count; m++)
+            recurrence_plot_walk(&lines, section_distance(points, n, m) <= radius);
         end_line(&lines);
     }
     return lines;

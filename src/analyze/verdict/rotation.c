@@ -49,14 +49,14 @@ static cloud *cloud_new(const section *all, size_t curves) {
     return c;
 }
 
-static double dot(const double *a, const double *b, size_t count) {
+static double rotation_dot(const double *a, const double *b, size_t count) {
     double sum = 0.0;
     for (size_t i = 0; i < count; i++) sum += a[i] * b[i];
     return sum;
 }
 
 static void scale_to(double *values, size_t count, double square) {
-    const double factor = sqrt(square / dot(values, values, count));
+    const double factor = sqrt(square / rotation_dot(values, values, count));
     for (size_t i = 0; i < count; i++) values[i] *= factor;
 }
 
@@ -68,11 +68,11 @@ static void find_axis(cloud *c, int which) {
     for (size_t i = 0; i < d; i++) axis[i] = c->points[i] + c->points[c->count / 3 * d + i] * (which ? -1.0 : 1.0);
     for (int iteration = 0; iteration < ITERATIONS; iteration++) {
         if (which == 1) {
-            const double overlap = dot(axis, c->axes[0], d);
+            const double overlap = rotation_dot(axis, c->axes[0], d);
             for (size_t i = 0; i < d; i++) axis[i] -= overlap * c->axes[0][i];
         }
         scale_to(axis, d, 1.0);
-        for (size_t n = 0; n < c->count; n++) along[n] = dot(c->points + n * d, axis, d);
+        for (size_t n = 0; n < c->count; n++) along[n] = rotation_dot(c->points + n * d, axis, d);
         if (iteration + 1 == ITERATIONS) break;
         memset(axis, 0, d * sizeof *axis);
         for (size_t n = 0; n < c->count; n++)
@@ -81,7 +81,7 @@ static void find_axis(cloud *c, int which) {
     scale_to(along, c->count, (double)c->count);
 }
 
-static double fraction(double value) {
+static double rotation_fraction(double value) {
     return value - floor(value);
 }
 
@@ -89,12 +89,12 @@ static void find_turns(cloud *c) {
     double before = 0.0;
     for (size_t n = 0; n < c->count; n++) {
         const double angle = atan2(c->across[1][n], c->across[0][n]) / two_pi;
-        if (n > 0) c->turns[n - 1] = fraction(angle - before);
+        if (n > 0) c->turns[n - 1] = rotation_fraction(angle - before);
         before = angle;
     }
 }
 
-static int ascending(const void *a, const void *b) {
+static int rotation_ascending(const void *a, const void *b) {
     const double first = *(const double *)a, second = *(const double *)b;
     return (first > second) - (first < second);
 }
@@ -105,7 +105,7 @@ static bool lift_turns(cloud *c) {
     const double least_gap = 0.02;
     const size_t count = c->count > 1 ? c->count - 1 : 1;
     memcpy(c->sorted, c->turns, count * sizeof *c->sorted);
-    qsort(c->sorted, count, sizeof *c->sorted, ascending);
+    qsort(c->sorted, count, sizeof *c->sorted, rotation_ascending);
     double widest = c->sorted[0] + 1.0 - c->sorted[count - 1], from = 1.0;
     for (size_t i = 0; i + 1 < count; i++) {
         if (c->sorted[i + 1] - c->sorted[i] <= widest) continue;
@@ -126,12 +126,12 @@ static double weighted_mean(const double *values, size_t count) {
     return sum / weights;
 }
 
-static size_t place_of(const cloud *c, size_t i) {
+static size_t rotation_place_of(const cloud *c, size_t i) {
     return (size_t)fmod(c->sorted[i % c->ordered], 1e5);
 }
 
 static double median_of(double *values, size_t count) {
-    qsort(values, count, sizeof *values, ascending);
+    qsort(values, count, sizeof *values, rotation_ascending);
     return values[count / 2];
 }
 
@@ -141,9 +141,9 @@ static bool is_smooth(cloud *c, double number, double reach) {
     const double least = 0.02, by_bend = 0.6; // of the distance of the neighbours; a curve of some bends has reach/8
     const size_t d = c->dimension;
     for (size_t i = 0; i < c->ordered; i++) {
-        const size_t from = place_of(c, i), at = place_of(c, i + 1), to = place_of(c, i + 2);
-        const double before = fraction(((double)at - (double)from) * number);
-        const double after = fraction(((double)to - (double)at) * number), share = before / (before + after);
+        const size_t from = rotation_place_of(c, i), at = rotation_place_of(c, i + 1), to = rotation_place_of(c, i + 2);
+        const double before = rotation_fraction(((double)at - (double)from) * number);
+        const double after = rotation_fraction(((double)to - (double)at) * number), share = before / (before + after);
         double off = 0.0, chord = 0.0;
         for (size_t k = 0; k < d; k++) {
             const double a = c->points[from * d + k], b = c->points[to * d + k];
@@ -167,12 +167,12 @@ static bool goes_round(cloud *c, double number) {
     for (size_t i = 0; i < c->ordered; i++) {
         const size_t n = c->count - c->ordered + i;
         // The place and the index in one number, to be sorted together.
-        c->sorted[i] = floor(fraction((double)n * number) * 1e9) * 1e5 + (double)n;
-        reach = fmax(reach, sqrt(dot(c->points + n * d, c->points + n * d, d)));
+        c->sorted[i] = floor(rotation_fraction((double)n * number) * 1e9) * 1e5 + (double)n;
+        reach = fmax(reach, sqrt(rotation_dot(c->points + n * d, c->points + n * d, d)));
     }
-    qsort(c->sorted, c->ordered, sizeof *c->sorted, ascending);
+    qsort(c->sorted, c->ordered, sizeof *c->sorted, rotation_ascending);
     for (size_t n = 0; n < c->ordered; n++) {
-        const size_t from = place_of(c, n), to = place_of(c, n + 1);
+        const size_t from = rotation_place_of(c, n), to = rotation_place_of(c, n + 1);
         double square = 0.0;
         for (size_t i = 0; i < d; i++) {
             const double step = c->points[to * d + i] - c->points[from * d + i];
@@ -193,7 +193,7 @@ double rotation_number(const section *all, int curves) {
     find_axis(c, 1);
     find_turns(c);
     if (lift_turns(c)) {
-        number = fraction(weighted_mean(c->turns, c->count - 1));
+        number = rotation_fraction(weighted_mean(c->turns, c->count - 1));
         number = fmin(number, 1.0 - number);
         if (!goes_round(c, number)) number = NAN;
     }

@@ -40,7 +40,7 @@ double motion_rounding(const whirl_record *record) {
 // ---------------------------------------------------------------- metric
 
 /// out = a b, or a' b.
-static void multiply(size_t n, const double *a, bool transposed, const double *b, double *out) {
+static void section_multiply(size_t n, const double *a, bool transposed, const double *b, double *out) {
     memset(out, 0, n * n * sizeof *out);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < n; k++) {
@@ -52,8 +52,8 @@ static void multiply(size_t n, const double *a, bool transposed, const double *b
 /// Adds (power)' p power to p; returns true if that changed it. *finite: the sum is a number.
 static bool add_further(size_t n, const double *power, double *p, double *room, bool *finite) {
     double most = 0.0, added = 0.0;
-    multiply(n, p, false, power, room);
-    multiply(n, power, true, room, room + n * n);
+    section_multiply(n, p, false, power, room);
+    section_multiply(n, power, true, room, room + n * n);
     for (size_t i = 0; i < n * n; i++) {
         most = fmax(most, fabs(p[i]));
         added = fmax(added, fabs(room[n * n + i]));
@@ -72,7 +72,7 @@ bool metric_make(size_t n, const double *m, double *p, double *shrinks, double *
     memcpy(power, m, size * sizeof *m);
     for (size_t i = 0; i < size; i++) p[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
     while (k < MAX_DOUBLINGS && add_further(n, power, p, room + size, &finite)) {
-        multiply(n, power, false, power, room + size);
+        section_multiply(n, power, false, power, room + size);
         memcpy(power, room + size, size * sizeof *power);
         k++;
     }

@@ -48,7 +48,8 @@ static size_t main_directions(const section *all, double least, double *axes, do
 }
 
 /// Projects step n on the main directions, each over its size: out [count].
-static void project(const section *all, size_t n, size_t count, const double *axes, const double *sizes, double *out) {
+static void settling_map_project(const section *all, size_t n, size_t count, const double *axes, const double *sizes,
+                                 double *out) {
     for (size_t k = 0; k < count; k++) {
         out[k] = 0.0;
         for (size_t i = 0; i < all->dimension; i++) out[k] += axes[k * all->dimension + i] * step_along(all, n, i);
@@ -63,8 +64,8 @@ static double fit_map(const section *all, size_t count, const double *axes, cons
     double now[MAX_DIRECTIONS], next[MAX_DIRECTIONS], left = 0.0, whole = 0.0;
     const size_t pairs = all->count - 2;
     for (size_t n = 0; n < pairs; n++) {
-        project(all, n, count, axes, sizes, now);
-        project(all, n + 1, count, axes, sizes, next);
+        settling_map_project(all, n, count, axes, sizes, now);
+        settling_map_project(all, n + 1, count, axes, sizes, next);
         for (size_t i = 0; i < count; i++)
             for (size_t k = 0; k < count; k++) {
                 square[i * count + k] += now[i] * now[k];
@@ -74,8 +75,8 @@ static double fit_map(const section *all, size_t count, const double *axes, cons
     if (!matrix_solve(count, square, count, product)) return INFINITY;
     memcpy(map, product, count * count * sizeof *map);
     for (size_t n = 0; n < pairs; n++) {
-        project(all, n, count, axes, sizes, now);
-        project(all, n + 1, count, axes, sizes, next);
+        settling_map_project(all, n, count, axes, sizes, now);
+        settling_map_project(all, n + 1, count, axes, sizes, next);
         for (size_t i = 0; i < count; i++) {
             double away = next[i];
             for (size_t k = 0; k < count; k++) away -= map[i * count + k] * now[k];

@@ -251,7 +251,7 @@ static whirl_verdict chaotic_verdict(const evidence *e) {
 }
 
 /// Notes failed exponents: steps that do not resolve perturbations may not resolve the motion either.
-static void distrust(whirl_verdict *verdict) {
+static void verdict_distrust(whirl_verdict *verdict) {
     verdict->exponents_failed = true;
     verdict->agreement = verdict->confidence = WHIRL_LOW;
     verdict->advice = (whirl_advice){WHIRL_TIGHTER, 256.0};
@@ -292,7 +292,7 @@ static whirl_verdict judge_bounded(const whirl_record *record) {
     if (verdict.regime == WHIRL_UNDETERMINED) verdict = line_verdict(&all, record, verdict);
     take_orbit(&verdict, &record->orbit);
     weigh_verdict(&verdict, e, record);
-    if (all.exponents_failed) distrust(&verdict);
+    if (all.exponents_failed) verdict_distrust(&verdict);
     return verdict;
 }
 

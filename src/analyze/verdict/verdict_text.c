@@ -25,7 +25,7 @@ const char *whirl_confidence_name(whirl_confidence confidence) {
     return (unsigned)confidence < sizeof names / sizeof *names ? names[confidence] : names[WHIRL_LOW];
 }
 
-static const char *plural(int count) {
+static const char *verdict_text_plural(int count) {
     return count == 1 ? "" : "s";
 }
 
@@ -33,7 +33,7 @@ static void quasi_periodic_name(const whirl_verdict *v, char *text, size_t size)
     if (v->line > 0.0)
         snprintf(text, size, "quasi-periodic (1X and %.4gX)", v->line);
     else if (v->curves > 0)
-        snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, plural(v->curves));
+        snprintf(text, size, "quasi-periodic (%d curve%s)", v->curves, verdict_text_plural(v->curves));
     else if (v->frequencies == 2)
         snprintf(text, size, "quasi-periodic (forced)");
     else if (v->frequencies > 0)
@@ -124,7 +124,7 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
     } else if (v->recurrence <= recurrence_tolerance) {
         snprintf(text, size,
                  "returns after %d revolution%s to %.1e of its size, but it is not certain that it has settled (%s)",
-                 v->recurrence_period, plural(v->recurrence_period), v->recurrence, exponent);
+                 v->recurrence_period, verdict_text_plural(v->recurrence_period), v->recurrence, exponent);
     } else if (v->recurrence_trend < 0.9) {
         snprintf(text, size,
                  "still settling: the distance of returns has shrunk to %.2g of what it was (best return %.1e of its "
@@ -139,7 +139,7 @@ static void undetermined_reason(const whirl_verdict *v, const char *exponent, ch
         snprintf(text, size,
                  "drifts evenly: it nearly returns after %d revolution%s (%.1e of its size), and goes once round its "
                  "curve in some %.0f revolutions, which must be watched a dozen times (%s)",
-                 v->recurrence_period, plural(v->recurrence_period), v->recurrence, v->round, exponent);
+                 v->recurrence_period, verdict_text_plural(v->recurrence_period), v->recurrence, v->round, exponent);
     } else if (regular) {
         snprintf(text, size,
                  "regular, but its section does not fill a closed curve yet, and it %s; averages of two halves agree "
@@ -181,7 +181,7 @@ static void quasi_periodic_reason(const whirl_verdict *v, const char *exponent, 
     }
     if (v->curves > 0)
         snprintf(what, sizeof what, "draws %d closed curve%s; locks up to P-%d are excluded, longer ones are not",
-                 v->curves, plural(v->curves), v->unlocked);
+                 v->curves, verdict_text_plural(v->curves), v->unlocked);
     else if (v->frequencies == 2)
         snprintf(what, sizeof what, "is regular: a phase that fits no revolution forces it, and perturbations die out");
     else if (v->frequencies > 0)
@@ -201,7 +201,7 @@ static void orbit_text(const whirl_verdict *v, char *text, size_t size) {
     case WHIRL_ORBIT_STABLE:
     case WHIRL_ORBIT_UNSTABLE:
         snprintf(text, size, "; an orbit of %d revolution%s closes to %.0e, its largest multiplier is %.4g%s",
-                 v->orbit_period, plural(v->orbit_period), v->orbit_residual, v->orbit_modulus,
+                 v->orbit_period, verdict_text_plural(v->orbit_period), v->orbit_residual, v->orbit_modulus,
                  v->orbit == WHIRL_ORBIT_UNSTABLE ? ": it is not stable" : "");
         return;
     case WHIRL_ORBIT_ELSEWHERE:
@@ -219,8 +219,8 @@ static void orbit_text(const whirl_verdict *v, char *text, size_t size) {
 static void periodic_reason(const whirl_verdict *v, const char *exponent, char *text, size_t size) {
     char orbit[112];
     orbit_text(v, orbit, sizeof orbit);
-    snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s%s", v->period, plural(v->period),
-             v->recurrence, exponent, orbit);
+    snprintf(text, size, "returns after %d revolution%s to %.1e of its size; %s%s", v->period,
+             verdict_text_plural(v->period), v->recurrence, exponent, orbit);
 }
 
 static void rest_reason(const whirl_verdict *v, char *text, size_t size) {
@@ -301,7 +301,7 @@ static void name_kind(whirl_regime regime, int period, char name[WHIRL_NAME_SIZE
 }
 
 /// Writes how the second tolerance contradicts.
-static void contradiction(const whirl_verdict *v, char *text, size_t size) {
+static void verdict_text_contradiction(const whirl_verdict *v, char *text, size_t size) {
     char other[WHIRL_NAME_SIZE];
     name_kind(v->other_regime, v->other_period, other);
     if (v->other_regime != v->regime || v->other_period != v->period)
@@ -326,7 +326,7 @@ void whirl_verdict_reason(const whirl_verdict *verdict, char *text, size_t size)
     exponent_text(verdict, exponent, sizeof exponent);
     regime_reason(verdict, exponent, reason, sizeof reason);
     const bool ended = verdict->followed > 0.0 && verdict->later_regime != WHIRL_CHAOTIC;
-    if (verdict->confirmed && !ended) contradiction(verdict, second, sizeof second);
+    if (verdict->confirmed && !ended) verdict_text_contradiction(verdict, second, sizeof second);
     if (verdict->followed > 0.0) later_text(verdict, later, sizeof later);
     snprintf(text, size, "%s%s%s", reason, second, later);
 }

@@ -14,7 +14,7 @@ static const double pi = 3.141592653589793238463;
 
 /// One observable of the section, mean 0 and mean square 1: a sum of its coordinates, each scaled by its spread and
 /// with a weight of its own, so that no symmetry of the motion hides. False if only rounding moves.
-static bool observe(const section *points, double size, double *u) {
+static bool zero_one_observe(const section *points, double size, double *u) {
     double squares = 0.0;
     for (size_t n = 0; n < points->count; n++) u[n] = 0.0;
     for (size_t i = 0; i < points->dimension; i++) {
@@ -39,7 +39,7 @@ static bool observe(const section *points, double size, double *u) {
 }
 
 /// p, q [count] driven with frequency c.
-static void drive(const double *u, size_t count, double c, double *p, double *q) {
+static void zero_one_drive(const double *u, size_t count, double c, double *p, double *q) {
     double px = 0.0, qx = 0.0;
     for (size_t n = 0; n < count; n++) {
         px += u[n] * cos(c * (double)n);
@@ -58,7 +58,7 @@ static double mean_square_displacement(const double *p, const double *q, size_t 
     return sum / (double)averaged;
 }
 
-static double correlate(const double *a, const double *b, size_t count) {
+static double zero_one_correlate(const double *a, const double *b, size_t count) {
     double ma = 0.0, mb = 0.0, aa = 0.0, bb = 0.0, ab = 0.0;
     for (size_t i = 0; i < count; i++) {
         ma += a[i] / (double)count;
@@ -77,16 +77,16 @@ static double growth_at(const double *u, size_t count, double c) {
     double p[MAX_POINTS], q[MAX_POINTS], lags[MAX_LAGS] = {0}, displacement[MAX_LAGS] = {0};
     const size_t longest = count / 10, averaged = count - longest;
     const size_t used = longest < MAX_LAGS ? longest : MAX_LAGS;
-    drive(u, count, c, p, q);
+    zero_one_drive(u, count, c, p, q);
     for (size_t i = 0; i < used; i++) {
         const size_t lag = (i + 1) * longest / used;
         lags[i] = (double)lag;
         displacement[i] = mean_square_displacement(p, q, averaged, lag);
     }
-    return correlate(lags, displacement, used);
+    return zero_one_correlate(lags, displacement, used);
 }
 
-static double median(double *values, size_t count) {
+static double zero_one_median(double *values, size_t count) {
     for (size_t i = 1; i < count; i++) {
         const double value = values[i];
         size_t at = i;
@@ -99,10 +99,10 @@ static double median(double *values, size_t count) {
 double zero_one_test(const section *all, double size) {
     const section points = section_tail(all, MAX_POINTS);
     double u[MAX_POINTS], growth[FREQUENCIES];
-    if (points.count < ZERO_ONE_MIN || !observe(&points, size, u)) return NAN;
+    if (points.count < ZERO_ONE_MIN || !zero_one_observe(&points, size, u)) return NAN;
     for (size_t i = 0; i < FREQUENCIES; i++) {
         const double turn = fmod((double)(i + 1) * 0.6180339887498949, 1.0); // spread evenly, the same in every run
         growth[i] = growth_at(u, points.count, pi / 5.0 * (1.0 + 3.0 * turn));
     }
-    return median(growth, FREQUENCIES);
+    return zero_one_median(growth, FREQUENCIES);
 }

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-static void exchange(size_t count, double *a, double *b) {
+static void elimination_exchange(size_t count, double *a, double *b) {
     for (size_t i = 0; i < count; i++) {
         const double kept = a[i];
         a[i] = b[i];
@@ -23,7 +23,7 @@ bool elimination_decompose(size_t n, double *a, size_t *order) {
     for (size_t k = 0; k < n; k++) {
         const double *from = a + k * n;
         order[k] = find_pivot(n, a, k);
-        if (order[k] != k) exchange(n, a + k * n, a + order[k] * n);
+        if (order[k] != k) elimination_exchange(n, a + k * n, a + order[k] * n);
         if (!(fabs(from[k]) > 0.0)) return false;
         for (size_t i = k + 1; i < n; i++) {
             double *row = a + i * n;
@@ -36,7 +36,7 @@ bool elimination_decompose(size_t n, double *a, size_t *order) {
 }
 
 void elimination_solve(size_t n, const double *a, const size_t *order, double *b) {
-    for (size_t k = 0; k < n; k++) exchange(1, b + k, b + order[k]);
+    for (size_t k = 0; k < n; k++) elimination_exchange(1, b + k, b + order[k]);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < i; k++) b[i] -= a[i * n + k] * b[k];
     for (size_t i = n; i-- > 0;) {

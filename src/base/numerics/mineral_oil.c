@@ -4,14 +4,14 @@
 
 static const double mm2 = 1e-6;
 
-static double walther(double nu) {
+static double mineral_oil_walther(double nu) {
     return log10(log10(nu / mm2 + 0.7));
 }
 
 double mineral_oil_viscosity(const double *temperatures, const double *viscosities, size_t count, double temperature) {
     size_t i = 1;
     while (i + 1 < count && temperature > temperatures[i]) i++;
-    const double low = walther(viscosities[i - 1]), high = walther(viscosities[i]);
+    const double low = mineral_oil_walther(viscosities[i - 1]), high = mineral_oil_walther(viscosities[i]);
     const double slope = (high - low) / log10(temperatures[i] / temperatures[i - 1]);
     return (pow(10.0, pow(10.0, low + slope * log10(temperature / temperatures[i - 1]))) - 0.7) * mm2;
 }

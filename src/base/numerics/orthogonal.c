@@ -21,7 +21,7 @@ static inline void reflect_some(size_t n, const double *r, size_t k, double twic
 }
 
 /// Reflects all columns from `first` on.
-static void reflect(size_t n, const double *r, size_t k, double *rows, size_t first) {
+static void orthogonal_reflect(size_t n, const double *r, size_t k, double *rows, size_t first) {
     double square = 1.0;
     for (size_t i = k + 1; i < n; i++) square += r[i * n + k] * r[i * n + k];
     const double twice = 2.0 / square;
@@ -48,11 +48,11 @@ bool matrix_orthogonal(size_t n, const double *a, double *q, double *r) {
     memcpy(r, a, n * n * sizeof *r);
     for (size_t k = 0; k + 1 < n; k++) {
         make_reflection(n, r, k);
-        reflect(n, r, k, r, k + 1);
+        orthogonal_reflect(n, r, k, r, k + 1);
     }
     for (size_t i = 0; i < n * n; i++) q[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
     for (size_t k = n; k-- > 0;)
-        if (k + 1 < n) reflect(n, r, k, q, k);
+        if (k + 1 < n) orthogonal_reflect(n, r, k, q, k);
     for (size_t i = 0; i < n; i++) {
         const double sign = r[i * n + i] < 0.0 ? -1.0 : 1.0;
         for (size_t k = 0; k < i; k++) r[i * n + k] = 0.0;

@@ -41,7 +41,7 @@ static double complex entry_of(const rational_sample *of, int e) {
 }
 
 /// 1/z, computed the same way by all compilers, unlike their own division.
-static double complex inverse(double complex z) {
+static double complex rational_fit_inverse(double complex z) {
     const double size = creal(z) * creal(z) + cimag(z) * cimag(z);
     return creal(z) / size - cimag(z) / size * I;
 }
@@ -50,7 +50,8 @@ static double complex inverse(double complex z) {
 
 /// Householder's reflections of a [rows][stride], which triangularize `count` columns from `first` on, in the rows from
 /// there on, and transform all columns up to `columns` (Golub, Van Loan 2013, 5.2).
-static void triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride, double *a) {
+static void rational_fit_triangularize(size_t rows, size_t first, size_t count, size_t columns, size_t stride,
+                                       double *a) {
     for (size_t c = first; c < first + count && c < rows; c++) {
         double size = 0.0, sum[MAX_COLUMNS] = {0.0};
         for (size_t r = c; r < rows; r++) size += a[r * stride + c] * a[r * stride + c];
@@ -71,7 +72,7 @@ static void triangularize(size_t rows, size_t first, size_t count, size_t column
 /// Finds the shortest x [n] for which a x is nearest to the last column of a [rows][n + 1].
 static bool solve_nearest(size_t rows, size_t n, double *a, double *x) {
     double square[(MAX_POLES + 2) * (MAX_POLES + 2)];
-    triangularize(rows, 0, n, n + 1, n + 1, a);
+    rational_fit_triangularize(rows, 0, n, n + 1, n + 1, a);
     for (size_t i = 0; i < n; i++) {
         for (size_t k = 0; k < n; k++) square[i * n + k] = a[i * (n + 1) + k];
         x[i] = a[i * (n + 1) + n];
@@ -88,7 +89,7 @@ static void put_row(double *a, size_t stride, size_t k, size_t column, double co
 
 /// The first and the second function of a pair.
 static double complex of_pair(const rational_pair *pair, double w, int which) {
-    const double complex below = inverse(pair->w * pair->w - w * w + I * (pair->g * w));
+    const double complex below = rational_fit_inverse(pair->w * pair->w - w * w + I * (pair->g * w));
     return which == 0 ? pair->w * pair->w * below : I * (pair->w * w) * below;
 }
 
@@ -166,7 +167,7 @@ static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pair
             for (size_t e = 0; e < RATIONAL_ENTRIES; e++)
                 put_row(a, stride, k, n + e, f->weight[set][k] * entry_of(&f->samples[set * f->count + k], (int)e));
         }
-        triangularize(2 * f->count, 0, n, stride, stride, a);
+        rational_fit_triangularize(2 * f->count, 0, n, stride, stride, a);
         for (size_t r = n; r < 2 * f->count; r++)
             for (size_t c = n; c < stride; c++) *error += a[r * stride + c] * a[r * stride + c];
     }
@@ -177,15 +178,16 @@ static bool error_of(const fitting *f, const pole_set *poles, rational_fit *pair
 // ---------------------------------------------------------------- poles
 
 /// 1/(s - p), or of a pair the sum of both, and i times their difference.
-static double complex partial(const pole_set *poles, size_t k, double w) {
+static double complex rational_fit_partial(const pole_set *poles, size_t k, double w) {
     const double b = poles->imaginary[k];
     const double a = poles->real[k];
-    const double complex one = inverse(-a + I * (w - fabs(b))), other = inverse(-a + I * (w + fabs(b)));
+    const double complex one = rational_fit_inverse(-a + I * (w - fabs(b))),
+                         other = rational_fit_inverse(-a + I * (w + fabs(b)));
     return b == 0.0 ? one : b > 0.0 ? one + other : I * (one - other);
 }
 
 /// Distance of the samples around a frequency.
-static double spacing(const fitting *f, double w) {
+static double rational_fit_spacing(const fitting *f, double w) {
     size_t k = 1;
     while (k + 1 < f->count && f->w[k] < w) k++;
     return f->w[k] - f->w[k - 1];
@@ -193,7 +195,7 @@ static double spacing(const fitting *f, double w) {
 
 /// Restricts poles: stable, neither far beyond the frequencies nor far below them, where samples cannot distinguish
 /// them from constants, and no resonances narrower than half the distance of samples, which would fit their errors.
-static void tidy(const fitting *f, pole_set *poles) {
+static void rational_fit_tidy(const fitting *f, pole_set *poles) {
     const double fastest = 10.0;
     for (size_t k = 0; k < poles->count; k++) {
         double *a = &poles->real[k], *b = &poles->imaginary[k];
@@ -201,7 +203,7 @@ static void tidy(const fitting *f, pole_set *poles) {
         const double kept = fmin(fmax(size, f->least), fastest);
         *a = size > 0.0 ? -fabs(*a) * (kept / size) : -kept;
         *b = size > 0.0 ? *b * (kept / size) : 0.0;
-        if (*b != 0.0) *a = fmin(*a, -0.25 * spacing(f, fabs(*b)));
+        if (*b != 0.0) *a = fmin(*a, -0.25 * rational_fit_spacing(f, fabs(*b)));
     }
 }
 
@@ -214,7 +216,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
     for (size_t k = 0; k < f->count; k++) {
         const double weight = f->weight[set][k];
         for (size_t j = 0; j <= n; j++) {
-            const double complex value = j < n ? weight * partial(poles, j, f->w[k]) : weight;
+            const double complex value = j < n ? weight * rational_fit_partial(poles, j, f->w[k]) : weight;
             put_row(a, stride, k, j, value);
             for (size_t e = 0; e < RATIONAL_ENTRIES; e++)
                 put_row(a, stride, k, before + e * (n + 1) + j,
@@ -222,11 +224,11 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
         }
         put_row(a, stride, k, n + 1, I * (f->w[k] * weight));
     }
-    triangularize(2 * f->count, 0, before, stride, stride, a);
+    rational_fit_triangularize(2 * f->count, 0, before, stride, stride, a);
     for (size_t e = 0; e < RATIONAL_ENTRIES; e++, out += (n + 1) * (n + 2)) {
         for (size_t r = 0; r < rows; r++)
             for (size_t j = 0; j <= n; j++) own[r * (n + 1) + j] = a[(before + r) * stride + before + e * (n + 1) + j];
-        triangularize(rows, 0, n + 1, n + 1, n + 1, own);
+        rational_fit_triangularize(rows, 0, n + 1, n + 1, n + 1, own);
         for (size_t i = 0; i <= n; i++) {
             for (size_t j = 0; j <= n; j++) out[i * (n + 2) + j] = i < rows ? own[i * (n + 1) + j] : 0.0;
             out[i * (n + 2) + n + 1] = 0.0;
@@ -235,7 +237,7 @@ static void rows_of_set(const fitting *f, const pole_set *poles, size_t set, dou
 }
 
 /// Moves the poles to the zeros of the scaling function.
-static bool relocate(const fitting *f, pole_set *poles) {
+static bool rational_fit_relocate(const fitting *f, pole_set *poles) {
     enum { MAX_ENTRIES = RATIONAL_MAX_SETS * RATIONAL_ENTRIES };
     double a[(MAX_ENTRIES * (MAX_POLES + 1) + 1) * (MAX_POLES + 2)] = {0.0}, x[MAX_POLES + 2];
     double matrix[MAX_POLES * MAX_POLES] = {0.0};
@@ -245,7 +247,8 @@ static bool relocate(const fitting *f, pole_set *poles) {
     double *last = a + (rows - 1) * (n + 2); // its mean is 1
     for (size_t j = 0; j < n; j++) {
         last[j] = 0.0;
-        for (size_t k = 0; k < f->count; k++) last[j] += creal(partial(poles, j, f->w[k])) / (double)f->count;
+        for (size_t k = 0; k < f->count; k++)
+            last[j] += creal(rational_fit_partial(poles, j, f->w[k])) / (double)f->count;
     }
     last[n] = last[n + 1] = 1.0;
     if (!solve_nearest(rows, n + 1, a, x)) return false;
@@ -258,7 +261,7 @@ static bool relocate(const fitting *f, pole_set *poles) {
         for (size_t j = 0; j < n; j++) matrix[i * n + j] -= drive * x[j] / constant;
     }
     if (!matrix_eigen(n, matrix, poles->real, poles->imaginary, NULL)) return false;
-    tidy(f, poles);
+    rational_fit_tidy(f, poles);
     return true;
 }
 
@@ -271,11 +274,11 @@ static pole_set first_poles(const fitting *f, size_t pair_count) {
         out.imaginary[2 * j] = w;
         out.imaginary[2 * j + 1] = -w;
     }
-    tidy(f, &out);
+    rational_fit_tidy(f, &out);
     return out;
 }
 
-static fitting begin(size_t sets, size_t count, const double *w, const rational_sample *samples) {
+static fitting rational_fit_begin(size_t sets, size_t count, const double *w, const rational_sample *samples) {
     fitting f = {.sets = sets, .count = count, .top = w[count - 1], .samples = samples};
     double largest = 0.0;
     for (size_t i = 0; i < sets * count; i++) largest = fmax(largest, rational_size(&samples[i]));
@@ -293,7 +296,7 @@ static fitting begin(size_t sets, size_t count, const double *w, const rational_
 bool rational_fit_poles(size_t sets, size_t count, const double *w, const rational_sample *samples, size_t pair_count,
                         rational_fit *out) {
     enum { MAX_STEPS = 40 };
-    const fitting f = begin(sets, count, w, samples);
+    const fitting f = rational_fit_begin(sets, count, w, samples);
     pole_set poles = first_poles(&f, pair_count);
     double least, last;
     if (!error_of(&f, &poles, out, &least)) return false;
@@ -302,7 +305,7 @@ bool rational_fit_poles(size_t sets, size_t count, const double *w, const ration
     for (int step = 0; step < MAX_STEPS && pair_count > 0 && least > 1e-14; step++) {
         rational_fit next;
         double error;
-        if (!relocate(&f, &poles) || !error_of(&f, &poles, &next, &error)) return false;
+        if (!rational_fit_relocate(&f, &poles) || !error_of(&f, &poles, &next, &error)) return false;
         if (error < least) *out = next;
         if (fabs(error - last) <= 1e-3 * last) break;
         least = fmin(least, error);
@@ -354,7 +357,7 @@ static bool raise_slope(double slope[RATIONAL_ENTRIES], double least) {
 }
 
 bool rational_fit_numbers(size_t count, const double *w, const rational_sample *samples, rational_fit *io) {
-    const fitting f = begin(1, count, w, samples);
+    const fitting f = rational_fit_begin(1, count, w, samples);
     for (size_t j = 0; j < io->pair_count; j++) {
         io->pairs[j].w /= f.top;
         io->pairs[j].g /= f.top;

@@ -58,7 +58,7 @@ int whirl_key_choice(const whirl_key *key, const char *word) {
     return -1;
 }
 
-static size_t least(size_t a, size_t b) {
+static size_t descriptor_least(size_t a, size_t b) {
     return a < b ? a : b;
 }
 
@@ -71,9 +71,9 @@ static size_t spelling_distance(const char *a, size_t a_length, const char *b, s
         now[0] = i;
         for (size_t j = 1; j <= b_length; j++) {
             const size_t replaced = last[j - 1] + (a[i - 1] != b[j - 1]);
-            now[j] = least(replaced, least(last[j], now[j - 1]) + 1);
+            now[j] = descriptor_least(replaced, descriptor_least(last[j], now[j - 1]) + 1);
             if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                now[j] = least(now[j], before[j - 2] + 1);
+                now[j] = descriptor_least(now[j], before[j - 2] + 1);
         }
         memcpy(before, last, sizeof last);
         memcpy(last, now, sizeof now);

@@ -85,7 +85,7 @@ const unit_word *unit_words(void) {
     return words;
 }
 
-static const unit_word *find(const char *word) {
+static const unit_word *unit_words_find(const char *word) {
     for (const unit_word *one = words; one->word; one++)
         if (strcmp(one->word, word) == 0) return one;
     return NULL;
@@ -93,10 +93,10 @@ static const unit_word *find(const char *word) {
 
 const unit_word *unit_of_system(const unit_word *system, unit_kind kind) {
     const bool is_customary = system && strcmp(system->word, "US") == 0 && customary[kind];
-    return is_customary ? find(customary[kind]) : NULL;
+    return is_customary ? unit_words_find(customary[kind]) : NULL;
 }
 
-static whirl_status unknown(const char *word) {
+static whirl_status unit_words_unknown(const char *word) {
     const char *names[sizeof words / sizeof *words];
     char list[512] = "";
     size_t count = 0, used = 0;
@@ -109,13 +109,13 @@ static whirl_status unknown(const char *word) {
     return whirl_fail(WHIRL_BAD_INPUT, "'%s' is no unit of figures, expected some of %s", word, list);
 }
 
-static whirl_status add(unit_choice *choice, const char *word) {
+static whirl_status unit_words_add(unit_choice *choice, const char *word) {
     static const char *const kinds[UNIT_KINDS] = {
         "lengths", "speeds",       "frequencies", "amplitudes",        "forces",          "masses",    "stiffness",
         "damping", "moments",      "inertia",     "unbalance",         "density",         "pressures", "flows",
         "powers",  "temperatures", "viscosities", "masses of weights", "systems of units"};
-    const unit_word *found = find(word);
-    if (!found) return unknown(word);
+    const unit_word *found = unit_words_find(word);
+    if (!found) return unit_words_unknown(word);
     const unit_word *other = choice->of[found->kind];
     if (other && other != found)
         return whirl_fail(WHIRL_BAD_INPUT, "%s and %s are both for %s, expected one of them", other->word, found->word,
@@ -135,7 +135,7 @@ whirl_status unit_choice_read(const char *text, unit_choice *choice) {
         char word[LONGEST_WORD + 1];
         snprintf(word, sizeof word, "%.*s", (int)(end - first < LONGEST_WORD ? end - first : LONGEST_WORD),
                  from + first);
-        const whirl_status status = add(choice, word);
+        const whirl_status status = unit_words_add(choice, word);
         if (status.code != WHIRL_OK) return status;
         from = from[length] == ',' ? from + length + 1 : NULL;
     }

@@ -18,7 +18,7 @@ whirl_branch_options whirl_branch_default(double from, double to) {
 
 // ---------------------------------------------------------------- steps
 
-static void exchange(waypoint *a, waypoint *b) {
+static void branch_exchange(waypoint *a, waypoint *b) {
     const waypoint kept = *a;
     *a = *b;
     *b = kept;
@@ -54,7 +54,7 @@ static bool hides_folds(const follower *f, const waypoint *a, const waypoint *b,
 }
 
 /// Tries a step; *good if it found a point that continues the branch.
-static whirl_status try_step(follower *f, walk *w, bool *good) {
+static whirl_status branch_try_step(follower *f, walk *w, bool *good) {
     const waypoint *now = &w->now, *next = &w->next;
     follower_predict(f, &w->before, now, now, w->step, w->trial);
     const double *across = follower_across(f, &w->before, now, now, w->across);
@@ -134,31 +134,31 @@ static bool is_closed(const follower *f, const walk *w) {
     return false;
 }
 
-static bool is_within(const follower *f, const waypoint *p) {
+static bool branch_is_within(const follower *f, const waypoint *p) {
     const double value = follower_value(f, p->u);
     return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
 }
 
 /// Adds the next point.
-static whirl_status go_on(follower *f, walk *w, bool *ended) {
+static whirl_status branch_advance(follower *f, walk *w, bool *ended) {
     bool good;
     whirl_status status;
-    while (status = try_step(f, w, &good), status.code == WHIRL_OK && !good) {
+    while (status = branch_try_step(f, w, &good), status.code == WHIRL_OK && !good) {
         *ended = w->step <= f->options->least_step;
         if (*ended) f->branch->end = WHIRL_END_LOST;
         if (*ended) return status;
         w->step = fmax(0.5 * w->step, f->options->least_step);
     }
     if (status.code != WHIRL_OK) return status;
-    *ended = !is_within(f, &w->next);
+    *ended = !branch_is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w);
     status = pass_special(f, w, ended);
     if (status.code != WHIRL_OK || *ended) return status;
     status = add_waypoint(f, &w->next);
     if (status.code != WHIRL_OK) return status;
     w->step = fmin(fmax(w->step * w->next.pace, f->options->least_step), f->options->most_step);
-    exchange(&w->before, &w->next);
-    exchange(&w->before, &w->now);
+    branch_exchange(&w->before, &w->next);
+    branch_exchange(&w->before, &w->now);
     equations_put(&f->equations, w->now.u);
     equations_begin_at(&f->equations, f->equations.nodes);
     follower_scale(f, w->now.tangent);
@@ -168,7 +168,7 @@ static whirl_status go_on(follower *f, walk *w, bool *ended) {
 }
 
 /// Finds the first point and its direction.
-static whirl_status begin(follower *f, walk *w, double value, int direction) {
+static whirl_status branch_begin(follower *f, walk *w, double value, int direction) {
     const size_t all = f->curve.count + 1;
     follower_take(f, value, w->trial);
     double *along = calloc(all, sizeof *along);
@@ -184,16 +184,16 @@ static whirl_status begin(follower *f, walk *w, double value, int direction) {
     return add_waypoint(f, &w->now);
 }
 
-static whirl_status follow(follower *f, walk *w, double value, int direction) {
+static whirl_status branch_follow(follower *f, walk *w, double value, int direction) {
     bool ended = false;
-    whirl_status status = begin(f, w, value, direction);
+    whirl_status status = branch_begin(f, w, value, direction);
     w->step = f->options->step;
     while (status.code == WHIRL_OK && !ended && f->branch->end != WHIRL_END_STOPPED) {
         ended = f->branch->count >= f->options->most_points;
         if (ended)
             f->branch->end = WHIRL_END_OF_POINTS;
         else
-            status = go_on(f, w, &ended);
+            status = branch_advance(f, w, &ended);
     }
     return branch_finish(f->branch, f->options, status);
 }
@@ -214,7 +214,7 @@ whirl_status whirl_branch_follow(const whirl_family *family, const whirl_orbit *
     w.trial = status.code == WHIRL_OK ? calloc(2 * (f.curve.count + 1), sizeof *w.trial) : NULL;
     if (status.code == WHIRL_OK && !w.trial) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
     w.across = w.trial ? w.trial + f.curve.count + 1 : NULL;
-    if (status.code == WHIRL_OK) status = follow(&f, &w, value, direction);
+    if (status.code == WHIRL_OK) status = branch_follow(&f, &w, value, direction);
     if (status.code == WHIRL_OK) {
         *branch = f.branch;
         f.branch = NULL;

@@ -86,7 +86,7 @@ static size_t least_revolutions(const whirl_system *system, const whirl_orbit *o
     return orbit->revolutions;
 }
 
-static whirl_status keep(collector *c, whirl_orbit *orbit) {
+static whirl_status collect_keep(collector *c, whirl_orbit *orbit) {
     whirl_collection *found = c->found;
     whirl_orbit **orbits = realloc(found->orbits, (found->count + 1) * sizeof *orbits);
     if (orbits) found->orbits = orbits;
@@ -116,18 +116,18 @@ static whirl_status look_near(collector *c, const double *x, size_t revolutions,
         if (status.code != WHIRL_OK) return status;
     }
     *new = orbit->unstable == 0 && orbit_near(c, orbit->nodes, same) == c->found->count;
-    if (*new) status = keep(c, orbit);
+    if (*new) status = collect_keep(c, orbit);
     if (!*new || status.code != WHIRL_OK) whirl_orbit_free(orbit);
     return status;
 }
 
 // ---------------------------------------------------------------- motions
 
-static void revolve(collector *c, size_t revolutions) {
+static void collect_revolve(collector *c, size_t revolutions) {
     for (size_t k = 0; k < revolutions; k++) whirl_ensemble_revolve(c->ensemble, c->options->starts, NULL);
 }
 
-static bool goes_on(collector *c, runner *r) {
+static bool collect_continues(collector *c, runner *r) {
     if (r->goes_on && whirl_ensemble_motion(c->ensemble, r->lane) != WHIRL_BOUNDED) {
         whirl_ensemble_unload(c->ensemble, r->lane);
         r->goes_on = false;
@@ -143,13 +143,13 @@ static void watch_returns(collector *c) {
         runner *r = &c->runners[k];
         r->away = INFINITY;
         r->returns = 0;
-        if (goes_on(c, r)) whirl_ensemble_state(c->ensemble, r->lane, c->from + r->lane * d);
+        if (collect_continues(c, r)) whirl_ensemble_state(c->ensemble, r->lane, c->from + r->lane * d);
     }
     for (size_t turn = 1; turn <= c->options->longest; turn++) {
-        revolve(c, 1);
+        collect_revolve(c, 1);
         for (size_t k = 0; k < c->options->starts && turn % repeats == 0; k++) {
             runner *r = &c->runners[k];
-            if (!goes_on(c, r)) continue;
+            if (!collect_continues(c, r)) continue;
             whirl_ensemble_state(c->ensemble, r->lane, c->x);
             const double away = states_distance(c->system, c->x, c->from + r->lane * d);
             // A longer return must be much better: multiples of a period return as well.
@@ -169,7 +169,7 @@ static int by_return(const void *a, const void *b) {
 
 /// Searches orbits from the motions, best returns first; for each number of revolutions only as long as new orbits are
 /// found.
-static whirl_status look(collector *c) {
+static whirl_status collect_search(collector *c) {
     uint64_t tried = 0; // bit k: motions that return after k + 1 revolutions lead to no more orbits
     whirl_status status = whirl_ok();
     qsort(c->runners, c->options->starts, sizeof *c->runners, by_return);
@@ -199,14 +199,14 @@ static size_t count_going(const collector *c) {
 }
 
 /// Runs the motions, for twice the total time after each search.
-static whirl_status settle(collector *c) {
+static whirl_status collect_run(collector *c) {
     const whirl_collect_options *o = c->options;
     size_t done = 0, next = o->settle;
     whirl_status status = load_starts(c);
     while (status.code == WHIRL_OK && done + next + o->longest <= o->most_revolutions && count_going(c) > 0) {
-        revolve(c, next);
+        collect_revolve(c, next);
         watch_returns(c);
-        status = look(c);
+        status = collect_search(c);
         next += o->longest;
         done += next;
         next = done;
@@ -217,7 +217,7 @@ static whirl_status settle(collector *c) {
 
 // ---------------------------------------------------------------- the whole
 
-static whirl_status check(const whirl_system *system, const whirl_collect_options *o) {
+static whirl_status collect_check(const whirl_system *system, const whirl_collect_options *o) {
     if (!system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the machine gives no Jacobian, which orbits are found with");
     if (o->starts == 0 || o->settle == 0 || o->settle + o->longest > o->most_revolutions)
@@ -235,7 +235,7 @@ static whirl_status check(const whirl_system *system, const whirl_collect_option
     return whirl_ok();
 }
 
-static whirl_status make_room(collector *c) {
+static whirl_status collect_make_room(collector *c) {
     const size_t starts = c->options->starts, d = c->system->dimension;
     // Motions need not be as exact as orbits.
     whirl_integrate_options steps = c->options->orbit.integrate;
@@ -263,9 +263,9 @@ whirl_status whirl_orbit_collect(const whirl_system *system, const whirl_collect
                                  whirl_collection **collection) {
     collector c = {.system = system, .options = options};
     *collection = NULL;
-    whirl_status status = check(system, options);
-    if (status.code == WHIRL_OK) status = make_room(&c);
-    if (status.code == WHIRL_OK) status = settle(&c);
+    whirl_status status = collect_check(system, options);
+    if (status.code == WHIRL_OK) status = collect_make_room(&c);
+    if (status.code == WHIRL_OK) status = collect_run(&c);
     if (status.code == WHIRL_OK) {
         *collection = c.found;
         c.found = NULL;

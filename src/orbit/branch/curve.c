@@ -66,7 +66,7 @@ static bool decompose_with(curve *c, const double *direction) {
 
 // ---------------------------------------------------------------- points
 
-static bool evaluate(void *context, const double *u, double *value, double *derivative) {
+static bool curve_evaluate(void *context, const double *u, double *value, double *derivative) {
     curve *c = context;
     if (!c->evaluate(c->context, u, value, derivative)) return false;
     for (size_t i = 0; i <= c->count; i++) c->values[i] = u[i] - c->from[i];
@@ -79,7 +79,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
     return true;
 }
 
-static double size_of(void *context, const double *u, const double *value) {
+static double curve_size_of(void *context, const double *u, const double *value) {
     const curve *c = context;
     return fmax(c->size(c->context, u, value), fabs(value[c->count]));
 }
@@ -98,8 +98,8 @@ newton_result curve_correct(curve *c, const double *direction, double *u) {
     c->from = from;
     result = newton_solve(&(newton_problem){.count = all,
                                             .context = c,
-                                            .evaluate = evaluate,
-                                            .size = size_of,
+                                            .evaluate = curve_evaluate,
+                                            .size = curve_size_of,
                                             .nearby = nearby ? c->factors : NULL,
                                             .nearby_order = c->order,
                                             .share = &c->share,

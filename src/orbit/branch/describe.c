@@ -7,7 +7,7 @@
 #include <string.h>
 
 /// Size of an orbit with its arrays, which follow it in one block.
-static size_t size_of(const whirl_orbit *orbit) {
+static size_t describe_size_of(const whirl_orbit *orbit) {
     return sizeof *orbit + orbit->multiplier_count * sizeof *orbit->multipliers +
            orbit->touch_count * sizeof *orbit->touches + (orbit->segment_count + 2) * orbit->dimension * sizeof(double);
 }
@@ -21,7 +21,7 @@ static void place_arrays(whirl_orbit *orbit) {
 }
 
 whirl_orbit *whirl_orbit_new(const whirl_orbit *like) {
-    whirl_orbit *orbit = calloc(1, size_of(like));
+    whirl_orbit *orbit = calloc(1, describe_size_of(like));
     if (!orbit) return NULL;
     *orbit = (whirl_orbit){.dimension = like->dimension,
                            .revolutions = like->revolutions,
@@ -34,9 +34,9 @@ whirl_orbit *whirl_orbit_new(const whirl_orbit *like) {
 }
 
 whirl_orbit *whirl_orbit_copy(const whirl_orbit *orbit) {
-    whirl_orbit *copy = malloc(size_of(orbit));
+    whirl_orbit *copy = malloc(describe_size_of(orbit));
     if (!copy) return NULL;
-    memcpy(copy, orbit, size_of(orbit));
+    memcpy(copy, orbit, describe_size_of(orbit));
     place_arrays(copy);
     return copy;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 
 /// Difference of an orbit and its shift by half the time, along that difference of another orbit [dimension].
-static double apart(const whirl_orbit *orbit, const whirl_orbit *other) {
+static double halved_apart(const whirl_orbit *orbit, const whirl_orbit *other) {
     const size_t n = orbit->dimension, later = orbit->segment_count / 2 * n;
     double sum = 0.0;
     for (size_t i = 0; i < n; i++)
@@ -15,7 +15,7 @@ static double apart(const whirl_orbit *orbit, const whirl_orbit *other) {
 bool halved_between(const waypoint *from, const waypoint *to) {
     const whirl_orbit *a = from->orbit, *b = to->orbit;
     if (a->revolutions == 0 || a->revolutions % 2 != 0) return false;
-    return apart(a, b) < -0.9 * sqrt(apart(a, a) * apart(b, b));
+    return halved_apart(a, b) < -0.9 * sqrt(halved_apart(a, a) * halved_apart(b, b));
 }
 
 /// A point near the end: its place along the tangent, the half-time difference of its orbit relative to the first
@@ -32,11 +32,12 @@ typedef struct looks {
     int count;
 } looks;
 
-static look look_at(const follower *f, const waypoint *from, const waypoint *p, double at) {
-    return (look){at, apart(p->orbit, from->orbit) / apart(from->orbit, from->orbit), follower_value(f, p->u)};
+static look halved_look_at(const follower *f, const waypoint *from, const waypoint *p, double at) {
+    return (look){at, halved_apart(p->orbit, from->orbit) / halved_apart(from->orbit, from->orbit),
+                  follower_value(f, p->u)};
 }
 
-static void note(looks *to, look one) {
+static void halved_note(looks *to, look one) {
     int place = to->count < NEAREST ? to->count++ : NEAREST;
     for (; place > 0 && fabs(to->list[place - 1].apart) > fabs(one.apart); place--)
         if (place < NEAREST) to->list[place] = to->list[place - 1];
@@ -71,7 +72,7 @@ static double next_place(const look sides[2], int missed) {
 
 /// Closes in on the end from both sides. The equations are singular at the end itself, which is therefore avoided. p
 /// becomes the nearest point that was found, if any.
-static whirl_status close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
+static whirl_status halved_close_in(follower *f, const waypoint *from, const waypoint *to, waypoint *p, looks *found) {
     enum { MAX_LOOKS = 16 };
     // The parameter's error is of sixth order in the first; smaller differences belong to the branch with the doubling.
     const double near = 1e-2, same = 1e-6;
@@ -79,18 +80,18 @@ static whirl_status close_in(follower *f, const waypoint *from, const waypoint *
     waypoint trial = {.u = NULL};
     double *work = malloc(2 * all * sizeof *work);
     whirl_status status = work ? waypoint_new(f, &trial) : whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch");
-    look sides[2] = {look_at(f, from, from, 0.0), look_at(f, from, to, NAN)};
+    look sides[2] = {halved_look_at(f, from, from, 0.0), halved_look_at(f, from, to, NAN)};
     if (status.code == WHIRL_OK) {
         sides[1].at = follower_length(f, from, to, work);
-        note(found, sides[0]);
-        note(found, sides[1]);
+        halved_note(found, sides[0]);
+        halved_note(found, sides[1]);
     }
     for (int k = 0, missed = 0; k < MAX_LOOKS && status.code == WHIRL_OK && fabs(found->list[0].apart) > near; k++) {
         const double at = next_place(sides, missed++);
         follower_predict(f, from, to, from, at, work);
         status = follower_find(f, work, follower_across(f, from, to, from, work + all), from->tangent, &trial);
         if (status.code != WHIRL_OK || !trial.orbit) continue;
-        const look one = look_at(f, from, &trial, at);
+        const look one = halved_look_at(f, from, &trial, at);
         if (fabs(one.apart) < same) continue;
         missed = 0;
         sides[one.apart < 0.0] = one;
@@ -99,7 +100,7 @@ static whirl_status close_in(follower *f, const waypoint *from, const waypoint *
             *p = trial;
             trial = kept;
         }
-        note(found, one);
+        halved_note(found, one);
     }
     waypoint_free(&trial);
     free(work);
@@ -110,7 +111,7 @@ whirl_status halved_add(follower *f, const waypoint *from, const waypoint *to) {
     waypoint p;
     looks found = {.count = 0};
     whirl_status status = waypoint_new(f, &p);
-    if (status.code == WHIRL_OK) status = close_in(f, from, to, &p, &found);
+    if (status.code == WHIRL_OK) status = halved_close_in(f, from, to, &p, &found);
     if (status.code == WHIRL_OK) {
         const whirl_orbit *orbit = p.orbit ? p.orbit : to->orbit;
         whirl_branch_point point = {

@@ -43,7 +43,7 @@ typedef struct looks {
 
 /// Maps start points over the orbit's time, images [count][dimension]: F(x + h u); or computes the accelerations of an
 /// equilibrium.
-static void map(forms *f, const looks *of, const double *u) {
+static void normal_form_map(forms *f, const looks *of, const double *u) {
     shooting *s = f->s;
     const size_t d = s->dimension;
     for (size_t k = 0; k < of->count; k++) {
@@ -57,14 +57,14 @@ static void map(forms *f, const looks *of, const double *u) {
     if (!shooting_rests(s)) f->failed = !shooting_map(s, of->count, f->images, f->orbit->period) || f->failed;
 }
 
-static void look_at(looks *of, size_t sum, double h, double weight) {
+static void normal_form_look_at(looks *of, size_t sum, double h, double weight) {
     of->h[of->count] = h;
     of->weight[of->count] = weight;
     of->sum[of->count++] = sum;
 }
 
 /// out = B(u, u) or C(u, u, u), from two lengths of step.
-static void derivative(forms *f, int order, const double *u, double *out) {
+static void normal_form_derivative(forms *f, int order, const double *u, double *out) {
     static const double places[4] = {2.0, 1.0, -1.0, -2.0}, weights[4] = {0.5, -1.0, 1.0, -0.5};
     looks of = {.count = 0};
     double size = 0.0;
@@ -72,10 +72,10 @@ static void derivative(forms *f, int order, const double *u, double *out) {
     for (size_t k = 0; k < 2; k++) {
         const double h = ldexp(f->step / (size > 0.0 ? size : 1.0), -(int)k);
         for (size_t i = 0; i < f->n; i++) f->sums[k][i] = order == 2 ? -2.0 / (h * h) * f->centre[i] : 0.0;
-        for (int sign = 1; order == 2 && sign >= -1; sign -= 2) look_at(&of, k, sign * h, 1.0 / (h * h));
-        for (int j = 0; order == 3 && j < 4; j++) look_at(&of, k, places[j] * h, weights[j] / (h * h * h));
+        for (int sign = 1; order == 2 && sign >= -1; sign -= 2) normal_form_look_at(&of, k, sign * h, 1.0 / (h * h));
+        for (int j = 0; order == 3 && j < 4; j++) normal_form_look_at(&of, k, places[j] * h, weights[j] / (h * h * h));
     }
-    map(f, &of, u);
+    normal_form_map(f, &of, u);
     for (size_t k = 0; k < of.count; k++)
         for (size_t i = 0; i < f->n; i++)
             f->sums[of.sum[k]][i] += of.weight[k] * f->images[k * f->s->dimension + f->s->kept[i]];
@@ -83,11 +83,11 @@ static void derivative(forms *f, int order, const double *u, double *out) {
 }
 
 /// out = B(u, v) = (B(u + v, u + v) - B(u - v, u - v))/4; work [3][n].
-static void bilinear(forms *f, const double *u, const double *v, double *work, double *out) {
+static void normal_form_bilinear(forms *f, const double *u, const double *v, double *work, double *out) {
     const size_t n = f->n;
     for (int sign = 1; sign >= -1; sign -= 2) {
         for (size_t i = 0; i < n; i++) work[i] = u[i] + sign * v[i];
-        derivative(f, 2, work, sign > 0 ? out : work + n);
+        normal_form_derivative(f, 2, work, sign > 0 ? out : work + n);
     }
     for (size_t i = 0; i < n; i++) out[i] = 0.25 * (out[i] - work[n + i]);
 }
@@ -104,14 +104,14 @@ static void complex_bilinear(forms *f, const number *a, const number *b, double 
         out[i] = 0.0;
     }
     for (size_t k = 0; k < 4; k++) {
-        bilinear(f, parts + k / 2 * n, parts + (2 + k % 2) * n, work, found);
+        normal_form_bilinear(f, parts + k / 2 * n, parts + (2 + k % 2) * n, work, found);
         const number factor = (k / 2 ? I : 1.0) * (k % 2 ? I : 1.0);
         for (size_t i = 0; i < n; i++) out[i] += factor * found[i];
     }
 }
 
 /// out = C(q, q, conj q) with q = a + i b: C(a, a, a) + C(a, b, b) + i (C(a, a, b) + C(b, b, b)); work [7][n].
-static void cubic(forms *f, double *work, number *out) {
+static void normal_form_cubic(forms *f, double *work, number *out) {
     const size_t n = f->n;
     double *a = work, *b = work + n, *along = work + 2 * n, *aaa = work + 3 * n, *bbb = aaa + n, *sum = bbb + n;
     double *difference = sum + n;
@@ -119,12 +119,12 @@ static void cubic(forms *f, double *work, number *out) {
         a[i] = creal(f->q[i]);
         b[i] = cimag(f->q[i]);
     }
-    derivative(f, 3, a, aaa);
-    derivative(f, 3, b, bbb);
+    normal_form_derivative(f, 3, a, aaa);
+    normal_form_derivative(f, 3, b, bbb);
     for (size_t i = 0; i < n; i++) along[i] = a[i] + b[i];
-    derivative(f, 3, along, sum);
+    normal_form_derivative(f, 3, along, sum);
     for (size_t i = 0; i < n; i++) along[i] = a[i] - b[i];
-    derivative(f, 3, along, difference);
+    normal_form_derivative(f, 3, along, difference);
     for (size_t i = 0; i < n; i++) {
         const double abb = (sum[i] + difference[i] - 2.0 * aaa[i]) / 6.0;
         const double aab = (sum[i] - difference[i] - 2.0 * bbb[i]) / 6.0;
@@ -151,7 +151,7 @@ static void multiply_out(forms *f, double *spare) {
 
 /// Computes the eigenvector of the matrix, or of its transpose, with the eigenvalue nearest to `root`. Fails if none is
 /// near: where multipliers jump over it, as at a kink, there is no normal form.
-static void eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
+static void normal_form_eigenvector(forms *f, bool transposed, number root, double *work, number *out) {
     const size_t n = f->n;
     static const double near = 0.01;
     double *copy = work, *real = copy + n * n, *imaginary = real + n, *vectors = imaginary + n;
@@ -166,14 +166,14 @@ static void eigenvector(forms *f, bool transposed, number root, double *work, nu
     for (size_t i = 0; i < n; i++) out[i] = vectors[2 * (nearest * n + i)] + I * vectors[2 * (nearest * n + i) + 1];
 }
 
-static number product(size_t n, const number *p, const number *v) {
+static number normal_form_product(size_t n, const number *p, const number *v) {
     number sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += conj(p[i]) * v[i];
     return sum;
 }
 
 /// Solves v = (shift - matrix)^-1 v; work [n][n][2] and [n][2].
-static void resolve(forms *f, number shift, double *work, number *v) {
+static void normal_form_resolve(forms *f, number shift, double *work, number *v) {
     const size_t n = f->n;
     double *right = work + 2 * n * n;
     for (size_t i = 0; i < n; i++)
@@ -197,21 +197,21 @@ static number third_order(forms *f, number one, number two, double *work, number
     const size_t n = f->n;
     number *other = vectors, *inner = vectors + n, *outer = vectors + 2 * n;
     for (size_t i = 0; i < n; i++) other[i] = conj(f->q[i]);
-    cubic(f, work, outer);
-    number sum = product(n, f->p, outer);
+    normal_form_cubic(f, work, outer);
+    number sum = normal_form_product(n, f->p, outer);
     complex_bilinear(f, f->q, other, work, inner);
-    resolve(f, one, work, inner);
+    normal_form_resolve(f, one, work, inner);
     complex_bilinear(f, f->q, inner, work, outer);
-    sum += 2.0 * product(n, f->p, outer);
+    sum += 2.0 * normal_form_product(n, f->p, outer);
     complex_bilinear(f, f->q, f->q, work, inner);
-    resolve(f, two, work, inner);
+    normal_form_resolve(f, two, work, inner);
     complex_bilinear(f, other, inner, work, outer);
-    return sum + product(n, f->p, outer);
+    return sum + normal_form_product(n, f->p, outer);
 }
 
 /// Computes the coefficient. A doubling has a real q: the three terms are C(q, q, q) and three times B(q, (1 - A)^-1
 /// B(q, q)).
-static double coefficient(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+static double normal_form_coefficient(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     if (kind == WHIRL_DOUBLING) return -creal(third_order(f, 1.0, 1.0, work, vectors)) / 6.0;
     if (kind == WHIRL_HOPF) return creal(third_order(f, 0.0, 2.0 * root, work, vectors)) / (2.0 * cimag(root));
     return 0.5 * creal(conj(root) * third_order(f, 1.0, root * root, work, vectors));
@@ -222,36 +222,36 @@ static number root_of(whirl_special kind, double angle) {
     return kind == WHIRL_HOPF ? I * angle : cexp(I * angle);
 }
 
-static bool resonates(double angle) {
+static bool normal_form_resonates(double angle) {
     const double turn = 6.283185307179586476925, slight = 1e-3;
     return fabs(angle - turn / 3.0) < slight || fabs(angle - turn / 4.0) < slight;
 }
 
-static double compute(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+static double normal_form_compute(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     const size_t n = f->n;
     multiply_out(f, work);
-    eigenvector(f, false, root, work, f->q);
-    eigenvector(f, true, conj(root), work, f->p);
-    const number along = product(n, f->p, f->q);
+    normal_form_eigenvector(f, false, root, work, f->q);
+    normal_form_eigenvector(f, true, conj(root), work, f->p);
+    const number along = normal_form_product(n, f->p, f->q);
     for (size_t i = 0; i < n; i++) f->p[i] /= conj(along);
     for (size_t i = 0; i < n; i++) work[i] = 0.0;
-    map(f, &(looks){.count = 1}, work);
+    normal_form_map(f, &(looks){.count = 1}, work);
     for (size_t i = 0; i < n; i++) f->centre[i] = f->images[f->s->kept[i]];
-    const double found = f->failed ? (double)NAN : coefficient(f, kind, root, work, vectors);
+    const double found = f->failed ? (double)NAN : normal_form_coefficient(f, kind, root, work, vectors);
     return f->failed || !isfinite(found) ? (double)NAN : found;
 }
 
 /// Takes the coefficient of the longest differences with the same value at half the length and, for orbits, at a
 /// quarter. Coefficients of smooth maps converge, or differ by noise; at a kink they double with every halving, and
 /// there is none. An equilibrium at zero has no size of its own.
-static double settle(forms *f, whirl_special kind, number root, double *work, number *vectors) {
+static double normal_form_converge(forms *f, whirl_special kind, number root, double *work, number *vectors) {
     const double own = shooting_size(f->s, f->orbit->nodes), nothing = 1e-12;
     const bool rests = shooting_rests(f->s);
     double first = NAN, second = NAN;
     for (int k = 0; k <= MAX_HALVINGS + !rests; k++) {
         f->step = ldexp(reach, -k) * (own > nothing ? own : 1.0);
         f->failed = false;
-        const double third = compute(f, kind, root, work, vectors), apart = fabs(second - first);
+        const double third = normal_form_compute(f, kind, root, work, vectors), apart = fabs(second - first);
         if (rests && fabs(third - second) <= agreement * fabs(third)) return second;
         if (!rests && apart <= agreement * fabs(second) && fabs(third - second) <= fmax(apart, noise * fabs(third)))
             return first;
@@ -264,7 +264,7 @@ static double settle(forms *f, whirl_special kind, number root, double *work, nu
 double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, double angle) {
     const size_t n = s->kept_count, all = MAX_ABREAST * s->dimension;
     if (kind != WHIRL_DOUBLING && kind != WHIRL_HOPF && kind != WHIRL_NEIMARK_SACKER) return NAN;
-    if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && resonates(angle))) return NAN;
+    if (n == 0 || (kind == WHIRL_NEIMARK_SACKER && normal_form_resonates(angle))) return NAN;
     const size_t spare = 9 * n > 4 * n * n + 2 * n ? 9 * n : 4 * n * n + 2 * n;
     double *room = calloc(n * n + all + 4 * n + spare, sizeof *room);
     number *vectors = calloc(5 * n, sizeof *vectors);
@@ -277,7 +277,7 @@ double normal_form(shooting *s, const whirl_orbit *orbit, whirl_special kind, do
         f.sums[1] = f.sums[0] + n;
         f.q = vectors;
         f.p = vectors + n;
-        found = settle(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
+        found = normal_form_converge(&f, kind, root_of(kind, angle), f.sums[1] + n, vectors + 2 * n);
     }
     free(room);
     free(vectors);

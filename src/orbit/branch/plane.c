@@ -58,7 +58,7 @@ static bool values_at(walk *w, const double *u, double *value, double *derivativ
 }
 
 /// Computes the last row, and with it the last column, by central differences.
-static bool differences(walk *w, const double *u, double *derivative) {
+static bool plane_differences(walk *w, const double *u, double *derivative) {
     const size_t n = equations_count(&w->equations), all = n + 2;
     for (size_t k = 0; k < all; k++) {
         const double apart = 0x1p-14 * w->curve.scale[k];
@@ -74,7 +74,7 @@ static bool differences(walk *w, const double *u, double *derivative) {
     return true;
 }
 
-static bool evaluate(void *context, const double *u, double *value, double *derivative) {
+static bool plane_evaluate(void *context, const double *u, double *value, double *derivative) {
     walk *w = context;
     const size_t n = equations_count(&w->equations), all = n + 2;
     whirl_orbit_free(w->orbit);
@@ -83,7 +83,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
     if (!values_at(w, u, value, w->orbit_derivative, &w->orbit)) return false;
     for (size_t i = 0; i < n; i++)
         memcpy(derivative + i * all, w->orbit_derivative + i * (n + 1), (n + 1) * sizeof *derivative);
-    if (!differences(w, u, derivative)) return false;
+    if (!plane_differences(w, u, derivative)) return false;
     set_second(w, u[n + 1]);
     equations_put(&w->equations, u);
     return true;
@@ -91,7 +91,7 @@ static bool evaluate(void *context, const double *u, double *value, double *deri
 
 /// Size of the residual: the orbit closes to its tolerance, the test function, whose derivatives are differences,
 /// vanishes to 1e-10.
-static double size_of(void *context, const double *u, const double *value) {
+static double plane_size_of(void *context, const double *u, const double *value) {
     walk *w = context;
     const double orbit = equations_size(&w->equations, u, value);
     return fmax(orbit, 1e10 * w->options->orbit.tolerance * fabs(value[equations_count(&w->equations)]));
@@ -101,7 +101,7 @@ static double size_of(void *context, const double *u, const double *value) {
 
 /// Criticality of Hopf points; for orbits it would cost as much again as the curve. The derivative must be the last
 /// point's.
-static double criticality(walk *w, double angle) {
+static double plane_criticality(walk *w, double angle) {
     const size_t n = equations_count(&w->equations);
     if (w->kind != WHIRL_HOPF) return NAN;
     set_second(w, w->u[n + 1]);
@@ -114,20 +114,20 @@ static whirl_status add_point(walk *w) {
     whirl_branch_point point = {
         .value = w->u[n], .second = w->u[n + 1], .special = w->kind, .touch = w->touch, .orbit = w->orbit};
     if (w->kind == WHIRL_NEIMARK_SACKER || w->kind == WHIRL_HOPF) vanishing_pair(w->orbit, &point.angle);
-    point.criticality = criticality(w, point.angle);
+    point.criticality = plane_criticality(w, point.angle);
     const whirl_status status = branch_add(w->branch, w->options, &point);
     if (status.code == WHIRL_OK) w->orbit = NULL;
     return status;
 }
 
-static bool is_within(const walk *w, const double *u) {
+static bool plane_is_within(const walk *w, const double *u) {
     const size_t n = equations_count(&w->equations);
     return u[n] >= fmin(w->options->from, w->options->to) && u[n] <= fmax(w->options->from, w->options->to) &&
            u[n + 1] >= w->low && u[n + 1] <= w->high;
 }
 
 /// Finds the point orthogonal to the tangent from the trial and moves there.
-static bool advance(walk *w, newton_result *result) {
+static bool plane_step(walk *w, newton_result *result) {
     const size_t all = equations_count(&w->equations) + 2;
     double *next = w->aside;
     *result = curve_correct(&w->curve, w->tangent, w->trial);
@@ -166,21 +166,21 @@ static whirl_status end_at_bound(walk *w, double *room) {
     return add_point(w);
 }
 
-static whirl_status go_on(walk *w, bool *ended) {
+static whirl_status plane_advance(walk *w, bool *ended) {
     const whirl_branch_options *o = w->options;
     const size_t all = equations_count(&w->equations) + 2;
     newton_result result;
     memcpy(w->before, w->u, all * sizeof *w->u);
     for (;;) {
         for (size_t i = 0; i < all; i++) w->trial[i] = w->u[i] + w->step * w->tangent[i];
-        if (advance(w, &result)) break;
+        if (plane_step(w, &result)) break;
         *ended = w->step <= o->least_step;
         if (*ended) w->branch->end = WHIRL_END_LOST;
         if (*ended) return whirl_ok();
         w->step = fmax(0.5 * w->step, o->least_step);
     }
     w->step = fmin(fmax(w->step * curve_pace(&result), o->least_step), o->most_step);
-    *ended = !is_within(w, w->u);
+    *ended = !plane_is_within(w, w->u);
     if (*ended) return end_at_bound(w, w->before);
     equations_put(&w->equations, w->u);
     equations_begin_at(&w->equations, w->equations.nodes);
@@ -188,7 +188,7 @@ static whirl_status go_on(walk *w, bool *ended) {
 }
 
 /// Finds the first point, at the start's second parameter.
-static whirl_status begin(walk *w, const whirl_branch_point *start, int direction) {
+static whirl_status plane_begin(walk *w, const whirl_branch_point *start, int direction) {
     const size_t n = equations_count(&w->equations), nodes = w->equations.s->count * w->equations.s->kept_count;
     equations_take(&w->equations, start->orbit->nodes, w->trial);
     if (n > nodes) w->trial[nodes] = start->orbit->period;
@@ -206,7 +206,7 @@ static whirl_status begin(walk *w, const whirl_branch_point *start, int directio
 
 // ---------------------------------------------------------------- memory
 
-static whirl_status prepare(walk *w, const whirl_branch_point *start) {
+static whirl_status plane_prepare(walk *w, const whirl_branch_point *start) {
     const whirl_orbit *orbit = start->orbit;
     w->family = (whirl_family){make_machine, w};
     whirl_status status = equations_make(&w->equations, NULL, &w->family, start->value, &w->options->orbit,
@@ -218,8 +218,11 @@ static whirl_status prepare(walk *w, const whirl_branch_point *start) {
                           orbit->dimension, orbit->segment_count, e->s->dimension, e->s->count);
     const size_t n = equations_count(e), all = n + 2;
     equations_reach(e, w->options->to - w->options->from);
-    w->curve = (curve){
-        .count = n + 1, .context = w, .evaluate = evaluate, .size = size_of, .tolerance = w->options->orbit.tolerance};
+    w->curve = (curve){.count = n + 1,
+                       .context = w,
+                       .evaluate = plane_evaluate,
+                       .size = plane_size_of,
+                       .tolerance = w->options->orbit.tolerance};
     w->branch = calloc(1, sizeof *w->branch);
     w->u = calloc(8 * all + n * (n + 1), sizeof *w->u);
     if (!w->branch || !w->u || !curve_begin(&w->curve)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a curve");
@@ -237,17 +240,17 @@ static whirl_status prepare(walk *w, const whirl_branch_point *start) {
     return status;
 }
 
-static whirl_status follow(walk *w, const whirl_branch_point *start, int direction) {
+static whirl_status plane_follow(walk *w, const whirl_branch_point *start, int direction) {
     bool ended = false;
-    whirl_status status = prepare(w, start);
-    if (status.code == WHIRL_OK) status = begin(w, start, direction);
+    whirl_status status = plane_prepare(w, start);
+    if (status.code == WHIRL_OK) status = plane_begin(w, start, direction);
     w->step = w->options->step;
     while (status.code == WHIRL_OK && !ended && w->branch->end != WHIRL_END_STOPPED) {
         ended = w->branch->count >= w->options->most_points;
         if (ended)
             w->branch->end = WHIRL_END_OF_POINTS;
         else
-            status = go_on(w, &ended);
+            status = plane_advance(w, &ended);
     }
     return w->branch ? branch_finish(w->branch, w->options, status) : status;
 }
@@ -268,7 +271,7 @@ whirl_status whirl_curve_follow(const whirl_plane *plane, const whirl_branch_poi
     if (!(bounds[0] < bounds[1] && second >= bounds[0] && second <= bounds[1] && options->from != options->to))
         return whirl_fail(WHIRL_BAD_INPUT, "a curve begins at %g of %g to %g, expected bounds around it", second,
                           bounds[0], bounds[1]);
-    whirl_status status = follow(&w, start, direction);
+    whirl_status status = plane_follow(&w, start, direction);
     if (status.code == WHIRL_OK) {
         *out = w.branch;
         w.branch = NULL;

@@ -27,7 +27,7 @@ typedef struct product {
 } product;
 
 /// out = a b, of n by n.
-static void multiply(size_t n, const double *a, const double *b, double *out) {
+static void product_multiply(size_t n, const double *a, const double *b, double *out) {
     memset(out, 0, n * n * sizeof *out);
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < n; k++)
@@ -38,7 +38,7 @@ static bool go_round(product *p) {
     const size_t n = p->n, size = n * n;
     memcpy(p->basis, p->now, size * sizeof *p->now);
     for (size_t j = 0; j < p->count; j++) {
-        multiply(n, p->factors + j * size, p->now, p->work);
+        product_multiply(n, p->factors + j * size, p->now, p->work);
         if (!matrix_orthogonal(n, p->work, p->now, p->r + j * size)) return false;
     }
     return true;
@@ -70,7 +70,7 @@ static size_t end_of_block(const product *p, size_t first) {
 }
 
 /// Computes the block of H R, over 2^*scale; nothing in the product under- or overflows.
-static void block_of(const product *p, size_t first, size_t size, double *block, double *other, int *scale) {
+static void product_block_of(const product *p, size_t first, size_t size, double *block, double *other, int *scale) {
     const size_t n = p->n;
     *scale = 0;
     for (size_t i = 0; i < size * size; i++) block[i] = i % (size + 1) == 0 ? 1.0 : 0.0;
@@ -80,7 +80,7 @@ static void block_of(const product *p, size_t first, size_t size, double *block,
         int power = 0;
         for (size_t i = 0; i < size; i++)
             memcpy(factor + i * size, from + (first + i) * n + first, size * sizeof *factor);
-        multiply(size, factor, block, result);
+        product_multiply(size, factor, block, result);
         for (size_t i = 0; i < size * size; i++) largest = fmax(largest, fabs(result[i]));
         (void)frexp(largest, &power);
         for (size_t i = 0; i < size * size; i++) block[i] = ldexp(result[i], -power);
@@ -91,7 +91,7 @@ static void block_of(const product *p, size_t first, size_t size, double *block,
 static bool read_block(const product *p, size_t first, size_t size, double *room, whirl_multiplier *values) {
     double *real = room + 3 * size * size, *imaginary = real + size;
     int scale;
-    block_of(p, first, size, room, room + size * size, &scale);
+    product_block_of(p, first, size, room, room + size * size, &scale);
     if (!matrix_eigen(size, room, real, imaginary, NULL)) return false;
     for (size_t i = 0; i < size; i++)
         values[first + i] = (whirl_multiplier){ldexp(real[i], scale), ldexp(imaginary[i], scale)};
@@ -134,7 +134,7 @@ static bool is_apart(product *p) {
     return true;
 }
 
-static bool find(product *p, double *room, whirl_multiplier *values) {
+static bool product_find(product *p, double *room, whirl_multiplier *values) {
     const size_t n = p->n;
     for (size_t i = 0; i < n * n; i++) p->now[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
     bool apart = false;
@@ -158,7 +158,7 @@ bool whirl_product_eigenvalues(size_t n, size_t count, const double *factors, wh
     p.basis = room + count * size;
     p.now = p.basis + size;
     p.work = p.now + size;
-    const bool good = n == 0 || find(&p, p.work + size, values);
+    const bool good = n == 0 || product_find(&p, p.work + size, values);
     free(room);
     return good;
 }

@@ -17,7 +17,7 @@ typedef struct test {
 // ---------------------------------------------------------------- contacts
 
 /// Number of times that a switching function becomes positive; 0 if it always is.
-static size_t risings(const whirl_touch *touch) {
+static size_t special_risings(const whirl_touch *touch) {
     return touch->share >= 1.0 ? 0 : touch->intervals;
 }
 
@@ -25,55 +25,57 @@ static size_t risings(const whirl_touch *touch) {
 static double graze_value(const test *t, const whirl_orbit *orbit) {
     const whirl_touch *touch = &orbit->touches[t->touch];
     const double size = fmin(fabs(touch->nearest), 1e30);
-    return risings(touch) == t->intervals ? size : -size;
+    return special_risings(touch) == t->intervals ? size : -size;
 }
 
 // ---------------------------------------------------------------- search
 
 /// Value of the test function. A fold uses the tangent's parameter, since the function of multipliers, which also
 /// vanishes there, has no sign change along the branch.
-static double value_of(const follower *f, const test *t, const waypoint *p) {
+static double special_value_of(const follower *f, const test *t, const waypoint *p) {
     if (t->kind == WHIRL_FOLD) return p->tangent[f->curve.count];
     return t->kind == WHIRL_GRAZE ? graze_value(t, p->orbit) : vanishing_value(t->kind, 0, p->orbit);
 }
 
-static bool changes(const follower *f, const test *t, const waypoint *a, const waypoint *b) {
-    return (value_of(f, t, a) < 0.0) != (value_of(f, t, b) < 0.0);
+static bool special_changes(const follower *f, const test *t, const waypoint *a, const waypoint *b) {
+    return (special_value_of(f, t, a) < 0.0) != (special_value_of(f, t, b) < 0.0);
 }
 
 /// Finds the point at a place along the tangent.
-static whirl_status look(follower *f, const waypoint *from, const waypoint *to, double at, double *trial, waypoint *p) {
+static whirl_status special_look(follower *f, const waypoint *from, const waypoint *to, double at, double *trial,
+                                 waypoint *p) {
     follower_predict(f, from, to, from, at, trial);
     const double *across = follower_across(f, from, to, from, trial + f->curve.count + 1);
     return follower_find(f, trial, across, from->tangent, p);
 }
 
 /// A place in the bracket a little off `at`: exactly where branches cross, the direction is undefined.
-static double aside(const bracket *r, double at) {
+static double special_aside(const bracket *r, double at) {
     const double farther = fabs(r->b - at) > fabs(r->a - at) ? r->b : r->a;
     return at + 1e-3 * (farther - at);
 }
 
 /// Closes in on the sign change; *at is its place along the tangent, p the point there. Not found: p has no orbit.
-static whirl_status close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
-                             double *at) {
+static whirl_status special_close_in(follower *f, const test *t, const waypoint *from, const waypoint *to, waypoint *p,
+                                     double *at) {
     enum { MAX_LOOKS = 80 };
     const size_t all = f->curve.count + 1;
     whirl_status status = whirl_ok();
     double *trial = malloc(2 * all * sizeof *trial), last = INFINITY;
     if (!trial) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a point of a branch");
-    bracket r = bracket_between(0.0, value_of(f, t, from), follower_length(f, from, to, trial), value_of(f, t, to));
+    bracket r = bracket_between(0.0, special_value_of(f, t, from), follower_length(f, from, to, trial),
+                                special_value_of(f, t, to));
     // Orbits are only as exact as their tolerance.
     const double largest = fmax(fabs(r.fa), fabs(r.fb)), nothing = fmax(1e-13, 0.1 * f->options->orbit.tolerance);
     for (int k = 0; k < MAX_LOOKS; k++) {
         *at = bracket_next(&r);
-        status = look(f, from, to, *at, trial, p);
+        status = special_look(f, from, to, *at, trial, p);
         if (status.code == WHIRL_OK && !p->orbit && t->kind == WHIRL_BRANCHING) {
-            *at = aside(&r, *at);
-            status = look(f, from, to, *at, trial, p);
+            *at = special_aside(&r, *at);
+            status = special_look(f, from, to, *at, trial, p);
         }
         if (status.code != WHIRL_OK || !p->orbit) break;
-        last = value_of(f, t, p);
+        last = special_value_of(f, t, p);
         bracket_tell(&r, *at, last);
         if (fabs(last) <= nothing * largest || bracket_width(&r) <= 1e-12) break;
     }
@@ -99,12 +101,13 @@ typedef struct findings {
     size_t count;
 } findings;
 
-static whirl_status find(follower *f, const test *t, const waypoint *from, const waypoint *to, findings *found) {
+static whirl_status special_find(follower *f, const test *t, const waypoint *from, const waypoint *to,
+                                 findings *found) {
     finding one = {.point = {.second = NAN, .criticality = NAN, .special = t->kind, .touch = t->touch}};
     waypoint p;
     if (found->count == MAX_FINDINGS) return whirl_ok();
     whirl_status status = waypoint_new(f, &p);
-    if (status.code == WHIRL_OK) status = close_in(f, t, from, to, &p, &one.at);
+    if (status.code == WHIRL_OK) status = special_close_in(f, t, from, to, &p, &one.at);
     const bool paired = t->kind == WHIRL_NEIMARK_SACKER || t->kind == WHIRL_HOPF;
     const bool saddle = p.orbit && paired && !vanishing_pair(p.orbit, &one.point.angle);
     if (status.code == WHIRL_OK && p.orbit && !saddle) {
@@ -118,7 +121,7 @@ static whirl_status find(follower *f, const test *t, const waypoint *from, const
     return status;
 }
 
-static int by_place(const void *a, const void *b) {
+static int special_by_place(const void *a, const void *b) {
     const finding *p = a, *q = b;
     return p->at < q->at ? -1 : p->at > q->at;
 }
@@ -130,16 +133,16 @@ static whirl_status find_all(follower *f, const waypoint *from, const waypoint *
     const whirl_special *kinds = moves ? moving : resting;
     const size_t count = moves ? sizeof moving / sizeof *moving : sizeof resting / sizeof *resting;
     const test fold = {.kind = WHIRL_FOLD};
-    const bool folds = changes(f, &fold, from, to);
+    const bool folds = special_changes(f, &fold, from, to);
     whirl_status status = whirl_ok();
     for (size_t k = 0; k < count && status.code == WHIRL_OK; k++) {
         const test t = {.kind = kinds[k]};
         if ((t.kind == WHIRL_BRANCHING && folds) || (t.kind == WHIRL_FOLD && pitchfork)) continue;
-        if (changes(f, &t, from, to)) status = find(f, &t, from, to, found);
+        if (special_changes(f, &t, from, to)) status = special_find(f, &t, from, to, found);
     }
     for (size_t k = 0; k < from->orbit->touch_count && status.code == WHIRL_OK; k++) {
-        const test t = {.kind = WHIRL_GRAZE, .touch = k, .intervals = risings(&from->orbit->touches[k])};
-        if (changes(f, &t, from, to)) status = find(f, &t, from, to, found);
+        const test t = {.kind = WHIRL_GRAZE, .touch = k, .intervals = special_risings(&from->orbit->touches[k])};
+        if (special_changes(f, &t, from, to)) status = special_find(f, &t, from, to, found);
     }
     return status;
 }
@@ -148,8 +151,8 @@ whirl_status special_crossing(follower *f, const waypoint *from, const waypoint 
     const test t = {.kind = WHIRL_BRANCHING};
     findings found = {.count = 0};
     out->orbit = NULL;
-    if (!changes(f, &t, from, to)) return whirl_ok();
-    const whirl_status status = find(f, &t, from, to, &found);
+    if (!special_changes(f, &t, from, to)) return whirl_ok();
+    const whirl_status status = special_find(f, &t, from, to, &found);
     if (found.count > 0) *out = found.list[0].point;
     return status;
 }
@@ -157,7 +160,7 @@ whirl_status special_crossing(follower *f, const waypoint *from, const waypoint 
 whirl_status special_locate(follower *f, const waypoint *from, const waypoint *to, bool pitchfork) {
     findings found = {.count = 0};
     whirl_status status = find_all(f, from, to, pitchfork, &found);
-    qsort(found.list, found.count, sizeof *found.list, by_place);
+    qsort(found.list, found.count, sizeof *found.list, special_by_place);
     for (size_t i = 0; i < found.count; i++) {
         if (status.code == WHIRL_OK) status = branch_add(f->branch, f->options, &found.list[i].point);
         if (status.code != WHIRL_OK) whirl_orbit_free(found.list[i].point.orbit);

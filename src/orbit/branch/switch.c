@@ -144,8 +144,8 @@ typedef struct departure {
     double *room; ///< [2][unknowns]
 } departure;
 
-static whirl_status prepare(departure *d, const whirl_family *family, const whirl_orbit *start, double value,
-                            const whirl_branch_options *options) {
+static whirl_status switch_prepare(departure *d, const whirl_family *family, const whirl_orbit *start, double value,
+                                   const whirl_branch_options *options) {
     whirl_status status = follower_begin(&d->follower, family, start, value, options);
     if (status.code == WHIRL_OK) status = waypoint_new(&d->follower, &d->at);
     if (status.code != WHIRL_OK) return status;
@@ -154,7 +154,7 @@ static whirl_status prepare(departure *d, const whirl_family *family, const whir
 }
 
 /// Hands the orbit over and frees the rest.
-static whirl_status finish(departure *d, whirl_status status, whirl_orbit **orbit, double *value) {
+static whirl_status switch_finish(departure *d, whirl_status status, whirl_orbit **orbit, double *value) {
     if (status.code == WHIRL_OK) {
         *value = follower_value(&d->follower, d->at.u);
         *orbit = d->at.orbit;
@@ -184,14 +184,14 @@ static whirl_status depart_from_rest(const whirl_family *family, const whirl_bra
     for (size_t j = 0; nodes && j < segments; j++) memcpy(nodes + j * size, point->orbit->nodes, size * sizeof *nodes);
     if (status.code == WHIRL_OK && modes->count == 0)
         status = whirl_fail(WHIRL_BAD_INPUT, "the equilibrium has no mode with a frequency");
-    if (status.code == WHIRL_OK) status = prepare(&d, family, &start, point->value, options);
+    if (status.code == WHIRL_OK) status = switch_prepare(&d, family, &start, point->value, options);
     if (status.code == WHIRL_OK) {
         const double *vector = modes->vectors + 2 * size * whirling_mode(modes, point->angle);
         status = leave_rest(&d.follower, point, vector, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
     }
     whirl_modes_free(modes);
     if (machine.release) machine.release(machine.owner);
-    status = finish(&d, status, orbit, value);
+    status = switch_finish(&d, status, orbit, value);
     free(nodes);
     return status;
 }
@@ -202,11 +202,11 @@ static whirl_status depart_from_orbit(const whirl_family *family, const whirl_br
     departure d = {.room = NULL};
     double *nodes = NULL;
     whirl_orbit *start = doubles ? go_round_twice(point->orbit, &nodes) : point->orbit;
-    whirl_status status = start ? prepare(&d, family, start, point->value, options)
+    whirl_status status = start ? switch_prepare(&d, family, start, point->value, options)
                                 : whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit");
     if (status.code == WHIRL_OK)
         status = leave_orbit(&d.follower, point->value, step, &d.at, d.room, d.room + d.follower.curve.count + 1);
-    status = finish(&d, status, orbit, value);
+    status = switch_finish(&d, status, orbit, value);
     if (doubles) free(start);
     free(nodes);
     return status;

@@ -35,7 +35,7 @@ static void slope_at(const watch *w, double t, const double *x, double *slope) {
     w->system->rhs(w->system->model, t, forcing, x, slope);
 }
 
-static double value_at(const watch *w, size_t index, double t, const double *x) {
+static double touch_value_at(const watch *w, size_t index, double t, const double *x) {
     w->system->switches(w->system->model, t, x, w->values);
     return w->values[index];
 }
@@ -51,13 +51,13 @@ static double rate_at(const watch *w, size_t index, double t, const double *x, c
     }
     const double h = 0x1p-20 * system->period;
     for (size_t i = 0; i < system->dimension; i++) w->gradient[i] = x[i] + h * slope[i];
-    const double ahead = value_at(w, index, t + h, w->gradient);
+    const double ahead = touch_value_at(w, index, t + h, w->gradient);
     for (size_t i = 0; i < system->dimension; i++) w->gradient[i] = x[i] - h * slope[i];
-    return (ahead - value_at(w, index, t - h, w->gradient)) / (2.0 * h);
+    return (ahead - touch_value_at(w, index, t - h, w->gradient)) / (2.0 * h);
 }
 
 /// State and slope between the last instant and this one, by the cubic through both states and slopes.
-static void between(const watch *w, double t, double theta, double h, double *x, double *slope) {
+static void touch_between(const watch *w, double t, double theta, double h, double *x, double *slope) {
     const double a = theta * theta * (3.0 - 2.0 * theta), b = theta * (1.0 - theta);
     for (size_t i = 0; i < w->system->dimension; i++) {
         const double rise = w->x2[i] - w->x[i];
@@ -71,19 +71,20 @@ static double extreme_between(const watch *w, size_t index, double t, double h, 
     double low = 0.0, high = 1.0, *slope = w->mid + w->system->dimension;
     for (int k = 0; k < 40; k++) {
         const double theta = 0.5 * (low + high);
-        between(w, t, theta, h, w->mid, slope);
+        touch_between(w, t, theta, h, w->mid, slope);
         if ((rate_at(w, index, t + theta * h, w->mid, slope) < 0.0) == (rate < 0.0))
             low = theta;
         else
             high = theta;
     }
-    between(w, t, 0.5 * (low + high), h, w->mid, slope);
-    return value_at(w, index, t + 0.5 * (low + high) * h, w->mid);
+    touch_between(w, t, 0.5 * (low + high), h, w->mid, slope);
+    return touch_value_at(w, index, t + 0.5 * (low + high) * h, w->mid);
 }
 
-static void look_at(watch *w, size_t which, double t, double h) {
+static void touch_look_at(watch *w, size_t which, double t, double h) {
     whirl_touch *touch = &w->orbit->touches[which];
-    const double value = value_at(w, touch->index, t, w->x2), rate = rate_at(w, touch->index, t, w->x2, w->slope2);
+    const double value = touch_value_at(w, touch->index, t, w->x2),
+                 rate = rate_at(w, touch->index, t, w->x2, w->slope2);
     const double from = w->from[which], from_rate = w->rate[which];
     w->from[which] = value;
     w->rate[which] = rate;
@@ -105,12 +106,12 @@ static void look_at(watch *w, size_t which, double t, double h) {
 }
 
 /// Observes x at t, the next instant.
-static void see(watch *w, double t, const double *x, double h) {
+static void touch_add(watch *w, double t, const double *x, double h) {
     whirl_orbit *orbit = w->orbit;
     const size_t d = orbit->dimension;
     memcpy(w->x2, x, d * sizeof *x);
     if (orbit->touch_count > 0) slope_at(w, t, x, w->slope2);
-    for (size_t k = 0; k < orbit->touch_count; k++) look_at(w, k, t, h);
+    for (size_t k = 0; k < orbit->touch_count; k++) touch_look_at(w, k, t, h);
     for (size_t i = 0; i < d; i++) {
         orbit->low[i] = fmin(orbit->low[i], x[i]);
         orbit->high[i] = fmax(orbit->high[i], x[i]);
@@ -120,13 +121,13 @@ static void see(watch *w, double t, const double *x, double h) {
     w->t = t;
 }
 
-static void observe(void *observer, double t, const double *x) {
+static void touch_observe(void *observer, double t, const double *x) {
     watch *w = observer;
-    see(w, t, x, t - w->t);
+    touch_add(w, t, x, t - w->t);
 }
 
 /// Initializes bounds, to be narrowed, and the touches' functions.
-static void prepare(watch *w) {
+static void touch_prepare(watch *w) {
     whirl_orbit *orbit = w->orbit;
     for (size_t i = 0; i < orbit->dimension; i++) {
         orbit->low[i] = INFINITY;
@@ -147,12 +148,12 @@ whirl_status touch_find(shooting *s, whirl_orbit *orbit) {
     w.values = w.gradient + d;
     w.from = w.values + switches;
     w.rate = w.from + switches;
-    prepare(&w);
-    see(&w, 0.0, orbit->nodes, 0.0);
+    touch_prepare(&w);
+    touch_add(&w, 0.0, orbit->nodes, 0.0);
     const bool good =
         shooting_rests(s) ||
         (orbit->touch_count == 0 && shooting_bounds(s, orbit->nodes, orbit->period, orbit->low, orbit->high)) ||
-        shooting_observe(s, orbit->nodes, orbit->period, observe, &w);
+        shooting_observe(s, orbit->nodes, orbit->period, touch_observe, &w);
     for (size_t k = 0; k < orbit->touch_count; k++) {
         whirl_touch *touch = &orbit->touches[k];
         touch->share = orbit->period > 0.0 ? fmin(fmax(touch->share / orbit->period, 0.0), 1.0) : w.from[k] > 0.0;

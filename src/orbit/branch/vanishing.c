@@ -19,7 +19,7 @@ static void take_over(product *p, double real, double imaginary, double size) {
     take_into(p, real / size, imaginary / size);
 }
 
-static double size_of(const whirl_orbit *orbit, size_t i) {
+static double vanishing_size_of(const whirl_orbit *orbit, size_t i) {
     return hypot(orbit->multipliers[i].real, orbit->multipliers[i].imaginary);
 }
 
@@ -29,7 +29,8 @@ static double product_about(const whirl_orbit *orbit, double at) {
     product all = {1.0, 0.0};
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         if (i != own)
-            take_over(&all, orbit->multipliers[i].real - at, orbit->multipliers[i].imaginary, size_of(orbit, i) + 1.0);
+            take_over(&all, orbit->multipliers[i].real - at, orbit->multipliers[i].imaginary,
+                      vanishing_size_of(orbit, i) + 1.0);
     return all.real;
 }
 
@@ -51,7 +52,8 @@ static double product_of_pairs(const whirl_orbit *orbit) {
     for (size_t i = 0; i < orbit->multiplier_count; i++)
         for (size_t k = i + 1; k < orbit->multiplier_count; k++) {
             const product pair = of_pair(orbit, i, k);
-            const double a = size_of(orbit, i), b = size_of(orbit, k), size = orbit->period > 0.0 ? a * b + 1.0 : a + b;
+            const double a = vanishing_size_of(orbit, i), b = vanishing_size_of(orbit, k),
+                         size = orbit->period > 0.0 ? a * b + 1.0 : a + b;
             if (i != own && k != own && size > 0.0) take_over(&all, pair.real, pair.imaginary, size);
         }
     return all.real;

@@ -6,7 +6,7 @@
 
 #include "follower.h"
 
-static void release(whirl_machine *machine) {
+static void equations_release(whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
     *machine = (whirl_machine){.system = NULL};
 }
@@ -15,8 +15,8 @@ static void release(whirl_machine *machine) {
 static void release_all(orbit_equations *e) {
     shooting_free(e->s);
     e->s = NULL;
-    release(&e->machine);
-    release(&e->first);
+    equations_release(&e->machine);
+    equations_release(&e->first);
 }
 
 whirl_status equations_make(orbit_equations *e, const whirl_system *system, const whirl_family *family, double value,
@@ -103,7 +103,7 @@ static bool turn_to(orbit_equations *e, double value) {
     if (status.code == WHIRL_OK && !renewed && machine.system->dimension == e->s->dimension)
         status = shooting_new(machine.system, e->options, e->s->revolutions, e->s->period, &s);
     if (!s && !renewed) {
-        release(&machine);
+        equations_release(&machine);
         return false;
     }
     if (!renewed) {
@@ -112,7 +112,7 @@ static bool turn_to(orbit_equations *e, double value) {
     } else if (!e->first.system) {
         e->first = e->machine;
     } else {
-        release(&e->machine);
+        equations_release(&e->machine);
     }
     e->machine = machine;
     e->value = value;
@@ -133,7 +133,7 @@ static bool ends_beside(const orbit_equations *e, double value, double period, d
     for (size_t i = s && rests ? s->kept_count : 0; i-- > 0;) s->ends[s->kept[i]] = s->ends[i];
     if (good) memcpy(ends, s->ends, s->count * s->dimension * sizeof *ends);
     shooting_free(s);
-    release(&machine);
+    equations_release(&machine);
     return good;
 }
 
@@ -148,7 +148,7 @@ static bool all_ends_beside(const orbit_equations *e, size_t count, const double
         systems[k] = machines[k].system;
     }
     good = good && shooting_carry_beside(e->s, count, systems, e->nodes, period, ends);
-    for (size_t k = 0; k < count; k++) release(&machines[k]);
+    for (size_t k = 0; k < count; k++) equations_release(&machines[k]);
     if (good) return true;
     for (size_t k = 0; k < count; k++)
         if (!ends_beside(e, values[k], period, ends + k * size)) return false;

@@ -16,7 +16,7 @@ typedef struct newton_work {
     double trusted; ///< size of F before a step whose result was not evaluated; 0: none
 } newton_work;
 
-static bool decompose(const newton_problem *p, newton_work *w, const double *derivative) {
+static bool newton_decompose(const newton_problem *p, newton_work *w, const double *derivative) {
     memcpy(w->own, derivative, p->count * p->count * sizeof *derivative);
     w->factors = w->own;
     w->order = w->own_order;
@@ -32,13 +32,13 @@ static bool step_from(const newton_problem *p, const newton_work *w, const doubl
     return true;
 }
 
-static double measure(const newton_problem *p, const double *u, double *value, double *derivative) {
+static double newton_measure(const newton_problem *p, const double *u, double *value, double *derivative) {
     if (!p->evaluate(p->context, u, value, derivative)) return INFINITY;
     const double size = p->size(p->context, u, value);
     return isfinite(size) ? size : (double)INFINITY;
 }
 
-static double length(const newton_problem *p, const double *step) {
+static double newton_length(const newton_problem *p, const double *step) {
     double sum = 0.0;
     for (size_t i = 0; i < p->count; i++) {
         const double part = p->scale ? step[i] / p->scale[i] : step[i];
@@ -52,17 +52,17 @@ static double length(const newton_problem *p, const double *step) {
 static bool is_nearer(const newton_problem *p, newton_work *w, double size, double now, double share) {
     if (now < size) return true;
     return isfinite(now) && step_from(p, w, w->tried, w->at) &&
-           length(p, w->at) < (1.0 - 0.5 * share) * length(p, w->step);
+           newton_length(p, w->at) < (1.0 - 0.5 * share) * newton_length(p, w->step);
 }
 
 /// Moves along the step as far as it leads nearer to the zero; returns the size of F there, infinite if no part of the
 /// step does.
-static double go(const newton_problem *p, newton_work *w, double size, double *u) {
+static double newton_move(const newton_problem *p, newton_work *w, double size, double *u) {
     double share = 1.0, gone = 0.0;
     for (int k = 0; k <= p->most_halvings; k++, share *= 0.5) {
         for (size_t i = 0; i < p->count; i++) u[i] -= (share - gone) * w->step[i];
         gone = share;
-        const double now = measure(p, u, w->tried, w->there);
+        const double now = newton_measure(p, u, w->tried, w->there);
         if (is_nearer(p, w, size, now, share)) {
             double *there = w->there;
             w->there = w->derivative;
@@ -85,14 +85,14 @@ static bool is_last(const newton_problem *p, double size) {
 static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
     w->factors = p->nearby;
     w->order = p->nearby_order;
-    double size = measure(p, u, w->value, NULL);
+    double size = newton_measure(p, u, w->value, NULL);
     for (int k = 0; k < p->most_steps && size > p->tolerance && isfinite(size); k++) {
         if (!step_from(p, w, w->value, w->step)) return false;
         memcpy(w->at, u, p->count * sizeof *u);
         for (size_t i = 0; i < p->count; i++) u[i] -= w->step[i];
         w->trusted = is_last(p, size) ? size : 0.0;
         if (w->trusted > 0.0) return true;
-        const double now = measure(p, u, w->value, NULL);
+        const double now = newton_measure(p, u, w->value, NULL);
         if (!(now <= 0.25 * size)) {
             if (!(now <= size)) memcpy(u, w->at, p->count * sizeof *u);
             return false;
@@ -103,20 +103,20 @@ static bool iterate_nearby(const newton_problem *p, newton_work *w, double *u) {
     return size <= p->tolerance;
 }
 
-static newton_result iterate(const newton_problem *p, newton_work *w, double *u) {
+static newton_result newton_iterate(const newton_problem *p, newton_work *w, double *u) {
     enum { FAR = 2 }; // cost in steps of a nearby derivative that failed
     const bool far = p->nearby && !iterate_nearby(p, w, u);
-    newton_result result = {.size = measure(p, u, w->value, w->derivative)};
+    newton_result result = {.size = newton_measure(p, u, w->value, w->derivative)};
     if (w->trusted > 0.0) *p->share = result.size / w->trusted;
     if (!isfinite(result.size)) return result;
     for (result.steps = far ? FAR : 0; result.steps < p->most_steps; result.steps++) {
         result.found = result.size <= p->tolerance;
         if (result.found) return result;
-        const bool known = decompose(p, w, w->derivative) && step_from(p, w, w->value, w->step);
-        const double now = known ? go(p, w, result.size, u) : (double)INFINITY;
+        const bool known = newton_decompose(p, w, w->derivative) && step_from(p, w, w->value, w->step);
+        const double now = known ? newton_move(p, w, result.size, u) : (double)INFINITY;
         if (!isfinite(now)) {
             result.found = result.size <= 100.0 * p->tolerance;
-            if (result.found) measure(p, u, w->value, w->derivative);
+            if (result.found) newton_measure(p, u, w->value, w->derivative);
             return result;
         }
         result.size = now;
@@ -139,7 +139,7 @@ newton_result newton_solve(const newton_problem *p, double *u) {
                             .there = matrices + n * n,
                             .own = matrices + 2 * n * n,
                             .own_order = order};
-        result = iterate(p, &work, u);
+        result = newton_iterate(p, &work, u);
     }
     free(room);
     free(order);

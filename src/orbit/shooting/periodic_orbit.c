@@ -19,7 +19,7 @@ whirl_orbit_options whirl_orbit_default(void) {
 }
 
 /// Returns true if Newton's method converged to an equilibrium, which closes after any time.
-static bool rests(orbit_equations *e) {
+static bool periodic_orbit_rests(orbit_equations *e) {
     double flow = 0.0, slope = 0.0;
     for (size_t i = 0; i < e->s->dimension; i++) flow = fmax(flow, fabs(e->flow[i]));
     equations_begin_at(e, e->nodes);
@@ -27,8 +27,8 @@ static bool rests(orbit_equations *e) {
     return slope <= 1e-8 * flow;
 }
 
-static whirl_status solve(orbit_equations *e, const double *start, const whirl_orbit_options *options, double *u,
-                          whirl_orbit **out) {
+static whirl_status periodic_orbit_solve(orbit_equations *e, const double *start, const whirl_orbit_options *options,
+                                         double *u, whirl_orbit **out) {
     shooting *s = e->s;
     const newton_problem problem = {.count = equations_count(e),
                                     .context = e,
@@ -49,19 +49,19 @@ static whirl_status solve(orbit_equations *e, const double *start, const whirl_o
                           "no periodic orbit was found: after %d steps of Newton's method it fails to close by %.3g of "
                           "its size, expected %.3g",
                           result.steps, result.size, options->tolerance);
-    if (s->revolutions == 0 && !shooting_rests(s) && rests(e))
+    if (s->revolutions == 0 && !shooting_rests(s) && periodic_orbit_rests(e))
         return whirl_fail(WHIRL_BAD_INPUT, "no periodic orbit was found: Newton's method came to an equilibrium");
     return orbit_describe(s, e->nodes, equations_period(e, u), result.size, out);
 }
 
-static whirl_status find(const whirl_system *system, const double *start, size_t revolutions, double period,
-                         const whirl_orbit_options *options, whirl_orbit **out) {
+static whirl_status periodic_orbit_find(const whirl_system *system, const double *start, size_t revolutions,
+                                        double period, const whirl_orbit_options *options, whirl_orbit **out) {
     orbit_equations e;
     *out = NULL;
     whirl_status status = equations_make(&e, system, NULL, 0.0, options, revolutions, period);
     double *u = status.code == WHIRL_OK ? calloc(equations_count(&e) + 1, sizeof *u) : NULL;
     if (u)
-        status = solve(&e, start, options, u, out);
+        status = periodic_orbit_solve(&e, start, options, u, out);
     else if (status.code == WHIRL_OK)
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu revolutions", revolutions);
     free(u);
@@ -74,7 +74,7 @@ whirl_status whirl_orbit_find(const whirl_system *system, const double *start, s
     *orbit = NULL;
     if (revolutions == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "an orbit of 0 revolutions, expected 1 to %d", WHIRL_MAX_ORBIT);
-    return find(system, start, revolutions, 0.0, options, orbit);
+    return periodic_orbit_find(system, start, revolutions, 0.0, options, orbit);
 }
 
 /// Returns true if the right-hand side depends on time, at instants without any symmetry between them.
@@ -103,7 +103,7 @@ whirl_status whirl_orbit_find_free(const whirl_system *system, const double *sta
     if (driven)
         return whirl_fail(WHIRL_BAD_INPUT, "the machine is driven in time (unbalance, forces that turn), expected one "
                                            "that is not for an orbit with a time of its own");
-    return find(system, start, 0, period, options, orbit);
+    return periodic_orbit_find(system, start, 0, period, options, orbit);
 }
 
 whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, const whirl_orbit_options *options,
@@ -114,7 +114,7 @@ whirl_status whirl_orbit_rest(const whirl_system *system, const double *start, c
     memcpy(x, start, system->dimension * sizeof *x);
     whirl_status status = whirl_equilibrium(system, x);
     if (status.code == WHIRL_NUMERICAL_FAILURE) status = whirl_fail(WHIRL_BAD_INPUT, "%s", status.message);
-    if (status.code == WHIRL_OK) status = find(system, x, 0, 0.0, options, orbit);
+    if (status.code == WHIRL_OK) status = periodic_orbit_find(system, x, 0, 0.0, options, orbit);
     free(x);
     return status;
 }

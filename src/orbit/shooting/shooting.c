@@ -7,8 +7,8 @@
 
 #include "numerics.h"
 
-static whirl_status check(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
-                          double period) {
+static whirl_status shooting_check(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
+                                   double period) {
     const size_t repeats = system->turns ? system->repeats : 1;
     const size_t segments = (size_t)options->segments * (revolutions > 0 ? revolutions : 1);
     if (revolutions > WHIRL_MAX_ORBIT)
@@ -55,7 +55,7 @@ static whirl_status make_lanes(shooting *s) {
     return status;
 }
 
-static bool allocate(shooting *s) {
+static bool shooting_allocate(shooting *s) {
     const size_t d = s->dimension;
     s->kept = calloc(d + 1, sizeof *s->kept);
     for (size_t i = 0; s->kept && i < d; i++)
@@ -76,7 +76,7 @@ static bool allocate(shooting *s) {
 whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options *options, size_t revolutions,
                           double period, shooting **out) {
     *out = NULL;
-    whirl_status status = check(system, options, revolutions, period);
+    whirl_status status = shooting_check(system, options, revolutions, period);
     if (status.code != WHIRL_OK) return status;
     shooting *s = calloc(1, sizeof *s);
     const bool rests = revolutions == 0 && period == 0.0;
@@ -90,7 +90,7 @@ whirl_status shooting_new(const whirl_system *system, const whirl_orbit_options 
                     .period = revolutions > 0 ? system->period * (double)revolutions : period,
                     .part_count = parts,
                     .count = parts * (revolutions > 0 ? revolutions : 1)};
-    if (!allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
+    if (!shooting_allocate(s)) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for an orbit of %zu segments", parts);
     s->integrate.steps_per_revolution = (s->integrate.steps_per_revolution + (int)parts - 1) / (int)parts;
     if (status.code == WHIRL_OK && !rests) status = make_lanes(s);
     if (status.code == WHIRL_OK && !rests) status = make_parts(s);
@@ -147,7 +147,7 @@ static bool carry_alone(shooting *s, size_t j, const double *from, bool derivati
 // ---------------------------------------------------------------- side by side
 
 /// Places segment j of a machine in a lane.
-static void place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t j, const double *from) {
+static void shooting_place(const shooting *s, whirl_ensemble *lanes, size_t lane, size_t j, const double *from) {
     const part *p = &s->parts[j % s->part_count];
     whirl_ensemble_part(lanes, lane, s->revolutions > 0 ? p->from : 0.0, p->stretch * p->own.period);
     whirl_ensemble_place(lanes, lane, from);
@@ -165,7 +165,7 @@ static bool carry_in_lanes(shooting *s, size_t first, size_t count, const double
     const size_t d = s->dimension;
     bool good = true;
     for (size_t i = 0; i < count; i++) {
-        place(s, s->lanes, i, first + i, nodes + (first + i) * d);
+        shooting_place(s, s->lanes, i, first + i, nodes + (first + i) * d);
         if (derivatives) whirl_ensemble_carry(s->lanes, i, begin_columns(s, first + i));
     }
     whirl_ensemble_revolve(s->lanes, count, NULL);
@@ -177,7 +177,7 @@ static bool carry_in_lanes(shooting *s, size_t first, size_t count, const double
     return good;
 }
 
-static bool carry(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
+static bool shooting_carry_segments(shooting *s, size_t first, size_t count, const double *nodes, bool derivatives) {
     bool good = true;
     if (s->lanes) return carry_in_lanes(s, first, count, nodes, derivatives);
     for (size_t j = first; j < first + count && good; j++)
@@ -185,14 +185,14 @@ static bool carry(shooting *s, size_t first, size_t count, const double *nodes, 
     return good;
 }
 
-static void stretch(shooting *s, double period) {
+static void shooting_stretch(shooting *s, double period) {
     for (size_t j = 0; s->revolutions == 0 && j < s->part_count; j++) s->parts[j].stretch = period / s->period;
 }
 
 bool shooting_carry(shooting *s, const double *nodes, double period, bool derivatives) {
-    stretch(s, period);
+    shooting_stretch(s, period);
     s->volume = 0.0;
-    return carry(s, 0, s->count, nodes, derivatives);
+    return shooting_carry_segments(s, 0, s->count, nodes, derivatives);
 }
 
 // ---------------------------------------------------------------- other machines
@@ -213,12 +213,12 @@ bool shooting_carry_beside(shooting *s, size_t count, const whirl_system *const 
                            double period, double *ends) {
     const size_t d = s->dimension, lanes = count * s->count;
     if (count > MAX_BESIDE || !has_beside(s)) return false;
-    stretch(s, period);
+    shooting_stretch(s, period);
     for (size_t lane = 0; lane < lanes; lane++) {
         const size_t j = lane % s->count;
         if (whirl_ensemble_load(s->beside, lane, systems[lane / s->count], nodes + j * d).code != WHIRL_OK)
             return false;
-        place(s, s->beside, lane, j, nodes + j * d);
+        shooting_place(s, s->beside, lane, j, nodes + j * d);
     }
     whirl_ensemble_revolve(s->beside, lanes, NULL);
     for (size_t lane = 0; lane < lanes; lane++) {
@@ -246,7 +246,7 @@ static bool map_in_lanes(shooting *s, size_t count, double *x, double period) {
 }
 
 bool shooting_map(shooting *s, size_t count, double *x, double period) {
-    stretch(s, period);
+    shooting_stretch(s, period);
     if (has_beside(s)) return map_in_lanes(s, count, x, period);
     for (size_t i = 0; i < count; i++)
         for (size_t j = 0; j < s->count; j++)
@@ -296,7 +296,7 @@ static bool observe_in_lanes(shooting *s, const double *nodes, const part_observ
     lane_watch watch = {s, samples};
     const whirl_ensemble_observe all = {.stride = 1, .sample = keep_sample, .context = &watch};
     bool good = samples != NULL;
-    for (size_t j = 0; j < s->count && good; j++) place(s, s->lanes, j, j, nodes + j * d);
+    for (size_t j = 0; j < s->count && good; j++) shooting_place(s, s->lanes, j, j, nodes + j * d);
     if (good) whirl_ensemble_revolve(s->lanes, s->count, &all);
     for (size_t j = 0; j < s->count && good; j++) good = whirl_ensemble_motion(s->lanes, j) == WHIRL_BOUNDED;
     for (size_t j = 0; j < s->count && good; j++)
@@ -311,7 +311,7 @@ bool shooting_observe(shooting *s, const double *nodes, double period, whirl_obs
     const double length = period / (double)s->count;
     part_observer o = {
         .stretch = s->revolutions > 0 ? 1.0 : period / s->period, .observe = observe, .observer = observer};
-    stretch(s, period);
+    shooting_stretch(s, period);
     return s->lanes ? observe_in_lanes(s, nodes, &o, length) : observe_alone(s, nodes, &o, length);
 }
 
@@ -321,9 +321,9 @@ bool shooting_bounds(shooting *s, const double *nodes, double period, double *lo
     double *lowest = malloc((2 * d + 1) * sizeof *lowest), *highest = lowest ? lowest + d : NULL;
     const whirl_ensemble_seen seen = {.low = lowest, .high = highest};
     bool good = s->lanes && lowest;
-    stretch(s, period);
+    shooting_stretch(s, period);
     for (size_t j = 0; j < s->count && good; j++) {
-        place(s, s->lanes, j, j, nodes + j * d);
+        shooting_place(s, s->lanes, j, j, nodes + j * d);
         whirl_ensemble_forget(s->lanes, j);
     }
     if (good) whirl_ensemble_revolve(s->lanes, s->count, &watch);
@@ -340,9 +340,9 @@ bool shooting_bounds(shooting *s, const double *nodes, double period, double *lo
 }
 
 bool shooting_spread(shooting *s, double *nodes, double period) {
-    stretch(s, period);
+    shooting_stretch(s, period);
     for (size_t j = 0; j + 1 < s->count; j++) {
-        if (!carry(s, j, 1, nodes, false)) return false;
+        if (!shooting_carry_segments(s, j, 1, nodes, false)) return false;
         memcpy(nodes + (j + 1) * s->dimension, s->ends + j * s->dimension, s->dimension * sizeof *nodes);
     }
     return true;

@@ -24,7 +24,8 @@ void harmonics_of(size_t count, size_t n, const double *points, double *series) 
 }
 
 /// Evaluates the harmonics up to `most`.
-static void evaluate(size_t most, size_t n, const double *series, double angle, double *value, double *slope) {
+static void harmonics_evaluate(size_t most, size_t n, const double *series, double angle, double *value,
+                               double *slope) {
     memcpy(value, series, n * sizeof *value);
     if (slope) memset(slope, 0, n * sizeof *slope);
     for (size_t h = 1; h <= most; h++) {
@@ -36,14 +37,14 @@ static void evaluate(size_t most, size_t n, const double *series, double angle, 
 }
 
 void harmonics_at(size_t count, size_t n, const double *series, double angle, double *value, double *slope) {
-    evaluate(count / 2, n, series, angle, value, slope);
+    harmonics_evaluate(count / 2, n, series, angle, value, slope);
 }
 
 void harmonics_spread(size_t count, size_t n, const double *series, double from, size_t many, double *values,
                       double *slopes) {
     const size_t most = (many < count ? many : count) / 2;
     for (size_t j = 0; j < many; j++)
-        evaluate(most, n, series, from + angle_of(j, many), values + j * n, slopes ? slopes + j * n : NULL);
+        harmonics_evaluate(most, n, series, from + angle_of(j, many), values + j * n, slopes ? slopes + j * n : NULL);
 }
 
 void harmonics_weights(size_t count, double angle, double *weights, double *slopes) {

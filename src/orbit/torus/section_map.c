@@ -6,7 +6,7 @@
 #include "numerics.h"
 #include "whirl/engine/orbit.h"
 
-static whirl_status check(const whirl_system *system, size_t revolutions) {
+static whirl_status section_map_check(const whirl_system *system, size_t revolutions) {
     const size_t repeats = system->turns ? system->repeats : 1;
     if (revolutions < 1 || revolutions > WHIRL_MAX_ORBIT)
         return whirl_fail(WHIRL_BAD_INPUT, "sections %zu revolutions apart, expected 1 to %d", revolutions,
@@ -22,7 +22,7 @@ static whirl_status check(const whirl_system *system, size_t revolutions) {
     return whirl_ok();
 }
 
-static bool allocate(section_map *map, const whirl_system *system) {
+static bool section_map_allocate(section_map *map, const whirl_system *system) {
     const size_t d = system->dimension, side = map->side_by_side;
     map->kept = calloc(d + 1, sizeof *map->kept);
     map->rest = calloc(d + side * (d + d * d) + 1, sizeof *map->rest);
@@ -51,13 +51,13 @@ whirl_status section_map_new(const whirl_system *system, const whirl_integrate_o
                              section_map **out) {
     enum { LANES = 32 };
     *out = NULL;
-    whirl_status status = check(system, revolutions);
+    whirl_status status = section_map_check(system, revolutions);
     if (status.code != WHIRL_OK) return status;
     const bool flows = whirl_ensemble_flows(system, options);
     section_map *map = calloc(1, sizeof *map);
     if (!map) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a map of %zu coordinates", system->dimension);
     *map = (section_map){.revolutions = revolutions, .dimension = system->dimension, .side_by_side = flows ? LANES : 1};
-    if (!allocate(map, system))
+    if (!section_map_allocate(map, system))
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a map of %zu coordinates", system->dimension);
     if (status.code == WHIRL_OK) status = flows ? make_lanes(map, system, options) : make_alone(map, system, options);
     if (status.code == WHIRL_OK)
@@ -127,8 +127,8 @@ static bool revolve_in_lanes(section_map *map, size_t many, whirl_perturbations 
 }
 
 /// Carries points that run at once.
-static bool carry(section_map *map, size_t many, const double *points, double *images, double *derivatives,
-                  double *volume) {
+static bool section_map_carry_block(section_map *map, size_t many, const double *points, double *images,
+                                    double *derivatives, double *volume) {
     const size_t n = map->count;
     whirl_perturbations *columns = derivatives ? map->columns : NULL;
     for (size_t j = 0; j < many; j++) {
@@ -153,7 +153,7 @@ bool section_map_carry(section_map *map, size_t many, const double *points, doub
     for (size_t from = 0; from < many; from += map->side_by_side) {
         const size_t now = many - from < map->side_by_side ? many - from : map->side_by_side;
         double *matrices = derivatives ? derivatives + from * n * n : NULL;
-        if (!carry(map, now, points + from * n, images + from * n, matrices, &sum)) return false;
+        if (!section_map_carry_block(map, now, points + from * n, images + from * n, matrices, &sum)) return false;
     }
     if (derivatives) *volume = sum / (double)many;
     return true;

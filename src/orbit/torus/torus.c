@@ -30,8 +30,8 @@ whirl_status torus_check_options(const whirl_torus_options *o) {
     return whirl_ok();
 }
 
-static whirl_status check(const whirl_system *system, const double *points, size_t count, double rotation,
-                          const whirl_torus_options *options) {
+static whirl_status torus_check(const whirl_system *system, const double *points, size_t count, double rotation,
+                                const whirl_torus_options *options) {
     if (count < WHIRL_MIN_TORUS_SECTIONS)
         return whirl_fail(WHIRL_BAD_INPUT, "a torus from %zu sections, expected %d or more", count,
                           WHIRL_MIN_TORUS_SECTIONS);
@@ -44,7 +44,7 @@ static whirl_status check(const whirl_system *system, const double *points, size
 }
 
 /// Moves *u, which grows with the number of nodes, to a torus as accurate as the options require.
-static whirl_status solve(torus_equations *e, double **u, whirl_torus **out) {
+static whirl_status torus_solve(torus_equations *e, double **u, whirl_torus **out) {
     const whirl_torus_options *o = e->options;
     const double slight = 1e-8;
     for (;;) {
@@ -88,14 +88,14 @@ whirl_status whirl_torus_find(const whirl_system *system, const double *points, 
     torus_equations e = {.map = NULL};
     double *u = NULL;
     *torus = NULL;
-    whirl_status status = check(system, points, count, rotation, options);
+    whirl_status status = torus_check(system, points, count, rotation, options);
     if (status.code != WHIRL_OK) return status;
     const double *last = points + (count - 1) * system->dimension;
     status = torus_equations_make(&e, system, NULL, 0.0, options, revolutions, system->dimension, last);
     if (status.code == WHIRL_OK && e.n < 2)
         status = whirl_fail(WHIRL_BAD_INPUT, "a machine of %zu coordinates has no tori, expected 2 or more", e.n);
     if (status.code == WHIRL_OK) status = torus_fit(&e, points, count, rotation, &u);
-    if (status.code == WHIRL_OK) status = solve(&e, &u, torus);
+    if (status.code == WHIRL_OK) status = torus_solve(&e, &u, torus);
     free(u);
     torus_equations_free(&e);
     return status;

@@ -11,7 +11,7 @@ static const double two_pi = 6.283185307179586476925;
 
 /// Computes the eigenvector of a [n][n] with the eigenvalue nearest to exp(i angle): vector [n][2]. False without
 /// memory.
-static bool eigenvector(size_t n, double *a, double angle, double *vector) {
+static bool torus_begin_eigenvector(size_t n, double *a, double angle, double *vector) {
     double *real = calloc(2 * n + 2 * n * n, sizeof *real), *imaginary = real ? real + n : NULL;
     double *vectors = real ? imaginary + n : NULL;
     size_t nearest = 0;
@@ -57,7 +57,7 @@ static whirl_status find_first(torus_follower *f, const whirl_branch_point *poin
     double *centre = vector + 2 * n, *image = centre + n;
     section_map_take(e->map, point->orbit->nodes, centre);
     const bool good = section_map_carry(e->map, 1, centre, image, room, &volume) &&
-                      eigenvector(n, room, point->angle, vector) && place_ellipse(f, point, vector, step);
+                      torus_begin_eigenvector(n, room, point->angle, vector) && place_ellipse(f, point, vector, step);
     free(room);
     whirl_status status =
         good ? torus_follower_find(f, at)
@@ -70,7 +70,7 @@ static whirl_status find_first(torus_follower *f, const whirl_branch_point *poin
     return status;
 }
 
-static whirl_status check(const whirl_branch_point *point, double step) {
+static whirl_status torus_begin_check(const whirl_branch_point *point, double step) {
     const double slight = 1e-3;
     if (point->special != WHIRL_NEIMARK_SACKER || point->orbit->revolutions == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "no torus begins at this point, expected a Neimark-Sacker point of an orbit "
@@ -91,7 +91,7 @@ whirl_status whirl_torus_begin(const whirl_family *family, const whirl_branch_po
     torus_follower f = {.trial = NULL};
     torus_waypoint at = {.u = NULL};
     *torus = NULL;
-    whirl_status status = check(point, step);
+    whirl_status status = torus_begin_check(point, step);
     if (status.code != WHIRL_OK) return status;
     const whirl_orbit *orbit = point->orbit;
     status =

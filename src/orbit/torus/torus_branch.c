@@ -25,7 +25,7 @@ typedef struct torus_walk {
     size_t room;        ///< capacity of the branch in points
 } torus_walk;
 
-static double value_at(const torus_follower *f, const torus_waypoint *p) {
+static double torus_branch_value_at(const torus_follower *f, const torus_waypoint *p) {
     return p->u[p->count * f->equations.n + 1];
 }
 
@@ -44,7 +44,7 @@ static whirl_status add_point(const torus_follower *f, torus_walk *w, torus_wayp
         w->room = room;
     }
     const whirl_torus_branch_options *o = f->options;
-    const whirl_torus_point point = {.value = value_at(f, p), .torus = p->torus};
+    const whirl_torus_point point = {.value = torus_branch_value_at(f, p), .torus = p->torus};
     b->points[b->count++] = point;
     p->torus = NULL; // the branch owns it
     if (o->found && !o->found(o->context, point.value, point.torus)) b->end = WHIRL_TORUS_STOPPED;
@@ -73,7 +73,7 @@ static bool take_nodes(torus_follower *f, torus_walk *w, size_t count) {
 
 /// Cosine between the deviations of two curves (with as many nodes) from their means: negative if the second one has
 /// shrunk through a point to the other side.
-static double likeness(const torus_equations *e, const double *a, const double *b) {
+static double torus_branch_likeness(const torus_equations *e, const double *a, const double *b) {
     const size_t n = e->n;
     double both = 0.0, first = 0.0, second = 0.0;
     for (size_t i = 0; i < n; i++) {
@@ -93,7 +93,7 @@ static double likeness(const torus_equations *e, const double *a, const double *
 }
 
 /// Tries a step; *good if it found a curve that continues the branch.
-static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
+static whirl_status torus_branch_try_step(torus_follower *f, torus_walk *w, bool *good) {
     torus_equations *e = &f->equations;
     enum { FEW = 4 }; // steps within which a curve may shrink to a point
     const double least_likeness = 0.5, least_turn = 0.9;
@@ -106,7 +106,8 @@ static whirl_status try_step(torus_follower *f, torus_walk *w, bool *good) {
     if (status.code != WHIRL_OK || !w->next.torus) return status;
     if (!torus_resample(e, w->now.count, w->now.u, e->count, w->before))
         return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus");
-    const double like = likeness(e, w->before, w->next.u), turn = curve_dot(&f->curve, f->forward, w->next.tangent);
+    const double like = torus_branch_likeness(e, w->before, w->next.u),
+                 turn = curve_dot(&f->curve, f->forward, w->next.tangent);
     w->rough = w->next.rough;
     w->shrank = like < 0.0 && w->next.torus->radius < FEW * w->step * torus_equations_reach(e, w->next.u);
     *good = !w->rough && like > least_likeness && (turn > least_turn || w->step <= 8.0 * f->options->least_step);
@@ -122,7 +123,7 @@ static double vanishing_value(const whirl_torus_point *last, const whirl_torus_p
 /// Extrapolates to where the square of the radius vanishes.
 static double shrinking_value(const torus_follower *f, const torus_walk *w, const whirl_torus_branch *b) {
     const whirl_torus_point *last = &b->points[b->count - 1];
-    const whirl_torus_point next = {value_at(f, &w->next), w->next.torus};
+    const whirl_torus_point next = {torus_branch_value_at(f, &w->next), w->next.torus};
     const whirl_torus_point *other = b->count > 1 ? last - 1 : &next;
     const double one = last->torus->radius, two = other->torus->radius;
     return vanishing_value(last, other, one * one, two * two);
@@ -157,8 +158,8 @@ static void give_up(const torus_follower *f, const torus_walk *w, whirl_torus_br
     }
 }
 
-static bool is_within(const torus_follower *f, const torus_waypoint *p) {
-    const double value = value_at(f, p);
+static bool torus_branch_is_within(const torus_follower *f, const torus_waypoint *p) {
+    const double value = torus_branch_value_at(f, p);
     return value >= fmin(f->options->from, f->options->to) && value <= fmax(f->options->from, f->options->to);
 }
 
@@ -166,7 +167,7 @@ static bool is_within(const torus_follower *f, const torus_waypoint *p) {
 static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_branch *b) {
     const torus_equations *e = &f->equations;
     const size_t last = e->count * e->n + 1;
-    const double value = w->next.u[last], before = value_at(f, &w->now);
+    const double value = w->next.u[last], before = torus_branch_value_at(f, &w->now);
     const double low = fmin(f->options->from, f->options->to), high = fmax(f->options->from, f->options->to);
     const double bound = value > high ? high : low, share = (bound - before) / (value - before);
     if (!torus_resample(e, w->now.count, w->now.u, e->count, w->before))
@@ -183,18 +184,18 @@ static whirl_status end_at_bound(torus_follower *f, torus_walk *w, whirl_torus_b
 }
 
 /// Adds the next point.
-static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *b, bool *ended) {
+static whirl_status torus_branch_advance(torus_follower *f, torus_walk *w, whirl_torus_branch *b, bool *ended) {
     const whirl_torus_branch_options *o = f->options;
     bool good;
     whirl_status status;
-    while (status = try_step(f, w, &good), status.code == WHIRL_OK && !good) {
+    while (status = torus_branch_try_step(f, w, &good), status.code == WHIRL_OK && !good) {
         *ended = w->shrank || w->step <= o->least_step;
         if (*ended) give_up(f, w, b);
         if (*ended) return status;
         w->step = fmax(0.5 * w->step, o->least_step);
     }
     if (status.code != WHIRL_OK) return status;
-    *ended = !is_within(f, &w->next);
+    *ended = !torus_branch_is_within(f, &w->next);
     if (*ended) return end_at_bound(f, w, b);
     const size_t wanted = torus_nodes_wanted(&f->equations, w->next.u, w->next.torus->error);
     status = add_point(f, w, &w->next, b);
@@ -209,8 +210,8 @@ static whirl_status go_on(torus_follower *f, torus_walk *w, whirl_torus_branch *
 // ---------------------------------------------------------------- the branch
 
 /// Finds the first point and its direction.
-static whirl_status begin(torus_follower *f, torus_walk *w, const whirl_torus *start, double value, int direction,
-                          whirl_torus_branch *b) {
+static whirl_status torus_branch_begin(torus_follower *f, torus_walk *w, const whirl_torus *start, double value,
+                                       int direction, whirl_torus_branch *b) {
     torus_equations *e = &f->equations;
     const size_t last = start->node_count * e->n + 1;
     if (start->node_count > f->options->torus.most_nodes)
@@ -233,13 +234,13 @@ static whirl_status begin(torus_follower *f, torus_walk *w, const whirl_torus *s
     return add_point(f, w, &w->now, b);
 }
 
-static whirl_status follow(torus_follower *f, torus_walk *w, const whirl_torus *start, double value, int direction,
-                           whirl_torus_branch *b) {
+static whirl_status torus_branch_follow(torus_follower *f, torus_walk *w, const whirl_torus *start, double value,
+                                        int direction, whirl_torus_branch *b) {
     bool ended = false;
-    whirl_status status = begin(f, w, start, value, direction, b);
+    whirl_status status = torus_branch_begin(f, w, start, value, direction, b);
     w->step = f->options->step;
     while (status.code == WHIRL_OK && !ended && b->end != WHIRL_TORUS_STOPPED && b->count < f->options->most_points)
-        status = go_on(f, w, b, &ended);
+        status = torus_branch_advance(f, w, b, &ended);
     if (ended) return status;
     const bool stopped = b->end == WHIRL_TORUS_STOPPED;
     if (!stopped) b->end = WHIRL_TORUS_END_OF_POINTS;
@@ -261,7 +262,7 @@ whirl_status whirl_torus_follow(const whirl_family *family, const whirl_torus *s
     if (status.code == WHIRL_OK) status = torus_waypoint_new(&f, &w.next);
     w.before = status.code == WHIRL_OK ? calloc(f.room, sizeof *w.before) : NULL;
     if (status.code == WHIRL_OK && !w.before) status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a branch of tori");
-    if (status.code == WHIRL_OK) status = follow(&f, &w, start, value, direction, b);
+    if (status.code == WHIRL_OK) status = torus_branch_follow(&f, &w, start, value, direction, b);
     free(w.before);
     torus_waypoint_free(&w.now);
     torus_waypoint_free(&w.next);

@@ -8,7 +8,7 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-static whirl_torus *allocate(const torus_equations *e) {
+static whirl_torus *torus_describe_allocate(const torus_equations *e) {
     const size_t d = e->map->dimension;
     whirl_torus *torus = calloc(1, sizeof *torus + (e->count * d + 2 * e->n) * sizeof(double));
     if (!torus) return NULL;
@@ -59,7 +59,7 @@ static size_t resonance_of(double rotation) {
 }
 
 whirl_status torus_describe(torus_equations *e, const double *u, double residual, whirl_torus **out) {
-    whirl_torus *torus = allocate(e);
+    whirl_torus *torus = torus_describe_allocate(e);
     *out = NULL;
     if (!torus) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a torus of %zu nodes", e->count);
     for (size_t j = 0; j < e->count; j++) section_map_put(e->map, u + j * e->n, torus->nodes + j * torus->dimension);
@@ -109,7 +109,7 @@ static double rest_from(const torus_equations *e, size_t first) {
 }
 
 /// Number of missing harmonics, by the decay of the present ones.
-static size_t missing(const torus_equations *e, double error) {
+static size_t torus_describe_missing(const torus_equations *e, double error) {
     const size_t last = e->count / 2, middle = (last + 1) / 2, least = 1 + last / 5, most = last + 1;
     const double early = harmonics_size(e->n, e->series, middle), late = harmonics_size(e->n, e->series, last);
     const double rate = log(early / late) / (double)(last - middle + (last == middle));
@@ -124,7 +124,7 @@ size_t torus_nodes_wanted(torus_equations *e, const double *u, double error) {
     size_t last = e->count / 2;
     harmonics_of(e->count, e->n, u, e->series);
     if (!(error <= e->options->accuracy)) {
-        last += missing(e, error);
+        last += torus_describe_missing(e, error);
     } else {
         while (last > SPARE && rest_from(e, last - SPARE) <= slight) last--;
     }

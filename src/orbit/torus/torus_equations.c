@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void release(whirl_machine *machine) {
+static void torus_equations_release(whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
     *machine = (whirl_machine){.system = NULL};
 }
@@ -21,7 +21,7 @@ static whirl_status map_at(const torus_equations *e, double value, whirl_machine
     if (status.code == WHIRL_OK) return status;
     section_map_free(*map);
     *map = NULL;
-    release(machine);
+    torus_equations_release(machine);
     return status;
 }
 
@@ -42,7 +42,7 @@ whirl_status torus_equations_make(torus_equations *e, const whirl_system *system
 
 void torus_equations_free(torus_equations *e) {
     section_map_free(e->map);
-    release(&e->machine);
+    torus_equations_release(&e->machine);
     free(e->images);
     e->map = NULL;
     e->images = NULL;
@@ -110,7 +110,7 @@ static bool turn_to(torus_equations *e, double value) {
     if (value == e->value) return true;
     if (map_at(e, value, &machine, &map).code != WHIRL_OK) return false;
     section_map_free(e->map);
-    release(&e->machine);
+    torus_equations_release(&e->machine);
     e->map = map;
     e->machine = machine;
     e->value = value;
@@ -123,7 +123,7 @@ static bool images_beside(torus_equations *e, double value, const double *u, dou
     if (map_at(e, value, &machine, &map).code != WHIRL_OK) return false;
     const bool good = section_map_carry(map, e->count, u, images, NULL, NULL);
     section_map_free(map);
-    release(&machine);
+    torus_equations_release(&machine);
     return good;
 }
 
@@ -141,7 +141,7 @@ static bool by_parameter(torus_equations *e, const double *u) {
 // ---------------------------------------------------------------- values and derivatives
 
 /// Index of node k's weight in the curve at theta_j + angle.
-static size_t place(const torus_equations *e, size_t j, size_t k) {
+static size_t torus_equations_place(const torus_equations *e, size_t j, size_t k) {
     return (k + e->count - j) % e->count;
 }
 
@@ -151,7 +151,8 @@ static void write_values(const torus_equations *e, const double *u, double *valu
     memcpy(value, e->images, size * sizeof *value);
     for (size_t j = 0; j < e->count; j++)
         for (size_t k = 0; k < e->count; k++)
-            for (size_t i = 0; i < n; i++) value[j * n + i] -= e->weights[place(e, j, k)] * u[k * n + i];
+            for (size_t i = 0; i < n; i++)
+                value[j * n + i] -= e->weights[torus_equations_place(e, j, k)] * u[k * n + i];
     for (size_t i = 0; i < size; i++) {
         square += e->along[i] * e->along[i];
         shift += e->along[i] * u[i];
@@ -165,7 +166,7 @@ static void write_by_nodes(const torus_equations *e, size_t columns, double *out
     for (size_t j = 0; j < e->count; j++)
         for (size_t i = 0; i < n; i++) {
             double *row = out + (j * n + i) * columns;
-            for (size_t k = 0; k < e->count; k++) row[k * n + i] = -e->weights[place(e, j, k)];
+            for (size_t k = 0; k < e->count; k++) row[k * n + i] = -e->weights[torus_equations_place(e, j, k)];
             for (size_t k = 0; k < n; k++) row[j * n + k] += e->matrices[(j * n + i) * n + k];
         }
     for (size_t i = 0; i < size; i++) square += e->along[i] * e->along[i];
@@ -177,7 +178,7 @@ static void write_by_angle(const torus_equations *e, const double *u, size_t col
     for (size_t j = 0; j < e->count; j++)
         for (size_t k = 0; k < e->count; k++)
             for (size_t i = 0; i < n; i++)
-                out[(j * n + i) * columns + size] -= e->slopes[place(e, j, k)] * u[k * n + i];
+                out[(j * n + i) * columns + size] -= e->slopes[torus_equations_place(e, j, k)] * u[k * n + i];
 }
 
 bool torus_equations_evaluate(void *context, const double *u, double *value, double *derivative) {

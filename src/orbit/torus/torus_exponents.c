@@ -25,38 +25,38 @@ typedef struct walk {
     double *growth;        ///< [MAX_STEPS][n - 1]
 } walk;
 
-static double dot(size_t n, const double *a, const double *b) {
+static double torus_exponents_dot(size_t n, const double *a, const double *b) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
     return sum;
 }
 
 static void take_out(size_t n, const double *direction, double *v) {
-    const double part = dot(n, direction, v);
+    const double part = torus_exponents_dot(n, direction, v);
     for (size_t i = 0; i < n; i++) v[i] -= part * direction[i];
 }
 
 static bool look_along(walk *w) {
     harmonics_at(w->count, w->n, w->curve, w->at, w->place, w->along);
-    const double length = sqrt(dot(w->n, w->along, w->along));
+    const double length = sqrt(torus_exponents_dot(w->n, w->along, w->along));
     for (size_t i = 0; i < w->n; i++) w->along[i] /= length;
     return isfinite(length) && length > 0.0;
 }
 
 /// Makes vector k orthonormal to those before and to the curve; returns its former length, 0 if nothing is left.
-static double straighten(walk *w, size_t k) {
+static double torus_exponents_straighten(walk *w, size_t k) {
     double *v = w->vectors + k * w->n;
     for (int twice = 0; twice < 2; twice++) {
         take_out(w->n, w->along, v);
         for (size_t i = 0; i < k; i++) take_out(w->n, w->vectors + i * w->n, v);
     }
-    const double length = sqrt(dot(w->n, v, v));
+    const double length = sqrt(torus_exponents_dot(w->n, v, v));
     for (size_t i = 0; i < w->n && length > 0.0; i++) v[i] /= length;
     return length;
 }
 
 /// Sets the initial vectors: units, without the one nearest to the curve's direction.
-static bool begin(walk *w) {
+static bool torus_exponents_begin(walk *w) {
     size_t nearest = 0;
     if (!look_along(w)) return false;
     for (size_t i = 1; i < w->n; i++)
@@ -64,28 +64,28 @@ static bool begin(walk *w) {
     memset(w->vectors, 0, (w->n - 1) * w->n * sizeof *w->vectors);
     for (size_t k = 0; k + 1 < w->n; k++) {
         w->vectors[k * w->n + k + (k >= nearest)] = 1.0;
-        straighten(w, k);
+        torus_exponents_straighten(w, k);
     }
     return true;
 }
 
 /// Moves one section further; growth [n - 1] gets the logarithms of the lengths.
-static bool step(walk *w, double *growth) {
+static bool torus_exponents_step(walk *w, double *growth) {
     const size_t n = w->n;
     harmonics_at(w->count, n * n, w->factor, w->at, w->matrix, NULL);
     w->at = remainder(w->at + w->angle, 6.283185307179586476925);
     if (!look_along(w)) return false;
     for (size_t k = 0; k + 1 < n; k++) {
         double *v = w->vectors + k * n;
-        for (size_t i = 0; i < n; i++) w->turned[i] = dot(n, w->matrix + i * n, v);
+        for (size_t i = 0; i < n; i++) w->turned[i] = torus_exponents_dot(n, w->matrix + i * n, v);
         memcpy(v, w->turned, n * sizeof *v);
-        growth[k] = log(straighten(w, k));
+        growth[k] = log(torus_exponents_straighten(w, k));
         if (!isfinite(growth[k])) return false;
     }
     return true;
 }
 
-static double average(const walk *w, size_t which, size_t first, size_t count) {
+static double torus_exponents_average(const walk *w, size_t which, size_t first, size_t count) {
     double sum = 0.0, weights = 0.0;
     for (size_t m = 0; m < count; m++) {
         const double weight = birkhoff_weight(m, count);
@@ -101,8 +101,9 @@ static double write_averages(const walk *w, size_t count, double slight, whirl_t
     const double share = 1.0 / (double)torus->revolutions;
     double largest = 0.0;
     for (size_t k = 0; k < torus->exponent_count; k++) {
-        const double early = average(w, k, 0, count / 2), late = average(w, k, count / 2, count / 2);
-        const double whole = average(w, k, 0, count), walked = share * fabs(late - early);
+        const double early = torus_exponents_average(w, k, 0, count / 2),
+                     late = torus_exponents_average(w, k, count / 2, count / 2);
+        const double whole = torus_exponents_average(w, k, 0, count), walked = share * fabs(late - early);
         torus->exponents[k] = share * whole;
         torus->exponent_errors[k] = walked + share * slight / exp(whole);
         largest = fmax(largest, walked);
@@ -116,14 +117,14 @@ static double missing_of(const walk *w) {
     return harmonics_size(size, w->factor, last) + harmonics_size(size, w->factor, last - 1);
 }
 
-static bool go(walk *w, whirl_torus *torus) {
+static bool torus_exponents_move(walk *w, whirl_torus *torus) {
     size_t count = 0;
-    if (!begin(w)) return false;
+    if (!torus_exponents_begin(w)) return false;
     for (size_t m = 0; m < SETTLING; m++)
-        if (!step(w, w->growth)) return false;
+        if (!torus_exponents_step(w, w->growth)) return false;
     for (size_t most = MIN_STEPS; most <= MAX_STEPS; most *= 2) {
         for (; count < most; count++)
-            if (!step(w, w->growth + count * (w->n - 1))) return false;
+            if (!torus_exponents_step(w, w->growth + count * (w->n - 1))) return false;
         if (write_averages(w, count, missing_of(w), torus) < 1e-9) break;
     }
     return true;
@@ -148,7 +149,7 @@ bool torus_find_exponents(const torus_equations *e, const double *u, whirl_torus
     w.growth = w.vectors + n * n;
     harmonics_of(e->count, n, u, w.curve);
     harmonics_of(e->count, n * n, e->matrices, w.factor);
-    if (!go(&w, torus)) say_nothing(torus);
+    if (!torus_exponents_move(&w, torus)) say_nothing(torus);
     torus->unstable = 0;
     for (size_t k = 0; k < torus->exponent_count; k++)
         torus->unstable += torus->exponents[k] > torus->exponent_errors[k] + 1e-9;

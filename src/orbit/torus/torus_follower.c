@@ -60,7 +60,7 @@ bool torus_follower_resize(torus_follower *f, size_t count, const double *u) {
 }
 
 /// Changes to more nodes; the search continues from what was found.
-static bool refine(torus_follower *f, size_t wanted, const double *found) {
+static bool torus_follower_refine(torus_follower *f, size_t wanted, const double *found) {
     const torus_equations *e = &f->equations;
     const size_t before = e->count;
     const bool good = torus_resample(e, before, found, wanted, f->trial) &&
@@ -85,7 +85,8 @@ whirl_status torus_follower_find(torus_follower *f, torus_waypoint *out) {
         const size_t wanted = torus_nodes_wanted(e, out->u, out->torus->error);
         out->rough = wanted <= e->count;
         if (out->rough) return status;
-        if (!refine(f, wanted, out->u)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu nodes", wanted);
+        if (!torus_follower_refine(f, wanted, out->u))
+            return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu nodes", wanted);
         torus_equations_refer(e, f->trial);
     }
 }

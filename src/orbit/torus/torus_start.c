@@ -62,7 +62,7 @@ static double angle_at(const cloud *c, size_t m, double turns) {
 }
 
 /// Averages the residual at so many turns a section into `real` and `minus`; returns the square of its size.
-static double average(cloud *c, double turns) {
+static double torus_start_average(cloud *c, double turns) {
     double square = 0.0;
     memset(c->real, 0, c->n * sizeof *c->real);
     memset(c->minus, 0, c->n * sizeof *c->minus);
@@ -82,20 +82,20 @@ static double average(cloud *c, double turns) {
 static double largest_between(cloud *c, double low, double high) {
     const double share = 0.6180339887498949;
     double left = high - share * (high - low), right = low + share * (high - low);
-    double at_left = average(c, left), at_right = average(c, right);
+    double at_left = torus_start_average(c, left), at_right = torus_start_average(c, right);
     while (high - low > 1e-12) {
         if (at_left > at_right) {
             high = right;
             right = left;
             at_right = at_left;
             left = high - share * (high - low);
-            at_left = average(c, left);
+            at_left = torus_start_average(c, left);
         } else {
             low = left;
             left = right;
             at_left = at_right;
             right = low + share * (high - low);
-            at_right = average(c, right);
+            at_right = torus_start_average(c, right);
         }
     }
     return 0.5 * (low + high);
@@ -106,7 +106,7 @@ static double largest_line(cloud *c) {
     const double step = 0.5 / (double)c->count;
     double largest = -1.0, at = 0.0;
     for (size_t k = 2; k <= c->count; k++) {
-        const double square = average(c, step * (double)k);
+        const double square = torus_start_average(c, step * (double)k);
         if (square > largest) {
             largest = square;
             at = step * (double)k;
@@ -115,7 +115,7 @@ static double largest_line(cloud *c) {
     return largest_between(c, at - step, at + step);
 }
 
-static double fold(double turns) {
+static double torus_start_fold(double turns) {
     const double part = turns - floor(turns);
     return fmin(part, 1.0 - part);
 }
@@ -130,7 +130,7 @@ static void take_out(cloud *c, double turns) {
 
 /// Fits the series for a rotation number; returns the residual, root mean square, over the points' size. Each harmonic
 /// is fitted to the residual of lower ones: of two that few sections cannot separate the lower one counts.
-static double misfit(cloud *c, double rotation) {
+static double torus_start_misfit(cloud *c, double rotation) {
     const size_t n = c->n, size = c->count * n;
     const size_t most = c->count / 8 < MAX_HARMONICS ? c->count / 8 : MAX_HARMONICS;
     double off = 0.0, all = 0.0;
@@ -138,7 +138,7 @@ static double misfit(cloud *c, double rotation) {
     memset(c->series, 0, (2 * MAX_HARMONICS + 1) * n * sizeof *c->series);
     for (size_t h = 1; h <= most; h++) {
         const double turns = fmod((double)h * rotation, 1.0);
-        average(c, turns);
+        torus_start_average(c, turns);
         take_out(c, turns);
         for (size_t i = 0; i < n; i++) {
             c->series[(2 * h - 1) * n + i] = 2.0 * c->real[i];
@@ -157,18 +157,18 @@ static double misfit(cloud *c, double rotation) {
 static double rotation_of(cloud *c, double *off) {
     const double line = largest_line(c);
     const double fits = 0.05;
-    double best = fold(line);
-    *off = misfit(c, best);
+    double best = torus_start_fold(line);
+    *off = torus_start_misfit(c, best);
     if (*off <= fits) return best;
     for (int part = 2; part <= 3; part++)
         for (int turn = 0; turn < part; turn++) {
-            const double other = fold((line + turn) / part), there = misfit(c, other);
+            const double other = torus_start_fold((line + turn) / part), there = torus_start_misfit(c, other);
             if (there < 0.1 * *off) {
                 best = other;
                 *off = there;
             }
         }
-    *off = misfit(c, best);
+    *off = torus_start_misfit(c, best);
     return best;
 }
 
@@ -210,7 +210,7 @@ static whirl_status write_curve(torus_equations *e, cloud *c, double rotation, d
     return whirl_ok();
 }
 
-static whirl_status fit(torus_equations *e, cloud *c, double rotation, double **u) {
+static whirl_status torus_start_fit(torus_equations *e, cloud *c, double rotation, double **u) {
     const double enough = 0.2;
     double off = 0.0, size = 0.0;
     for (size_t i = 0; i < e->n; i++) size = fmax(size, fabs(c->mean[i]));
@@ -223,7 +223,7 @@ static whirl_status fit(torus_equations *e, cloud *c, double rotation, double **
                           "fills a closed curve",
                           period);
     if (isfinite(rotation))
-        off = misfit(c, rotation);
+        off = torus_start_misfit(c, rotation);
     else
         rotation = rotation_of(c, &off);
     if (!(off <= enough))
@@ -239,7 +239,7 @@ whirl_status torus_fit(torus_equations *e, const double *states, size_t count, d
     cloud *c = cloud_new(e, states, count);
     *u = NULL;
     if (!c) return whirl_fail(WHIRL_NO_MEMORY, "no memory for %zu sections", count);
-    const whirl_status status = fit(e, c, rotation, u);
+    const whirl_status status = torus_start_fit(e, c, rotation, u);
     free(c);
     return status;
 }

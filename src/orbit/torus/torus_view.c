@@ -54,7 +54,7 @@ static double peak_of(const double *values, size_t count, size_t stride, double 
 }
 
 /// Computes the bounds and the first harmonic, (cosine - i sine)/2, of an instant's closed curve.
-static void look_at(grid *g, size_t instant) {
+static void torus_view_look_at(grid *g, size_t instant) {
     const size_t d = g->dimension;
     harmonics_of(g->nodes, d, g->states + instant * g->nodes * d, g->series);
     harmonics_spread(g->nodes, d, g->series, 0.0, g->angles, g->curve, NULL);
@@ -110,7 +110,7 @@ static void find_turns(const grid *g, double rotation) {
 
 // ---------------------------------------------------------------- a view
 
-static whirl_torus_view *allocate(const whirl_torus *torus) {
+static whirl_torus_view *torus_view_allocate(const whirl_torus *torus) {
     const size_t d = torus->dimension, sections = torus->revolutions * d;
     whirl_torus_view *view = calloc(1, sizeof *view + (4 * d + 2 * sections) * sizeof(double));
     if (!view) return NULL;
@@ -145,11 +145,11 @@ static bool grid_new(const whirl_torus *torus, grid *g) {
     return true;
 }
 
-static whirl_status look(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
-                         grid *g, whirl_torus_view *view) {
+static whirl_status torus_view_look(const whirl_system *system, const whirl_torus *torus,
+                                    const whirl_torus_options *options, grid *g, whirl_torus_view *view) {
     const whirl_status status = whirl_torus_observe(system, torus, options, g->nodes, INSTANTS, put_state, g);
     if (status.code != WHIRL_OK) return status;
-    for (size_t m = 0; m < g->instants; m++) look_at(g, m);
+    for (size_t m = 0; m < g->instants; m++) torus_view_look_at(g, m);
     find_turns(g, torus->rotation);
     for (size_t i = 0; i < g->dimension; i++) {
         if (turns_on(system->turns, i)) continue;
@@ -162,8 +162,8 @@ static whirl_status look(const whirl_system *system, const whirl_torus *torus, c
 whirl_status whirl_torus_look(const whirl_system *system, const whirl_torus *torus, const whirl_torus_options *options,
                               whirl_torus_view **out) {
     grid g;
-    whirl_torus_view *view = allocate(torus);
-    whirl_status status = grid_new(torus, &g) && view ? look(system, torus, options, &g, view)
+    whirl_torus_view *view = torus_view_allocate(torus);
+    whirl_status status = grid_new(torus, &g) && view ? torus_view_look(system, torus, options, &g, view)
                                                       : whirl_fail(WHIRL_NO_MEMORY, "no memory for a view of a torus");
     free(g.states);
     free(g.harmonic);

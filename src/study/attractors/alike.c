@@ -41,7 +41,7 @@ static int label_of(const alike *labels, size_t point) {
 }
 
 /// Returns the motion of a point and caches it.
-static const motion *hold(alike *labels, size_t point) {
+static const motion *alike_hold(alike *labels, size_t point) {
     if (labels->held && labels->of == point) return labels->held;
     free(labels->held);
     labels->held = motion_read(labels->table, point);
@@ -54,7 +54,7 @@ bool alike_are(alike *labels, size_t a, size_t b) {
     if (one == IN_DOUBT || one != other) return false;
     if (!labels->basin) return true;
     motion *second = motion_read(labels->table, b);
-    const motion *first = second ? hold(labels, a) : NULL;
+    const motion *first = second ? alike_hold(labels, a) : NULL;
     const bool same = first && motion_is_same(first, second);
     free(second);
     return same;

@@ -12,7 +12,7 @@ static int by_points(const void *left, const void *right) {
 
 /// Adds a point to the attractor that it settled on, or to a new one. Sets *which to its index, or to MAX_ATTRACTORS
 /// without one.
-static whirl_status join(const whirl_table *table, size_t point, told_apart *told, size_t *which) {
+static whirl_status attractors_join(const whirl_table *table, size_t point, told_apart *told, size_t *which) {
     *which = MAX_ATTRACTORS;
     const whirl_regime regime = whirl_table_verdict(table, point).regime;
     if (regime == WHIRL_UNDETERMINED || regime == WHIRL_NOT_JUDGED) return whirl_ok();
@@ -49,7 +49,7 @@ whirl_status attractors_tell(const whirl_table *table, const size_t *points, siz
         of[point] = MAX_ATTRACTORS;
         if (!whirl_table_done(table, point)) continue;
         told->done += !whirl_table_from_neighbour(table, point);
-        status = join(table, point, told, &of[point]);
+        status = attractors_join(table, point, told, &of[point]);
     }
     take_shares(told);
     return status;
@@ -61,7 +61,7 @@ void attractors_free(told_apart *told) {
 }
 
 /// Weighs points of a refined table by the grid points that each represents.
-static whirl_status weigh(const whirl_table *table, const size_t *of, told_apart *told) {
+static whirl_status attractors_weigh(const whirl_table *table, const size_t *of, told_apart *told) {
     const size_t grid = whirl_table_grid(table);
     size_t *cover = calloc(grid + 1, sizeof *cover);
     if (!cover) return whirl_fail(WHIRL_NO_MEMORY, "no memory to count %zu points", grid);
@@ -85,7 +85,7 @@ whirl_status whirl_table_attractors(const whirl_table *table, size_t *labels, wh
     *count = 0;
     if (!of) return whirl_fail(WHIRL_NO_MEMORY, "no memory to tell the attractors of %zu points apart", table->count);
     whirl_status status = attractors_tell(table, NULL, table->count, of, &told);
-    if (status.code == WHIRL_OK && table->refine > 0) status = weigh(table, of, &told);
+    if (status.code == WHIRL_OK && table->refine > 0) status = attractors_weigh(table, of, &told);
     if (status.code == WHIRL_OK) {
         *count = told.count;
         qsort(told.found, told.count, sizeof *told.found, by_points);

@@ -43,7 +43,7 @@ static bool list_points(search *s) {
 }
 
 /// Grows the arrays by as many attractors as a place may have.
-static bool make_room(search *s) {
+static bool coexistence_make_room(search *s) {
     if (s->count + MAX_ATTRACTORS <= s->room) return true;
     const size_t room = 2 * s->room + MAX_ATTRACTORS;
     whirl_coexisting *items = realloc(s->items, room * sizeof *items);
@@ -56,7 +56,8 @@ static bool make_room(search *s) {
 
 static whirl_status tell_place(search *s, size_t place) {
     told_apart told;
-    if (!make_room(s)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu places", s->places);
+    if (!coexistence_make_room(s))
+        return whirl_fail(WHIRL_NO_MEMORY, "no memory for the attractors of %zu places", s->places);
     const size_t *points = s->points + s->first[place], count = s->first[place + 1] - s->first[place];
     const whirl_status status = attractors_tell(s->table, points, count, s->of, &told);
     s->begins[place] = s->count;
@@ -88,7 +89,7 @@ typedef struct pairs {
 } pairs;
 
 /// Returns a place's attractor nearest to `of`, or s->count if none is near enough.
-static size_t nearest(const search *s, size_t of, size_t place, double *distance) {
+static size_t coexistence_nearest(const search *s, size_t of, size_t place, double *distance) {
     size_t found = s->count;
     *distance = farthest;
     for (size_t k = s->begins[place]; k < s->begins[place + 1]; k++) {
@@ -115,8 +116,9 @@ static bool add_pair(pairs *all, pair one) {
 static bool pair_places(const search *s, size_t place, size_t other, pairs *all) {
     for (size_t a = s->begins[place]; a < s->begins[place + 1]; a++) {
         double distance, back;
-        const size_t b = nearest(s, a, other, &distance);
-        if (b < s->count && nearest(s, b, place, &back) == a && !add_pair(all, (pair){a, b, distance})) return false;
+        const size_t b = coexistence_nearest(s, a, other, &distance);
+        if (b < s->count && coexistence_nearest(s, b, place, &back) == a && !add_pair(all, (pair){a, b, distance}))
+            return false;
     }
     return true;
 }
@@ -170,7 +172,7 @@ static bool share_a_place(search *s, size_t small, size_t large) {
     return false;
 }
 
-static void join(search *s, const pair *one) {
+static void coexistence_join(search *s, const pair *one) {
     size_t a = root_of(s, one->a), b = root_of(s, one->b);
     if (a == b) return;
     if (s->sizes[a] < s->sizes[b] || (a > b && s->sizes[a] == s->sizes[b])) {
@@ -196,7 +198,7 @@ static whirl_status join_neighbours(search *s) {
         s->sizes = s->next + s->count;
         for (size_t k = 0; k < s->count; k++) s->parent[k] = s->next[k] = k, s->sizes[k] = 1;
         if (all.count > 0) qsort(all.items, all.count, sizeof *all.items, by_distance);
-        for (size_t i = 0; i < all.count; i++) join(s, &all.items[i]);
+        for (size_t i = 0; i < all.count; i++) coexistence_join(s, &all.items[i]);
     }
     free(all.items);
     return memory ? whirl_ok()
@@ -256,7 +258,7 @@ static void take_labels(const search *s, size_t *labels) {
     }
 }
 
-static whirl_status find(search *s, whirl_coexistence *found) {
+static whirl_status coexistence_find(search *s, whirl_coexistence *found) {
     whirl_status status = whirl_ok();
     found->labels = calloc(s->table->count + 1, sizeof *found->labels);
     if (!found->labels || !list_points(s))
@@ -277,7 +279,7 @@ static whirl_status find(search *s, whirl_coexistence *found) {
 whirl_status whirl_table_coexistence(const whirl_table *table, whirl_coexistence *found) {
     search s = {.table = table, .places = whirl_table_places(table)};
     *found = (whirl_coexistence){.places = s.places};
-    const whirl_status status = find(&s, found);
+    const whirl_status status = coexistence_find(&s, found);
     for (size_t k = 0; k < s.count; k++) free(s.motions[k]);
     free(s.points);
     free(s.first);

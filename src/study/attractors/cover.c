@@ -6,7 +6,7 @@
 
 /// End of a half-open range, so that every grid point belongs to one square. The last column and row belong to the
 /// squares that end there.
-static size_t end_of(size_t begin, double width, size_t points) {
+static size_t cover_end_of(size_t begin, double width, size_t points) {
     const double end = (double)begin + width;
     return end + 1.0 < (double)points ? (size_t)end : points;
 }
@@ -14,7 +14,7 @@ static size_t end_of(size_t begin, double width, size_t points) {
 /// Counts the grid points of a square and subtracts them from *left. A sound file never runs out of them.
 static void cover_square(const whirl_table *table, size_t point, double width, size_t *left, size_t *cover) {
     const size_t slot = whirl_table_slot(table, point), columns = table->row, rows = whirl_table_rows(table);
-    const size_t right = end_of(slot % columns, width, columns), top = end_of(slot / columns, width, rows);
+    const size_t right = cover_end_of(slot % columns, width, columns), top = cover_end_of(slot / columns, width, rows);
     const size_t area = (right - slot % columns) * (top - slot / columns);
     if (area > *left) return;
     *left -= area;

@@ -99,7 +99,7 @@ static double bounds_distance(const motion *a, const motion *b) {
 }
 
 /// Largest width of any station's box, in x or y.
-static double extent(const motion *m) {
+static double motion_extent(const motion *m) {
     double size = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++)
         if (i % BOUNDS >= 2 && i % BOUNDS < 4) size = fmax(size, m->bounds[i + 2] - m->bounds[i]);
@@ -107,10 +107,10 @@ static double extent(const motion *m) {
 }
 
 /// Extent, or a hundredth of the largest displacement if that is larger.
-static double size_of(const motion *m) {
+static double motion_size_of(const motion *m) {
     double far = 0.0;
     for (size_t i = 0; i < m->stations * BOUNDS; i++) far = fmax(far, fabs(m->bounds[i]));
-    return fmax(extent(m), 0.01 * far);
+    return fmax(motion_extent(m), 0.01 * far);
 }
 
 // ---------------------------------------------------------------- both
@@ -121,7 +121,7 @@ bool motion_is_same(const motion *a, const motion *b) {
     if (a->rows > 0 && b->rows > 0) return are_one_orbit(a, b);
     if (a->period != b->period) return false;
     if (!a->compared) return true;
-    return a->placed && b->placed && bounds_distance(a, b) <= one_cloud * fmax(extent(a), extent(b));
+    return a->placed && b->placed && bounds_distance(a, b) <= one_cloud * fmax(motion_extent(a), motion_extent(b));
 }
 
 double motion_distance(const motion *a, const motion *b) {
@@ -130,6 +130,6 @@ double motion_distance(const motion *a, const motion *b) {
     if (!a->placed || !b->placed || a->stations != b->stations || !may_be_one_branch(a, b)) return (double)INFINITY;
     const double away =
         a->rows > 0 && b->rows > 0 ? fmax(farthest_row(a, b), farthest_row(b, a)) : bounds_distance(a, b);
-    const double size = fmax(size_of(a), size_of(b));
+    const double size = fmax(motion_size_of(a), motion_size_of(b));
     return size > 0.0 ? away / size : away > 0.0 ? (double)INFINITY : 0.0;
 }

@@ -133,7 +133,7 @@ static whirl_status work_round(study_run *run, int round, const pass *p) {
 }
 
 /// Runs rounds until no place has an untried attractor, or the limit of rounds is reached.
-static whirl_status work(study_run *run, size_t batch) {
+static whirl_status neighbours_work_batch(study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
     whirl_status status = whirl_ok();
     bool more = true;
@@ -152,7 +152,7 @@ static whirl_status work(study_run *run, size_t batch) {
 whirl_status neighbours_work(study_run *run) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++)
-        if (run->study->batches[i].neighbours > 0) status = work(run, i);
+        if (run->study->batches[i].neighbours > 0) status = neighbours_work_batch(run, i);
     return status;
 }
 

@@ -48,14 +48,15 @@ static bool is_equal(const whirl_mode *a, const whirl_mode *b, double scale) {
     return hypot(scale * a->real - b->real, scale * a->imaginary - b->imaginary) <= 1e-6 * hypot(b->real, b->imaginary);
 }
 
-static whirl_status no_memory(void) {
+static whirl_status critical_no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory to follow modes");
 }
 
 /// Matches the modes of two machines (whirl_modes_match). *partner is to be freed, after a failure too.
-static whirl_status match(const resting_machine *from, const resting_machine *to, size_t **partner, double *unlike) {
+static whirl_status critical_match(const resting_machine *from, const resting_machine *to, size_t **partner,
+                                   double *unlike) {
     *partner = malloc((from->modes->count + 1) * sizeof **partner);
-    if (!*partner) return no_memory();
+    if (!*partner) return critical_no_memory();
     return whirl_modes_match(from->modes, to->modes, from->machine.clock / to->machine.clock, *partner, unlike);
 }
 
@@ -66,7 +67,7 @@ whirl_status resting_follow(const resting_machine *from, resting_machine *to) {
     size_t *partner = NULL;
     double *unlike = malloc((count + 1) * sizeof *unlike);
     to->before = calloc(to->modes->count + 1, sizeof *to->before);
-    whirl_status status = unlike && to->before ? match(from, to, &partner, unlike) : no_memory();
+    whirl_status status = unlike && to->before ? critical_match(from, to, &partner, unlike) : critical_no_memory();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++)
         if (unlike[i] < 1.0 ||
             (partner[i] < to->modes->count && is_equal(&from->modes->modes[i], &to->modes->modes[partner[i]], scale)))
@@ -91,7 +92,7 @@ static double growth_of(const resting_machine *r) {
 }
 
 /// Returns the oscillating mode that decides stability, SIZE_MAX without one. A growth within rounding counts as 0.
-static size_t deciding(const whirl_modes *modes) {
+static size_t critical_deciding(const whirl_modes *modes) {
     const double rounding = 1e-9;
     for (size_t i = 0; i < modes->count; i++) {
         const whirl_mode *own = &modes->modes[i];
@@ -105,7 +106,7 @@ static double distance_of(const resting_machine *r, size_t mode) {
     return r->machine.clock * r->modes->modes[mode].imaginary - fabs(r->machine.speed);
 }
 
-static void describe(search *s, const resting_machine *r, size_t mode) {
+static void critical_describe(search *s, const resting_machine *r, size_t mode) {
     s->at = (whirl_critical){.value = r->value, .speed = r->machine.speed};
     if (mode >= r->modes->count) return;
     const whirl_mode *own = &r->modes->modes[mode];
@@ -115,18 +116,18 @@ static void describe(search *s, const resting_machine *r, size_t mode) {
 }
 
 /// Evaluates the function whose zero is searched; NaN if the mode is lost.
-static whirl_status measure(search *s, const resting_machine *r, double *result) {
-    size_t mode = deciding(r->modes);
+static whirl_status critical_measure(search *s, const resting_machine *r, double *result) {
+    size_t mode = critical_deciding(r->modes);
     *result = growth_of(r);
     if (s->mode != SIZE_MAX) {
         size_t *partner;
-        const whirl_status status = match(s->from, r, &partner, NULL);
+        const whirl_status status = critical_match(s->from, r, &partner, NULL);
         if (status.code == WHIRL_OK) mode = partner[s->mode];
         free(partner);
         if (status.code != WHIRL_OK) return status;
         *result = mode < r->modes->count ? distance_of(r, mode) : (double)NAN;
     }
-    describe(s, r, mode);
+    critical_describe(s, r, mode);
     return whirl_ok();
 }
 
@@ -134,14 +135,14 @@ static whirl_status measure_at(search *s, double value, double *result) {
     resting_machine r;
     whirl_status status = resting_new(s->study, s->batch, value, &r);
     if (status.code != WHIRL_OK) return status;
-    status = measure(s, &r, result);
+    status = critical_measure(s, &r, result);
     resting_free(&r);
     return status;
 }
 
 /// Closes in on the zero between a and b, where fa and fb have different signs. *found is false if the mode is lost on
 /// the way, or jumps.
-static whirl_status close_in(search *s, double a, double fa, double b, double fb, bool *found) {
+static whirl_status critical_close_in(search *s, double a, double fa, double b, double fb, bool *found) {
     enum { MAX_STEPS = 100 };
     const double jump = 1e-3 * fmax(fabs(fa), fabs(fb));
     bracket r = bracket_between(a, fa, b, fb);
@@ -167,7 +168,7 @@ static whirl_status close_in(search *s, double a, double fa, double b, double fb
     return whirl_ok();
 }
 
-static void add(whirl_critical *found, size_t most, size_t *count, const whirl_critical *one) {
+static void critical_add(whirl_critical *found, size_t most, size_t *count, const whirl_critical *one) {
     if (*count < most) found[(*count)++] = *one;
 }
 
@@ -190,12 +191,13 @@ static whirl_status locate_speeds(search *s, const resting_machine *to, const si
         if ((fa < 0.0) == (fb < 0.0) || fa == 0.0) continue;
         s->mode = i;
         if (fb == 0.0)
-            describe(s, to, partner[i]);
+            critical_describe(s, to, partner[i]);
         else
-            status = close_in(s, from->value, fa, to->value, fb, &good);
+            status = critical_close_in(s, from->value, fa, to->value, fb, &good);
         s->at.kind = WHIRL_CRITICAL_SPEED;
         *lost = *lost || !good;
-        if (good && status.code == WHIRL_OK && s->at.ratio <= WHIRL_OVERDAMPED_RATIO) add(found, most, count, &s->at);
+        if (good && status.code == WHIRL_OK && s->at.ratio <= WHIRL_OVERDAMPED_RATIO)
+            critical_add(found, most, count, &s->at);
     }
     return status;
 }
@@ -210,23 +212,23 @@ static whirl_status locate_threshold(search *s, const resting_machine *to, whirl
     whirl_status status = whirl_ok();
     bool good = on != NULL;
     if (on)
-        describe(s, on, deciding(on->modes));
+        critical_describe(s, on, critical_deciding(on->modes));
     else
-        status = close_in(s, s->from->value, fa, to->value, fb, &good);
+        status = critical_close_in(s, s->from->value, fa, to->value, fb, &good);
     s->at.kind = (fb > 0.0) == (to->value > s->from->value) ? WHIRL_ONSET : WHIRL_RECOVERY;
     *lost = *lost || !good;
-    if (good && status.code == WHIRL_OK) add(found, most, count, &s->at);
+    if (good && status.code == WHIRL_OK) critical_add(found, most, count, &s->at);
     return status;
 }
 
-static whirl_status locate(search *s, const resting_machine *to, whirl_critical *found, size_t most, size_t *count,
-                           bool *lost) {
+static whirl_status critical_locate_pieces(search *s, const resting_machine *to, whirl_critical *found, size_t most,
+                                           size_t *count, bool *lost) {
     const whirl_modes *from = s->from->modes;
     whirl_status status = whirl_ok();
     // Floquet frequencies are known up to multiples of the speed: each mode would cross it.
     if (from->period == 0.0 && to->modes->period == 0.0) {
         size_t *partner;
-        status = match(s->from, to, &partner, NULL);
+        status = critical_match(s->from, to, &partner, NULL);
         if (status.code == WHIRL_OK) status = locate_speeds(s, to, partner, found, most, count, lost);
         free(partner);
     }
@@ -239,7 +241,7 @@ static whirl_status locate_in_halves(search *s, const resting_machine *to, int d
     const size_t before = *count;
     resting_machine middle;
     bool lost = false;
-    whirl_status status = locate(s, to, found, most, count, &lost);
+    whirl_status status = critical_locate_pieces(s, to, found, most, count, &lost);
     if (status.code != WHIRL_OK || !lost || depth == 0) return status;
     status = resting_new(s->study, s->batch, 0.5 * (s->from->value + to->value), &middle);
     if (status.code != WHIRL_OK) return status;

@@ -17,21 +17,22 @@ typedef struct placing {
     size_t count;
 } placing;
 
-static whirl_status machine_of(placing *p, double speed, double stiffness, whirl_variant variant, whirl_machine *out) {
+static whirl_status placement_machine_of(placing *p, double speed, double stiffness, whirl_variant variant,
+                                         whirl_machine *out) {
     p->batch.speed = speed;
     p->batch.variant = variant;
     p->batch.record.bearings = variant == WHIRL_AS_STUDIED;
     return p->study->machine(p->study->family, &p->batch, stiffness, out);
 }
 
-static void release(const whirl_machine *machine) {
+static void placement_release(const whirl_machine *machine) {
     if (machine->release) machine->release(machine->owner);
 }
 
 static whirl_status at_speed(const void *context, double speed, whirl_variant variant, double value,
                              whirl_machine *machine) {
     placing own = *(const placing *)context;
-    return machine_of(&own, speed, value, variant, machine);
+    return placement_machine_of(&own, speed, value, variant, machine);
 }
 
 /// Mean stiffness of all bearings, N/m: of sqrt(kxx kyy), or of the positive one. Reports come station by station;
@@ -89,18 +90,18 @@ static whirl_status place_at_antinodes(placing *p) {
     whirl_critical_speeds *found = NULL;
     double stiffness = 0.0;
     whirl_status status = bearing_stiffness(p, &stiffness);
-    if (status.code == WHIRL_OK) status = machine_of(p, speed, stiffness, WHIRL_AS_STUDIED, &own);
-    if (status.code == WHIRL_OK) status = machine_of(p, 2.0 * speed, stiffness, WHIRL_AS_STUDIED, &faster);
+    if (status.code == WHIRL_OK) status = placement_machine_of(p, speed, stiffness, WHIRL_AS_STUDIED, &own);
+    if (status.code == WHIRL_OK) status = placement_machine_of(p, 2.0 * speed, stiffness, WHIRL_AS_STUDIED, &faster);
     if (status.code == WHIRL_OK) status = whirl_critical_speeds_new(&own, &faster, &found);
     if (status.code == WHIRL_OK) status = place_at_mode(p, found);
     whirl_critical_speeds_free(found);
-    release(&faster);
-    release(&own);
+    placement_release(&faster);
+    placement_release(&own);
     return status;
 }
 
 /// Overhung mass at a station, kg, outside the outer bearing of its shaft; NaN for other stations.
-static double overhang(const placing *p, size_t station) {
+static double placement_overhang(const placing *p, size_t station) {
     const whirl_probe *probes = p->machine.system->probes;
     double left = NAN, right = NAN, first = INFINITY, last = -INFINITY;
     for (size_t i = 0; i < p->machine.system->probe_count; i++) {
@@ -118,7 +119,7 @@ static whirl_status place_at_station(placing *p) {
     while (station < system->probe_count && strcmp(system->probes[station].name, p->options->placed_at) != 0) station++;
     if (station == system->probe_count)
         return whirl_fail(WHIRL_BAD_INPUT, "at: '%.63s' is no station", p->options->placed_at);
-    const double weight = p->options->placed_weight > 0.0 ? p->options->placed_weight : overhang(p, station);
+    const double weight = p->options->placed_weight > 0.0 ? p->options->placed_weight : placement_overhang(p, station);
     if (isnan(weight))
         return whirl_fail(WHIRL_BAD_INPUT,
                           "at: nothing hangs over at station '%.63s', expected the weight by which its "
@@ -136,13 +137,13 @@ whirl_status whirl_study_place(const whirl_study *study, whirl_batch *batch, whi
     if (batch->placed || (options->antinodes_of == 0 && !*options->placed_at)) return whirl_ok();
     p.factor = options->placed_factor * rule / (options->running_high / rpm);
     p.batch.parameter[0] = p.batch.second[0] = p.batch.third[0] = '\0';
-    whirl_status status = machine_of(&p, options->running_high, 0.0, WHIRL_WITH_STATICS, &p.machine);
+    whirl_status status = placement_machine_of(&p, options->running_high, 0.0, WHIRL_WITH_STATICS, &p.machine);
     if (status.code == WHIRL_OK) {
         p.placed = calloc(p.machine.system->probe_count + 1, sizeof *p.placed);
         if (!p.placed) status = whirl_fail(WHIRL_NO_MEMORY, "no memory to place unbalances");
     }
     if (status.code == WHIRL_OK) status = *options->placed_at ? place_at_station(&p) : place_at_antinodes(&p);
-    release(&p.machine);
+    placement_release(&p.machine);
     batch->placed = *placed = p.placed;
     batch->placed_count = p.count;
     return status;

@@ -39,7 +39,7 @@ bool refined_share_has(const whirl_batch *batch, const whirl_share *share, size_
 
 // ---------------------------------------------------------------- making
 
-static bool differ(const void *context, size_t a, size_t b) {
+static bool refined_map_differ(const void *context, size_t a, size_t b) {
     const refined_map *map = context;
     return !alike_are(map->labels, a, b);
 }
@@ -68,7 +68,7 @@ static whirl_status make_map(const study_run *run, size_t batch, refined_map **o
     map->table = table;
     map->plane = plane_of(&run->study->batches[batch]);
     map->plane.alone = run->share.count > 0 || run->dealer || run->gathering;
-    map->plane.differ = differ;
+    map->plane.differ = refined_map_differ;
     map->plane.context = map;
     map->asked = calloc(table->count, 1);
     map->plane.known = map->known = calloc(table->count, 1);
@@ -147,7 +147,7 @@ static whirl_status plan_round(refined_map *map, pass *p) {
     return status;
 }
 
-static whirl_status refine(study_run *run, size_t batch) {
+static whirl_status refined_map_refine(study_run *run, size_t batch) {
     const whirl_batch *own = &run->study->batches[batch];
     whirl_status status = whirl_ok();
     bool more = true;
@@ -169,7 +169,7 @@ static whirl_status refine_together(study_run *run, size_t batch) {
     refined_map *map = run->refined[batch];
     map->plane.alone = false;
     map->late = calloc(map->table->count, 1);
-    return map->late ? refine(run, batch) : whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
+    return map->late ? refined_map_refine(run, batch) : whirl_fail(WHIRL_NO_MEMORY, "no memory to refine a map");
 }
 
 /// Works on first squares as they are dealt out, until none is left or the run must end.
@@ -181,7 +181,7 @@ static whirl_status refine_dealt(study_run *run, size_t batch) {
     while (status.code == WHIRL_OK && taken > 0 && !atomic_load(&run->tracker.halt)) {
         taken = dealer->claim(dealer->context, batch, squares_count(&map->plane), &first);
         for (size_t i = first; i < first + taken; i++) map->own[i] = 1;
-        if (taken > 0) status = refine(run, batch);
+        if (taken > 0) status = refined_map_refine(run, batch);
     }
     return status;
 }
@@ -206,7 +206,7 @@ whirl_status refined_maps_work(study_run *run) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++) {
         if (!run->refined[i]) continue;
-        status = run->dealer ? refine_dealt(run, i) : refine(run, i);
+        status = run->dealer ? refine_dealt(run, i) : refined_map_refine(run, i);
         if (status.code == WHIRL_OK && has_gathered(run)) status = refine_together(run, i);
         if (status.code == WHIRL_OK) status = note_widths(run->refined[i]);
     }
@@ -223,7 +223,7 @@ static void note_width(const whirl_table *table, size_t point, double width) {
         kept_note_width(table, point, width);
 }
 
-static whirl_status compact(const refined_map *map, whirl_table *table) {
+static whirl_status refined_map_compact(const refined_map *map, whirl_table *table) {
     whirl_status status = table_close_up(table, map->asked);
     if (status.code == WHIRL_OK && table->kept) status = kept_make_widths(table);
     for (size_t point = 0; status.code == WHIRL_OK && point < table->count; point++)
@@ -234,6 +234,6 @@ static whirl_status compact(const refined_map *map, whirl_table *table) {
 whirl_status refined_maps_end(study_run *run) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < run->study->batch_count && status.code == WHIRL_OK; i++)
-        if (run->refined[i]) status = compact(run->refined[i], &run->result->tables[i]);
+        if (run->refined[i]) status = refined_map_compact(run->refined[i], &run->result->tables[i]);
     return status;
 }

@@ -25,11 +25,11 @@ typedef struct worker {
     double *block; ///< block of a point whose block stays in the journal
 } worker;
 
-static double *block_of(const worker *w, size_t slot) {
+static double *resting_block_of(const worker *w, size_t slot) {
     return w->table->blocks ? w->table->blocks + slot * w->table->layout.size : w->block;
 }
 
-static void finish(const worker *w, size_t slot, bool recalled) {
+static void resting_finish(const worker *w, size_t slot, bool recalled) {
     w->table->done[slot] = 1;
     if (recalled)
         tracker_recall(&w->run->tracker, pass_revolutions(w->run, w->pass), 1);
@@ -39,10 +39,10 @@ static void finish(const worker *w, size_t slot, bool recalled) {
 
 static kept_point kept_at(const worker *w, size_t slot) {
     return (kept_point){
-        .batch = w->pass->batch, .slot = slot, .block = block_of(w, slot), .size = w->table->layout.size};
+        .batch = w->pass->batch, .slot = slot, .block = resting_block_of(w, slot), .size = w->table->layout.size};
 }
 
-static whirl_status keep(const worker *w, size_t slot) {
+static whirl_status resting_keep(const worker *w, size_t slot) {
     const kept_point point = kept_at(w, slot);
     const whirl_status status = keeper_keep(w->run->keeper, &point);
     return status.code == WHIRL_OK ? keeper_tend(w->run->keeper) : status;
@@ -50,7 +50,7 @@ static whirl_status keep(const worker *w, size_t slot) {
 
 /// Locates critical speeds between the point before and this one, which becomes the next point's before. Does nothing
 /// if the equilibrium is lost in between.
-static whirl_status locate(worker *w, size_t slot, resting_machine *own) {
+static whirl_status resting_locate(worker *w, size_t slot, resting_machine *own) {
     whirl_status status = whirl_ok();
     w->count = 0;
     if (slot == 0) return status;
@@ -96,7 +96,7 @@ static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
            whirl_layout_field(&w->table->layout, WHIRL_FIELD_RANGES_ELSEWHERE);
 }
 
-static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) {
+static whirl_status resting_analyze(worker *w, size_t slot, const resting_machine *own) {
     const place at = {w->run->study, w->batch, own->value};
     const whirl_machine *machine = &own->machine;
     whirl_resting point = {.system = machine->system,
@@ -119,8 +119,8 @@ static whirl_status analyze(worker *w, size_t slot, const resting_machine *own) 
                                 &elsewhere, &point.elsewhere_growth);
     point.elsewhere = elsewhere;
     if (status.code == WHIRL_OK)
-        status =
-            whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout, block_of(w, slot));
+        status = whirl_analyze_resting(&point, &w->pass->record, w->batch->analyses, &w->table->layout,
+                                       resting_block_of(w, slot));
     free(elsewhere);
     // A machine that could not be built has already named its place.
     if (status.code == WHIRL_BAD_INPUT && *w->batch->parameter && strncmp(status.message, "at ", 3) != 0)
@@ -134,27 +134,28 @@ static whirl_status leave_unfound(worker *w, size_t slot) {
     const whirl_status status =
         w->run->study->machine(w->run->study->family, w->batch, w->table->values[slot], &machine);
     if (status.code != WHIRL_OK) return status;
-    whirl_unfound_at_rest(&w->table->layout, whirl_equilibrium_share(machine.system, machine.start), block_of(w, slot));
+    whirl_unfound_at_rest(&w->table->layout, whirl_equilibrium_share(machine.system, machine.start),
+                          resting_block_of(w, slot));
     if (machine.release) machine.release(machine.owner);
     return status;
 }
 
-static whirl_status compute(worker *w, size_t slot) {
+static whirl_status resting_compute(worker *w, size_t slot) {
     const double value = w->table->values[slot];
     resting_machine own = {.value = value};
     whirl_status status = w->has_modes ? resting_new(w->run->study, w->batch, value, &own)
                                        : w->run->study->machine(w->run->study->family, w->batch, value, &own.machine);
-    if (status.code == WHIRL_OK && w->has_modes) status = locate(w, slot, &own);
-    if (status.code == WHIRL_OK) status = analyze(w, slot, &own);
+    if (status.code == WHIRL_OK && w->has_modes) status = resting_locate(w, slot, &own);
+    if (status.code == WHIRL_OK) status = resting_analyze(w, slot, &own);
     if (status.code == WHIRL_NUMERICAL_FAILURE) status = leave_unfound(w, slot);
     if (!tracker_advance(&w->run->tracker, 0.0, 0)) { // a point computed after a stop is discarded
         resting_free(&own);
         return whirl_ok();
     }
-    if (status.code == WHIRL_OK) status = keep(w, slot);
+    if (status.code == WHIRL_OK) status = resting_keep(w, slot);
     resting_free(&w->before);
     w->before = own;
-    if (status.code == WHIRL_OK) finish(w, slot, false);
+    if (status.code == WHIRL_OK) resting_finish(w, slot, false);
     return status;
 }
 
@@ -165,9 +166,9 @@ static whirl_status work_at(worker *w, size_t first, size_t end) {
         const kept_point point = kept_at(w, slot);
         if (keeper_recall(w->run->keeper, &point)) {
             resting_free(&w->before);
-            finish(w, slot, true);
+            resting_finish(w, slot, true);
         } else if (!w->run->gathering) {
-            status = compute(w, slot);
+            status = resting_compute(w, slot);
         }
     }
     resting_free(&w->before);
@@ -190,7 +191,7 @@ static whirl_status work_at_pieces(worker *w, deal *pieces) {
     return status;
 }
 
-static whirl_status work(study_run *run, const pass *p) {
+static whirl_status resting_work(study_run *run, const pass *p) {
     deal pieces = deal_begin(run, p, (p->count + RESTING_PIECE - 1) / RESTING_PIECE);
     whirl_analysis_set modes = 0;
     whirl_analysis_add(&modes, "modes");
@@ -216,4 +217,4 @@ static whirl_status work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind rest_kind = {.name = "rest", .piece = RESTING_PIECE, .work = work};
+const study_kind rest_kind = {.name = "rest", .piece = RESTING_PIECE, .work = resting_work};

@@ -30,32 +30,32 @@ static double common_field(const rows *r, size_t row, const char *quantity) {
     return *rows_field(r, row, name);
 }
 
-static size_t number_of(const rows *r, size_t row) {
+static size_t rows_number_of(const rows *r, size_t row) {
     return (size_t)common_field(r, row, "number");
 }
 
 bool rows_are_one(const rows *r, size_t row, size_t other) {
-    return number_of(r, row) == number_of(r, other);
+    return rows_number_of(r, row) == rows_number_of(r, other);
 }
 
 size_t rows_depth(const rows *r, size_t row) {
     size_t depth = 0, parent = (size_t)*rows_field(r, row, WHIRL_FIELD_TRACE_PARENT);
     // Parents come before their children.
     for (size_t i = row; i-- > 0 && parent > 0;)
-        if (number_of(r, i) == parent) {
+        if (rows_number_of(r, i) == parent) {
             depth++;
             parent = (size_t)*rows_field(r, i, WHIRL_FIELD_TRACE_PARENT);
         }
     return depth;
 }
 
-static whirl_status machine_of(const void *context, double value, whirl_machine *machine) {
+static whirl_status rows_machine_of(const void *context, double value, whirl_machine *machine) {
     const rows *r = context;
     return r->run->study->machine(r->run->study->family, r->batch, value, machine);
 }
 
 whirl_family rows_family(const rows *r) {
-    return (whirl_family){machine_of, r};
+    return (whirl_family){rows_machine_of, r};
 }
 
 // ---------------------------------------------------------------- what a keeper knows
@@ -103,12 +103,12 @@ whirl_status rows_open(rows *r, study_run *run, const pass *p) {
 
 bool rows_recall(rows *r, size_t count) {
     // Branches after the known ones were not searched, or not to their end.
-    if (r->count >= r->recalled || number_of(r, r->recalled - 1) < r->next + count - 1) {
+    if (r->count >= r->recalled || rows_number_of(r, r->recalled - 1) < r->next + count - 1) {
         r->recalled = r->count;
         return false;
     }
     const size_t before = r->count;
-    while (r->count < r->recalled && number_of(r, r->count) < r->next + count) r->table->done[r->count++] = 1;
+    while (r->count < r->recalled && rows_number_of(r, r->count) < r->next + count) r->table->done[r->count++] = 1;
     tracker_recall(&r->run->tracker, (double)(r->count - before) * pass_revolutions(r->run, r->pass),
                    r->count - before);
     return true;

@@ -22,20 +22,21 @@ static const whirl_system *system_of(const whirl_sensitivity *s, size_t machine)
     return s->machines[machine].system;
 }
 
-static void release(whirl_sensitivity *s) {
+static void sensitivity_release(whirl_sensitivity *s) {
     for (size_t i = 0; i < MACHINES; i++)
         if (s->machines[i].release) s->machines[i].release(s->machines[i].owner);
     memset(s->machines, 0, sizeof s->machines);
 }
 
-static double step(const whirl_sensitivity *s, size_t level) {
+static double sensitivity_step(const whirl_sensitivity *s, size_t level) {
     return ldexp(s->reach, -(int)level);
 }
 
-static whirl_status build(whirl_sensitivity *s, const whirl_study *study, const whirl_batch *batch, double value) {
+static whirl_status sensitivity_build(whirl_sensitivity *s, const whirl_study *study, const whirl_batch *batch,
+                                      double value) {
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < MACHINES && status.code == WHIRL_OK; i++) {
-        const double h = i == 0 ? 0.0 : step(s, (i - 1) / 2);
+        const double h = i == 0 ? 0.0 : sensitivity_step(s, (i - 1) / 2);
         status = study->machine(study->family, batch, i % 2 ? value + h : value - h, &s->machines[i]);
         if (status.code == WHIRL_OK && (system_of(s, i)->dimension != system_of(s, 0)->dimension ||
                                         system_of(s, i)->switch_count != system_of(s, 0)->switch_count))
@@ -53,11 +54,11 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
     whirl_sensitivity *s = calloc(1, sizeof *s);
     if (!s) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a sensitivity");
     s->reach = reach > 0.0 ? reach : 0.125 * fabs(value);
-    whirl_status status = build(s, study, batch, value);
+    whirl_status status = sensitivity_build(s, study, batch, value);
     for (int i = 0; i < MAX_HALVINGS && status.code == WHIRL_BAD_INPUT && s->machines[0].system; i++) {
-        release(s);
+        sensitivity_release(s);
         s->reach *= 0.5;
-        status = build(s, study, batch, value);
+        status = sensitivity_build(s, study, batch, value);
     }
     if (status.code == WHIRL_OK) {
         s->slopes = calloc(MACHINES * system_of(s, 0)->dimension, sizeof *s->slopes);
@@ -73,7 +74,7 @@ whirl_status whirl_sensitivity_new(const whirl_study *study, const whirl_batch *
 
 void whirl_sensitivity_free(whirl_sensitivity *s) {
     if (!s) return;
-    release(s);
+    sensitivity_release(s);
     free(s->slopes);
     free(s->sides);
     free(s);
@@ -104,14 +105,14 @@ static void slope_of(const whirl_sensitivity *s, size_t index, double t, const d
 }
 
 /// Derivative of component i and its error: the entry of Neville's table that differs least from its neighbours.
-static double extrapolate(const whirl_sensitivity *s, size_t i, double *error) {
+static double sensitivity_extrapolate(const whirl_sensitivity *s, size_t i, double *error) {
     const size_t n = system_of(s, 0)->dimension;
     double table[LEVELS][LEVELS], best = 0.0;
     *error = INFINITY;
     for (size_t k = 0; k < LEVELS; k++) {
         const double above = s->slopes[(2 * k + 1) * n + i], below = s->slopes[(2 * k + 2) * n + i];
-        const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / step(s, k);
-        table[k][0] = (above - below) / (2.0 * step(s, k));
+        const double rounding = 8.0 * DBL_EPSILON * fmax(fabs(above), fabs(below)) / sensitivity_step(s, k);
+        table[k][0] = (above - below) / (2.0 * sensitivity_step(s, k));
         for (size_t j = 1; j <= k; j++) {
             const double less = ldexp(1.0, 2 * (int)j) - 1.0;
             table[k][j] = table[k][j - 1] + (table[k][j - 1] - table[k - 1][j - 1]) / less;
@@ -137,7 +138,7 @@ void whirl_sensitivity_slope(const whirl_sensitivity *s, double t, const double 
     for (size_t i = 1; i < MACHINES; i++) slope_of(s, i, t, x, sides);
     for (size_t i = 0; i < system->dimension; i++) {
         double off;
-        slope[i] = extrapolate(s, i, &off);
+        slope[i] = sensitivity_extrapolate(s, i, &off);
         if (error) error[i] = off;
     }
 }

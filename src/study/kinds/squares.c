@@ -14,29 +14,29 @@ typedef struct tile {
     unsigned char *asked; ///< [width + 1][width + 1]
 } tile;
 
-static size_t along(size_t points, size_t width) {
+static size_t squares_along(size_t points, size_t width) {
     return points > 1 ? (points - 2) / width + 1 : 1;
 }
 
 size_t squares_count(const squares *s) {
-    return along(s->columns, s->width) * along(s->rows, s->width);
+    return squares_along(s->columns, s->width) * squares_along(s->rows, s->width);
 }
 
 static square first_square(const squares *s, size_t index) {
-    const size_t across = along(s->columns, s->width);
+    const size_t across = squares_along(s->columns, s->width);
     return (square){index % across * s->width, index / across * s->width, s->width};
 }
 
-static size_t end_of(size_t begin, size_t width, size_t points) {
+static size_t squares_end_of(size_t begin, size_t width, size_t points) {
     return begin + width < points ? begin + width : points - 1;
 }
 
 static size_t right_of(const squares *s, square q) {
-    return end_of(q.x, q.width, s->columns);
+    return squares_end_of(q.x, q.width, s->columns);
 }
 
 static size_t top_of(const squares *s, square q) {
-    return end_of(q.y, q.width, s->rows);
+    return squares_end_of(q.y, q.width, s->rows);
 }
 
 bool squares_has(const squares *s, size_t index, size_t point) {
@@ -61,7 +61,7 @@ static size_t point_at(const tile *t, size_t x, size_t y) {
 }
 
 /// Requests a point; returns true if that is new.
-static bool ask(const tile *t, size_t x, size_t y) {
+static bool squares_request(const tile *t, size_t x, size_t y) {
     unsigned char *asked = asked_at(t, x, y);
     const bool is_new = !*asked;
     *asked = 1;
@@ -70,10 +70,10 @@ static bool ask(const tile *t, size_t x, size_t y) {
 
 static bool ask_corners(const tile *t, square q) {
     const size_t x = right_of(t->plane, q), y = top_of(t->plane, q);
-    bool is_new = ask(t, q.x, q.y);
-    is_new = ask(t, x, q.y) || is_new;
-    is_new = ask(t, q.x, y) || is_new;
-    return ask(t, x, y) || is_new;
+    bool is_new = squares_request(t, q.x, q.y);
+    is_new = squares_request(t, x, q.y) || is_new;
+    is_new = squares_request(t, q.x, y) || is_new;
+    return squares_request(t, x, y) || is_new;
 }
 
 static bool knows_corners(const tile *t, square q) {
@@ -92,7 +92,7 @@ static bool differs_at(const tile *t, square q, size_t x, size_t y) {
 }
 
 /// Returns true if points on the edges differ. Inside an undivided square none is known.
-static bool differs(const tile *t, square q) {
+static bool squares_differs(const tile *t, square q) {
     const size_t right = right_of(t->plane, q), top = top_of(t->plane, q);
     for (size_t x = q.x; x <= right; x++)
         if (differs_at(t, q, x, q.y) || differs_at(t, q, x, top)) return true;
@@ -104,11 +104,11 @@ static bool differs(const tile *t, square q) {
 // ---------------------------------------------------------------- dividing
 
 static bool is_divided(const tile *t, square q) {
-    return q.width > 1 && knows_corners(t, q) && differs(t, q);
+    return q.width > 1 && knows_corners(t, q) && squares_differs(t, q);
 }
 
 /// Divides a square along both axes, as far as the plane goes.
-static size_t divide(const squares *s, square q, square parts[4]) {
+static size_t squares_divide(const squares *s, square q, square parts[4]) {
     const size_t half = q.width / 2;
     const size_t columns = q.x + half < right_of(s, q) ? 2 : 1, rows = q.y + half < top_of(s, q) ? 2 : 1;
     size_t count = 0;
@@ -118,13 +118,13 @@ static size_t divide(const squares *s, square q, square parts[4]) {
 }
 
 /// Requests the points that a square needs; returns true if any of them is new.
-static bool visit(const tile *t, square q) {
+static bool squares_visit(const tile *t, square q) {
     square parts[4];
     bool is_new = false;
     if (!is_divided(t, q)) return false;
-    const size_t count = divide(t->plane, q, parts);
+    const size_t count = squares_divide(t->plane, q, parts);
     for (size_t i = 0; i < count; i++) is_new = ask_corners(t, parts[i]) || is_new;
-    for (size_t i = 0; i < count; i++) is_new = visit(t, parts[i]) || is_new;
+    for (size_t i = 0; i < count; i++) is_new = squares_visit(t, parts[i]) || is_new;
     return is_new;
 }
 
@@ -135,7 +135,7 @@ static tile open_tile(const squares *s, size_t index) {
     if (!t.asked) return t;
     ask_corners(&t, t.all);
     // A point requested on an edge is news for the neighbouring square.
-    while (visit(&t, t.all)) {
+    while (squares_visit(&t, t.all)) {
     }
     return t;
 }
@@ -154,7 +154,7 @@ bool squares_ask(const squares *s, size_t index, unsigned char *asked) {
 static void note_widths(const tile *t, square q, double *widths) {
     square parts[4];
     if (is_divided(t, q)) {
-        const size_t count = divide(t->plane, q, parts);
+        const size_t count = squares_divide(t->plane, q, parts);
         for (size_t i = 0; i < count; i++) note_widths(t, parts[i], widths);
     } else if (knows_corners(t, q)) {
         widths[point_at(t, q.x, q.y)] = (double)q.width;

@@ -38,7 +38,7 @@ static bool begins_there(const whirl_table *branches, size_t row) {
            *whirl_table_field(branches, row, WHIRL_FIELD_TRACE_REVOLUTIONS, 0) > 0.0;
 }
 
-static whirl_status collect(tori *all) {
+static whirl_status tori_collect(tori *all) {
     const whirl_table *branches = all->branches;
     all->points = calloc(branches->count + 1, sizeof *all->points);
     if (!all->points) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the points at which tori begin");
@@ -47,7 +47,7 @@ static whirl_status collect(tori *all) {
     return whirl_ok();
 }
 
-static bool go_on(void *context, double value, const whirl_torus *torus) {
+static bool tori_advance(void *context, double value, const whirl_torus *torus) {
     (void)value, (void)torus;
     return rows_go_on(context);
 }
@@ -63,14 +63,14 @@ static whirl_torus_branch_options options_of(rows *r) {
     options.step = fmin(options.step, options.most_step);
     options.least_step = fmin(options.least_step, options.step);
     options.most_points = (size_t)trace->torus_points;
-    options.found = go_on;
+    options.found = tori_advance;
     options.context = r;
     return options;
 }
 
 /// Finds the first torus, as far from its orbit as one converges.
-static whirl_status begin(const whirl_family *family, const whirl_branch_point *point,
-                          const whirl_torus_branch_options *options, whirl_torus **torus, double *value) {
+static whirl_status tori_begin(const whirl_family *family, const whirl_branch_point *point,
+                               const whirl_torus_branch_options *options, whirl_torus **torus, double *value) {
     static const double steps[] = {0.005, 0.02, 0.001};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
@@ -113,7 +113,7 @@ static bool shrinks_to(const rows *r, size_t row, const whirl_branch_point *poin
 }
 
 /// Returns true if a known branch of tori, begun elsewhere, ends at that point.
-static bool is_taken(const rows *r, const whirl_branch_point *point) {
+static bool tori_is_taken(const rows *r, const whirl_branch_point *point) {
     bool taken = false;
     for (size_t row = 0; row < r->count && !taken; row++) taken = shrinks_to(r, row, point);
     return taken;
@@ -128,7 +128,7 @@ static void free_leg(leg *one) {
     whirl_orbit_free(one->start.point.orbit);
 }
 
-static whirl_status look(const whirl_family *family, const whirl_torus_branch_options *options, leg *one) {
+static whirl_status tori_look(const whirl_family *family, const whirl_torus_branch_options *options, leg *one) {
     whirl_status status = whirl_ok();
     one->views = calloc(one->found->count + 1, sizeof(whirl_torus_view *));
     if (!one->views) return whirl_fail(WHIRL_NO_MEMORY, "no memory for views of tori");
@@ -144,14 +144,14 @@ static whirl_status look(const whirl_family *family, const whirl_torus_branch_op
 }
 
 /// Follows a branch of tori. If none is found or can be followed, the leg's end says why.
-static whirl_status follow(tori *all, leg *one) {
+static whirl_status tori_follow(tori *all, leg *one) {
     const whirl_family family = rows_family(&all->rows);
     const whirl_torus_branch_options options = options_of(&all->rows);
     const whirl_branch_point *point = &one->start.point;
     whirl_torus *first = NULL;
     double value;
     one->end = WHIRL_TORUS_NONE;
-    whirl_status status = begin(&family, point, &options, &first, &value);
+    whirl_status status = tori_begin(&family, point, &options, &first, &value);
     if (status.code != WHIRL_OK) return status.code == WHIRL_BAD_INPUT ? whirl_ok() : status;
     if (value < fmin(options.from, options.to) || value > fmax(options.from, options.to)) {
         one->end = WHIRL_TORUS_END_OF_RANGE;
@@ -161,7 +161,7 @@ static whirl_status follow(tori *all, leg *one) {
     status = whirl_torus_follow(&family, first, value, value < point->value ? -1 : 1, &options, &one->found);
     whirl_torus_free(first);
     if (status.code == WHIRL_BAD_INPUT) return whirl_ok();
-    return status.code == WHIRL_OK ? look(&family, &options, one) : status;
+    return status.code == WHIRL_OK ? tori_look(&family, &options, one) : status;
 }
 
 /// Computes the leg of one point, unless another one ends there or a stop was requested.
@@ -171,8 +171,8 @@ static void work_at(tori *all, leg *one) {
     first_error_note(&one->error, &status);
     if (status.code != WHIRL_OK) return;
 #pragma omp critical(whirl_tori)
-    needed = !all->ended && !is_taken(&all->rows, &one->start.point);
-    if (needed && rows_go_on(&all->rows)) status = follow(all, one);
+    needed = !all->ended && !tori_is_taken(&all->rows, &one->start.point);
+    if (needed && rows_go_on(&all->rows)) status = tori_follow(all, one);
     one->stopped = !rows_go_on(&all->rows);
     if (!one->stopped) first_error_note(&one->error, &status);
 }
@@ -212,12 +212,12 @@ static whirl_status add_rows(tori *all, const leg *one) {
 }
 
 /// Adds a leg when its turn has come, unless an earlier one ends where it begins.
-static void add(tori *all, const leg *one) {
+static void tori_add(tori *all, const leg *one) {
 #pragma omp critical(whirl_tori)
     if (all->error.code == WHIRL_OK && !all->ended) {
         all->error = one->error;
         all->ended = one->stopped;
-        if (all->error.code == WHIRL_OK && !one->stopped && !is_taken(&all->rows, &one->start.point)) {
+        if (all->error.code == WHIRL_OK && !one->stopped && !tori_is_taken(&all->rows, &one->start.point)) {
             const whirl_status added = add_rows(all, one);
             first_error_note(&all->error, &added);
         }
@@ -234,16 +234,16 @@ static void trace_tori(tori *all) {
         leg one = {.which = which};
         work_at(all, &one);
 #pragma omp ordered
-        add(all, &one);
+        tori_add(all, &one);
         free_leg(&one);
     }
 }
 
-static whirl_status work(study_run *run, const pass *p) {
+static whirl_status tori_work(study_run *run, const pass *p) {
     tori all = {.branches = whirl_result_role(run->result, WHIRL_ROLE_BRANCHES)};
     whirl_status status = rows_open(&all.rows, run, p);
     const bool wanted = status.code == WHIRL_OK && !all.rows.left_out;
-    if (wanted) status = collect(&all);
+    if (wanted) status = tori_collect(&all);
     if (wanted && status.code == WHIRL_OK) {
         trace_tori(&all);
         status = first_error_status(&all.error);
@@ -255,4 +255,4 @@ static whirl_status work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind torus_kind = {.name = "torus", .piece = 0, .work = work};
+const study_kind torus_kind = {.name = "torus", .piece = 0, .work = tori_work};

@@ -21,7 +21,7 @@ typedef struct leg {
 
 enum { MAX_LEGS = 2 };
 
-static whirl_status machine_of(const rows *r, double value, whirl_machine *machine) {
+static whirl_status tracing_machine_of(const rows *r, double value, whirl_machine *machine) {
     return r->run->study->machine(r->run->study->family, r->batch, value, machine);
 }
 
@@ -41,7 +41,7 @@ static void free_legs(leg legs[MAX_LEGS]) {
 
 /// Interpolates the orbit's node at a value between two rows of one branch. Near a pitchfork at which the branch ends,
 /// orbits vary with the square root of the distance from it.
-static void between(const rows *r, size_t row, double value, double *x) {
+static void tracing_between(const rows *r, size_t row, double value, double *x) {
     const double *a = rows_nodes(r, row), *b = rows_nodes(r, row + 1), from = r->table->values[row];
     double share = (value - from) / (r->table->values[row + 1] - from);
     if (*rows_field(r, row + 1, WHIRL_FIELD_TRACE_END) == WHIRL_END_MIRRORED) share = 1.0 - sqrt(1.0 - share);
@@ -64,7 +64,7 @@ static bool leads_to(const rows *r, double value, const double *x, const whirl_o
                      const whirl_orbit *crossing) {
     whirl_machine machine;
     whirl_orbit *found = NULL;
-    if (machine_of(r, value, &machine).code != WHIRL_OK) return false;
+    if (tracing_machine_of(r, value, &machine).code != WHIRL_OK) return false;
     bool same = search_from(r, machine.system, x, orbit, &found).code == WHIRL_OK;
     if (same) {
         const double apart = crossing ? whirl_orbit_distance(machine.system, found, crossing->nodes) : 0.0;
@@ -76,7 +76,7 @@ static bool leads_to(const rows *r, double value, const double *x, const whirl_o
 }
 
 /// Returns true if the value lies between a row and the next one on one branch of orbits with as many revolutions.
-static bool passes(const rows *r, size_t row, double value, const whirl_orbit *orbit) {
+static bool tracing_passes(const rows *r, size_t row, double value, const whirl_orbit *orbit) {
     const double *values = r->table->values + row;
     return rows_are_one(r, row, row + 1) &&
            *rows_field(r, row, WHIRL_FIELD_TRACE_REVOLUTIONS) == (double)orbit->revolutions &&
@@ -90,8 +90,8 @@ static bool is_known(const rows *r, const whirl_orbit *orbit, double value, cons
     const bool compared = orbit->revolutions > 0 || orbit->period == 0.0;
     bool known = false;
     for (size_t row = 0; x && row + 1 < r->count && !known && compared; row++) {
-        if (!passes(r, row, value, orbit)) continue;
-        between(r, row, value, x);
+        if (!tracing_passes(r, row, value, orbit)) continue;
+        tracing_between(r, row, value, x);
         known = leads_to(r, value, x, orbit, crossing);
     }
     free(x);
@@ -113,7 +113,7 @@ static bool ended_there(const rows *r, size_t row, const whirl_branch_point *dou
 }
 
 /// Returns true if a known branch ends at a doubling, and therefore is the one that begins there.
-static bool is_taken(const rows *r, const whirl_branch_point *doubling) {
+static bool tracing_is_taken(const rows *r, const whirl_branch_point *doubling) {
     double *x = calloc(doubling->orbit->dimension + 1, sizeof *x);
     bool taken = false;
     for (size_t row = 1; x && row < r->count && !taken; row++)
@@ -129,7 +129,7 @@ static bool has_room(const rows *r, size_t count) {
     return r->room - r->count >= 2 * count;
 }
 
-static void follow(rows *r, size_t count, leg legs[MAX_LEGS]) {
+static void tracing_follow(rows *r, size_t count, leg legs[MAX_LEGS]) {
     const whirl_family family = rows_family(r);
     whirl_branch_options options = settled_options(r->batch, (r->room - r->count) / count);
     options.found = rows_found;
@@ -161,7 +161,7 @@ static whirl_status add_found(rows *r, size_t count, size_t parent, const leg le
 // ---------------------------------------------------------------- where branches begin
 
 /// Finds the orbit on which a motion settles, one copy for each leg.
-static whirl_status settle(const rows *r, size_t count, leg legs[MAX_LEGS]) {
+static whirl_status tracing_begin_settled(const rows *r, size_t count, leg legs[MAX_LEGS]) {
     whirl_status status = settled_orbit(r->run->study, r->batch, legs[0].value, &legs[0].orbit);
     for (size_t i = 1; i < count && status.code == WHIRL_OK; i++) {
         legs[i].orbit = whirl_orbit_copy(legs[0].orbit);
@@ -172,7 +172,7 @@ static whirl_status settle(const rows *r, size_t count, leg legs[MAX_LEGS]) {
 
 /// Follows a branch in both directions, which both have to succeed.
 static whirl_status follow_both(rows *r, size_t count, leg legs[MAX_LEGS]) {
-    follow(r, count, legs);
+    tracing_follow(r, count, legs);
     // A closed branch is complete: the other direction runs along the same one.
     if (legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
     for (size_t i = 0; i < count; i++)
@@ -188,7 +188,7 @@ static whirl_status begin_at(rows *r, double value) {
     leg legs[MAX_LEGS] = {{.value = value, .direction = value < high ? 1 : -1}, {.value = value, .direction = -1}};
     whirl_status status = whirl_ok();
     if (!rows_recall(r, count)) {
-        status = settle(r, count, legs);
+        status = tracing_begin_settled(r, count, legs);
         if (!rows_go_on(r)) status = whirl_fail(WHIRL_STOPPED, "stopped");
         if (status.code == WHIRL_OK && has_room(r, count) && !is_known(r, legs[0].orbit, value, NULL))
             status = follow_both(r, count, legs);
@@ -199,13 +199,13 @@ static whirl_status begin_at(rows *r, double value) {
 }
 
 /// Finds the orbits on both sides of a crossing, or the one that begins at a doubling or Hopf point.
-static size_t leave(const rows *r, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
+static size_t tracing_leave(const rows *r, const whirl_branch_point *point, leg legs[MAX_LEGS]) {
     const whirl_branch_options options = settled_options(r->batch, 1);
     const whirl_family family = rows_family(r);
     const size_t sides = point->special == WHIRL_BRANCHING ? 2 : 1;
     const whirl_orbit *crossing = point->special == WHIRL_BRANCHING ? point->orbit : NULL;
     size_t count = 0;
-    if (point->special == WHIRL_DOUBLING && is_taken(r, point)) return 0;
+    if (point->special == WHIRL_DOUBLING && tracing_is_taken(r, point)) return 0;
     for (size_t side = 0; side < sides; side++) {
         leg *one = &legs[count];
         // The step is small enough to meet no other event, and large enough for another orbit.
@@ -234,7 +234,7 @@ static size_t leave_pitchfork(const rows *r, size_t row, const whirl_branch_poin
     if (value < low || value > high) value = 2.0 * point->value - value;
     whirl_machine machine;
     whirl_orbit *orbit = NULL;
-    if (machine_of(r, value, &machine).code != WHIRL_OK) return 0;
+    if (tracing_machine_of(r, value, &machine).code != WHIRL_OK) return 0;
     const whirl_status status = search_from(r, machine.system, point->orbit->nodes, point->orbit, &orbit);
     if (machine.release) machine.release(machine.owner);
     const bool new = status.code == WHIRL_OK && !is_known(r, orbit, value, NULL);
@@ -256,9 +256,9 @@ static whirl_status follow_others(rows *r, const whirl_trace *at) {
     whirl_status status = whirl_ok();
     size_t count = 0;
     if (!rows_recall(r, MAX_LEGS))
-        count = pitchfork ? leave_pitchfork(r, r->at, &at->point, legs) : leave(r, &at->point, legs);
+        count = pitchfork ? leave_pitchfork(r, r->at, &at->point, legs) : tracing_leave(r, &at->point, legs);
     if (count > 0 && has_room(r, count)) {
-        follow(r, count, legs);
+        tracing_follow(r, count, legs);
         if (pitchfork && legs[0].branch && legs[0].branch->end == WHIRL_END_CLOSED) count = 1;
         status = add_found(r, count, at->branch, legs);
     }
@@ -277,15 +277,15 @@ static whirl_status begin_along(rows *r) {
     return status;
 }
 
-static bool goes_on(const rows *r) {
+static bool tracing_continues(const rows *r) {
     return r->count < r->room && rows_go_on(r);
 }
 
 static whirl_status trace_branches(rows *r) {
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < r->batch->count && status.code == WHIRL_OK && goes_on(r); i++)
+    for (size_t i = 0; i < r->batch->count && status.code == WHIRL_OK && tracing_continues(r); i++)
         status = begin_at(r, r->batch->values[i]);
-    for (r->at = 0; r->at < r->count && status.code == WHIRL_OK && goes_on(r); r->at++)
+    for (r->at = 0; r->at < r->count && status.code == WHIRL_OK && tracing_continues(r); r->at++)
         if (*rows_field(r, r->at, WHIRL_FIELD_TRACE_SPECIAL) != WHIRL_REGULAR &&
             rows_depth(r, r->at) < (size_t)r->batch->record.trace.switches)
             status = begin_along(r);
@@ -348,7 +348,7 @@ static whirl_status trace_curve(rows *r, const whirl_trace *start) {
 static whirl_status trace_curves(rows *r) {
     const whirl_table *branches = r->table - 1;
     whirl_status status = whirl_ok();
-    for (size_t i = 0; i < branches->count && status.code == WHIRL_OK && goes_on(r); i++) {
+    for (size_t i = 0; i < branches->count && status.code == WHIRL_OK && tracing_continues(r); i++) {
         whirl_trace trace;
         const double kind = *whirl_table_field(branches, i, WHIRL_FIELD_TRACE_SPECIAL, 0);
         if (kind == WHIRL_REGULAR || kind == WHIRL_BRANCHING) continue;
@@ -361,7 +361,7 @@ static whirl_status trace_curves(rows *r) {
 
 // ---------------------------------------------------------------- a pass
 
-static whirl_status work(study_run *run, const pass *p) {
+static whirl_status tracing_work(study_run *run, const pass *p) {
     rows r;
     whirl_status status = rows_open(&r, run, p);
     if (status.code == WHIRL_OK && !r.left_out) status = r.batch->second[0] ? trace_curves(&r) : trace_branches(&r);
@@ -371,4 +371,4 @@ static whirl_status work(study_run *run, const pass *p) {
     return whirl_ok();
 }
 
-const study_kind branch_kind = {.name = "branch", .piece = 0, .work = work};
+const study_kind branch_kind = {.name = "branch", .piece = 0, .work = tracing_work};

@@ -92,34 +92,34 @@ whirl_status whirl_result_show_in(whirl_result *result, const char *units) {
     return status.code == WHIRL_OK ? whirl_result_add_fact(result, "units", units ? units : "") : status;
 }
 
-static whirl_shown_units shown(const whirl_result *result) {
+static whirl_shown_units handles_shown(const whirl_result *result) {
     whirl_shown_units units = {0};
     whirl_result_shown_units(result, NULL, &units); // no units were requested, so this cannot fail
     return units;
 }
 
 double whirl_result_shown_unit(const whirl_result *result, const char *parameter, char *name, size_t size) {
-    const whirl_shown_units units = shown(result);
+    const whirl_shown_units units = handles_shown(result);
     const whirl_unit unit = whirl_shown_parameter(&units, parameter);
     snprintf(name, size, "%s", unit.name);
     return unit.size;
 }
 
 double whirl_result_shown_length(const whirl_result *result, char *name, size_t size, bool *over) {
-    const whirl_shown_units units = shown(result);
+    const whirl_shown_units units = handles_shown(result);
     snprintf(name, size, "%s", units.length_name);
     *over = units.ratio;
     return units.length;
 }
 
 double whirl_result_shown_amplitude(const whirl_result *result, char *name, size_t size) {
-    const whirl_shown_units units = shown(result);
+    const whirl_shown_units units = handles_shown(result);
     snprintf(name, size, "%s", units.amplitude_name);
     return units.amplitude;
 }
 
 double whirl_result_shown_frequency(const whirl_result *result, char *name, size_t size) {
-    const whirl_shown_units units = shown(result);
+    const whirl_shown_units units = handles_shown(result);
     snprintf(name, size, "%s", units.frequency_name);
     return units.frequency;
 }

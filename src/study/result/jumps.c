@@ -24,7 +24,7 @@ typedef struct step {
 } step;
 
 /// The longer side of the motion's box, or a hundredth of the displacement if that is larger.
-static double size_of(const double *bounds) {
+static double jumps_size_of(const double *bounds) {
     const double box = fmax(bounds[4] - bounds[2], bounds[5] - bounds[3]);
     double far = 0.0;
     for (size_t i = 0; i < BOUNDS; i++) far = fmax(far, fabs(bounds[i]));
@@ -34,7 +34,7 @@ static double size_of(const double *bounds) {
 static step step_between(const double *before, const double *after, size_t stations) {
     step found = {0.0, 0};
     for (size_t s = 0; s < stations; s++) {
-        const double *a = &before[BOUNDS * s], *b = &after[BOUNDS * s], size = fmax(size_of(a), size_of(b));
+        const double *a = &before[BOUNDS * s], *b = &after[BOUNDS * s], size = fmax(jumps_size_of(a), jumps_size_of(b));
         double change = 0.0;
         for (size_t i = 0; i < BOUNDS; i++) change = fmax(change, fabs(a[i] - b[i]));
         if (size > 0.0 && change / size > found.change) found = (step){change / size, s};
@@ -68,7 +68,7 @@ static void find_steps(const whirl_table *table, size_t stations, double *bounds
     }
 }
 
-static int by_size(const void *left, const void *right) {
+static int jumps_by_size(const void *left, const void *right) {
     const double a = *(const double *)left, b = *(const double *)right;
     return (a > b) - (a < b);
 }
@@ -81,7 +81,7 @@ static double usual_change(const step *steps, size_t count, size_t at) {
     for (size_t i = at + 1; i < count && i - at <= SIDE && !isnan(steps[i].change); i++)
         around[found++] = steps[i].change;
     if (found < LEAST) return (double)NAN;
-    qsort(around, found, sizeof *around, by_size);
+    qsort(around, found, sizeof *around, jumps_by_size);
     return 0.5 * (around[(found - 1) / 2] + around[found / 2]);
 }
 

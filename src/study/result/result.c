@@ -184,18 +184,18 @@ const char *whirl_result_fact(const whirl_result *result, const char *name) {
 }
 
 /// Returns the fact "warning 1", "warning 2", ...
-static const char *numbered(const whirl_result *result, const char *word, size_t index) {
+static const char *result_numbered(const whirl_result *result, const char *word, size_t index) {
     char name[WHIRL_NAME_SIZE];
     snprintf(name, sizeof name, "%s %zu", word, index + 1);
     return whirl_result_fact(result, name);
 }
 
 const char *whirl_result_warning(const whirl_result *result, size_t index) {
-    return numbered(result, "warning", index);
+    return result_numbered(result, "warning", index);
 }
 
 const char *whirl_result_fit(const whirl_result *result, size_t index) {
-    return numbered(result, "fit", index);
+    return result_numbered(result, "fit", index);
 }
 
 whirl_status whirl_result_add_fact(whirl_result *result, const char *name, const char *value) {

@@ -7,7 +7,7 @@
 
 #include "words.h"
 
-static bool near(double a, double b) {
+static bool shown_near(double a, double b) {
     return fabs(a - b) <= 1e-12 * fabs(b);
 }
 
@@ -17,7 +17,7 @@ static bool is_scale_of(const whirl_result *result, const whirl_table *table, co
     const bool expression = candidate->text[strspn(candidate->text, " \t")] == '=';
     if (strcmp(table->parameter, candidate->name) != 0) return !table->length_scales || expression;
     for (size_t i = 0; i < table->count; i++)
-        if (!near(table->values[i], whirl_result_length_scale(result, table, i))) return false;
+        if (!shown_near(table->values[i], whirl_result_length_scale(result, table, i))) return false;
     return true;
 }
 
@@ -25,7 +25,7 @@ static bool is_scale_of(const whirl_result *result, const whirl_table *table, co
 static const whirl_parameter *scale_parameter(const whirl_result *result) {
     for (size_t i = 0; i < result->parameter_count; i++) {
         const whirl_parameter *candidate = &result->parameters[i];
-        bool is = strcmp(candidate->unit, "m") == 0 && near(candidate->value, result->length_scale);
+        bool is = strcmp(candidate->unit, "m") == 0 && shown_near(candidate->value, result->length_scale);
         for (size_t t = 0; t < result->table_count && is; t++) is = is_scale_of(result, &result->tables[t], candidate);
         if (is) return candidate;
     }
@@ -68,7 +68,7 @@ static void choose_length(whirl_shown_units *units, const unit_word *word) {
 }
 
 /// Returns the unit that a word names, of size 0 if none.
-static whirl_unit chosen(const unit_word *word) {
+static whirl_unit shown_chosen(const unit_word *word) {
     whirl_unit unit = {.size = word ? word->size : 0.0};
     if (word) snprintf(unit.name, sizeof unit.name, "%s", word->shown);
     return unit;
@@ -150,8 +150,8 @@ whirl_status whirl_result_shown_units(const whirl_result *result, const char *as
         if (!choice.of[kind]) choice.of[kind] = unit_of_system(choice.of[UNIT_SYSTEM], (unit_kind)kind);
     const unit_word *amplitude = choice.of[UNIT_AMPLITUDE], *frequency = choice.of[UNIT_FREQUENCY];
     *units = (whirl_shown_units){.result = result,
-                                 .speed = chosen(choice.of[UNIT_SPEED]),
-                                 .size = chosen(choice.of[UNIT_LENGTH]),
+                                 .speed = shown_chosen(choice.of[UNIT_SPEED]),
+                                 .size = shown_chosen(choice.of[UNIT_LENGTH]),
                                  .amplitude = amplitude ? amplitude->size : 1.0,
                                  .amplitude_name = amplitude ? amplitude->shown : "0-p",
                                  .frequency = frequency ? frequency->size : 0.0,

@@ -147,7 +147,7 @@ static whirl_status state_after(const whirl_machine *machine, const whirl_integr
     return status;
 }
 
-static double distance(const double *a, const double *b, size_t dimension) {
+static double verify_distance(const double *a, const double *b, size_t dimension) {
     double largest = 0.0;
     for (size_t i = 0; i < dimension; i++) {
         const double difference = fabs(a[i] - b[i]);
@@ -159,8 +159,8 @@ static double distance(const double *a, const double *b, size_t dimension) {
 
 /// Observed order from three levels, each with `ratio` times smaller steps or tolerances.
 static double observed_order(const double *states, size_t dimension, double ratio) {
-    const double first = distance(states, states + dimension, dimension);
-    const double second = distance(states + dimension, states + 2 * dimension, dimension);
+    const double first = verify_distance(states, states + dimension, dimension);
+    const double second = verify_distance(states + dimension, states + 2 * dimension, dimension);
     double size = 1.0;
     for (size_t i = 0; i < dimension; i++) size = fmax(size, fabs(states[i]));
     if (!(second > least_difference * size) || !(first < largest_difference * size)) return (double)NAN;
@@ -182,7 +182,7 @@ static whirl_status compare_states(const whirl_study *study, const whirl_stop *s
     for (size_t m = 0; m < WHIRL_VERIFY_METHODS && status.code == WHIRL_OK; m++) {
         const double *own = states + m * WHIRL_VERIFY_LEVELS * dimension, *reference = states + (runs - 1) * dimension;
         for (size_t level = 0; level < WHIRL_VERIFY_LEVELS; level++)
-            v->points[point].runs[m][level].difference = distance(own + level * dimension, reference, dimension);
+            v->points[point].runs[m][level].difference = verify_distance(own + level * dimension, reference, dimension);
         const bool adaptive = whirl_method_is_adaptive(v->integrate[m][0].method);
         v->points[point].order[m] = observed_order(own, dimension, adaptive ? tolerance_ratio : step_ratio);
     }
@@ -238,7 +238,8 @@ static whirl_status verify(const whirl_study *study, const whirl_run_options *ru
     return status;
 }
 
-static whirl_status check(const whirl_study *study, const whirl_verify_options *options, const whirl_run_options *run) {
+static whirl_status verify_check(const whirl_study *study, const whirl_verify_options *options,
+                                 const whirl_run_options *run) {
     if (study->batch_count != 1 || study->batches[0].count == 0)
         return whirl_fail(WHIRL_BAD_INPUT, "the study has %zu batches, expected one with points", study->batch_count);
     if (!whirl_analysis_kind(study->batches[0].analyses)->moves)
@@ -255,7 +256,7 @@ whirl_status whirl_study_verify(const whirl_study *study, const whirl_verify_opt
                                 const whirl_run_options *run, whirl_verification **out) {
     whirl_study chosen = *study;
     *out = NULL;
-    whirl_status status = check(study, options, run);
+    whirl_status status = verify_check(study, options, run);
     if (status.code == WHIRL_OK) status = whirl_study_choose_methods(&chosen);
     if (status.code != WHIRL_OK) return status;
     const whirl_batch *batch = &chosen.batches[0];

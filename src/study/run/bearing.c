@@ -21,7 +21,7 @@ static void fill_nan(double *out, size_t count) {
 
 // ---------------------------------------------------------------- warnings
 
-static void remark(whirl_bearing_remark *to, size_t *count, whirl_bearing_remark one) {
+static void bearing_remark(whirl_bearing_remark *to, size_t *count, whirl_bearing_remark one) {
     to[(*count)++] = one;
 }
 
@@ -36,37 +36,37 @@ static void remark_flow(const whirl_bearing *of, whirl_bearing_point *point) {
     whirl_bearing_remark *to = point->remarks;
     size_t *count = &point->remark_count;
     if (of->pads.turbulence == WHIRL_LAMINAR) {
-        if (taylor > FIRST_VORTICES) remark(to, count, WHIRL_FILM_NOT_LAMINAR);
+        if (taylor > FIRST_VORTICES) bearing_remark(to, count, WHIRL_FILM_NOT_LAMINAR);
         return;
     }
     if (taylor < FIRST_VORTICES)
-        remark(to, count, WHIRL_FILM_LAMINAR);
+        bearing_remark(to, count, WHIRL_FILM_LAMINAR);
     else if (taylor < 2.0 * FIRST_VORTICES)
-        remark(to, count, WHIRL_FILM_BETWEEN);
-    if (point->reynolds > WHIRL_MAX_REYNOLDS) remark(to, count, WHIRL_FILM_BEYOND);
+        bearing_remark(to, count, WHIRL_FILM_BETWEEN);
+    if (point->reynolds > WHIRL_MAX_REYNOLDS) bearing_remark(to, count, WHIRL_FILM_BEYOND);
 }
 
 static void remark_oil(const whirl_bearing *of, whirl_bearing_point *point) {
     const double first = of->oil_temperatures[0],
                  last = of->oil_temperatures[of->oil_count > 0 ? of->oil_count - 1 : 0];
-    if (!of->heated && point->heating > 20.0) remark(point->remarks, &point->remark_count, WHIRL_OIL_WARMS);
+    if (!of->heated && point->heating > 20.0) bearing_remark(point->remarks, &point->remark_count, WHIRL_OIL_WARMS);
     if (of->oil_count > 0 && (point->temperature < first - 30.0 || point->temperature > last + 30.0))
-        remark(point->remarks, &point->remark_count, WHIRL_OIL_UNKNOWN);
+        bearing_remark(point->remarks, &point->remark_count, WHIRL_OIL_UNKNOWN);
 }
 
 static void remark_point(const whirl_bearing *of, whirl_bearing_point *point) {
     const double error = fmax(point->error_stiffness, point->error_damping);
-    if (point->film < of->least_film) remark(point->remarks, &point->remark_count, WHIRL_FILM_THIN);
+    if (point->film < of->least_film) bearing_remark(point->remarks, &point->remark_count, WHIRL_FILM_THIN);
     remark_flow(of, point);
     remark_oil(of, point);
-    if (!(error <= 0.01)) remark(point->remarks, &point->remark_count, WHIRL_MESH_COARSE);
-    if (has_idle_pads(of, point)) remark(point->remarks, &point->remark_count, WHIRL_PADS_IDLE);
+    if (!(error <= 0.01)) bearing_remark(point->remarks, &point->remark_count, WHIRL_MESH_COARSE);
+    if (has_idle_pads(of, point)) bearing_remark(point->remarks, &point->remark_count, WHIRL_PADS_IDLE);
 }
 
 static void remark_bearing(const whirl_bearing *of, whirl_bearing_table *table) {
     const double share = of->pad_clearance / of->radius, ratio = of->pads.ratio;
-    if (ratio < 0.1 || ratio > 2.0) remark(table->remarks, &table->remark_count, WHIRL_LENGTH_UNUSUAL);
-    if (share < 3e-4 || share > 5e-3) remark(table->remarks, &table->remark_count, WHIRL_CLEARANCE_UNUSUAL);
+    if (ratio < 0.1 || ratio > 2.0) bearing_remark(table->remarks, &table->remark_count, WHIRL_LENGTH_UNUSUAL);
+    if (share < 3e-4 || share > 5e-3) bearing_remark(table->remarks, &table->remark_count, WHIRL_CLEARANCE_UNUSUAL);
 }
 
 double whirl_bearing_taylor(const whirl_bearing *of, const whirl_bearing_point *point) {
@@ -97,19 +97,19 @@ static double difference_of(const double *a, const double *b) {
     return most / largest;
 }
 
-static void scale(const double *from, double unit, double *to) {
+static void bearing_scale(const double *from, double unit, double *to) {
     for (int i = 0; i < 4; i++) to[i] = unit * from[i];
 }
 
 /// Unit of force, mu Omega R L (R/c)^2.
-static double unit_of(const whirl_bearing *of, const whirl_bearing_point *point) {
+static double bearing_unit_of(const whirl_bearing *of, const whirl_bearing_point *point) {
     const double share = of->radius / of->pad_clearance;
     return point->viscosity * point->speed * of->radius * of->length * share * share;
 }
 
 /// Dimensionless pads at a point's speed and viscosity.
 static whirl_pads pads_of(const whirl_bearing *of, const whirl_bearing_point *point) {
-    const double c = of->pad_clearance, unit = unit_of(of, point), speed = point->speed, share = of->radius / c;
+    const double c = of->pad_clearance, unit = bearing_unit_of(of, point), speed = point->speed, share = of->radius / c;
     whirl_pads pads = of->pads;
     pads.reynolds = pads.turbulence == WHIRL_LAMINAR ? 0.0 : of->density * speed * of->radius * c / point->viscosity;
     pads.supply = of->supply_pressure / (6.0 * point->viscosity * speed * share * share);
@@ -119,9 +119,9 @@ static whirl_pads pads_of(const whirl_bearing *of, const whirl_bearing_point *po
     return pads;
 }
 
-static whirl_status rest(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads *pads,
-                         whirl_pads_state *state) {
-    const double size = point->load / unit_of(of, point);
+static whirl_status bearing_rest(const whirl_bearing *of, const whirl_bearing_point *point, const whirl_pads *pads,
+                                 whirl_pads_state *state) {
+    const double size = point->load / bearing_unit_of(of, point);
     const double load[] = {size * cos(of->load_angle), size * sin(of->load_angle)};
     return whirl_pads_rest(pads, load, state);
 }
@@ -142,18 +142,18 @@ static double heating_of(const whirl_bearing *of, const whirl_bearing_point *poi
 
 void whirl_bearing_reduced(const whirl_bearing *of, const whirl_bearing_point *point, double ratio,
                            double out[2][2][2]) {
-    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
+    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = bearing_unit_of(of, point);
     const double inertia = of->inertia * c * speed * speed / (unit * r * r);
     const whirl_pads pads = pads_of(of, point);
     double k[2][2], d[2][2];
     whirl_pads_reduced(&pads, &point->state, ratio, inertia, k, d);
-    scale(k[0], unit / c, out[0][0]);
-    scale(d[0], unit / (c * speed), out[1][0]);
+    bearing_scale(k[0], unit / c, out[0][0]);
+    bearing_scale(d[0], unit / (c * speed), out[1][0]);
 }
 
 /// Converts a dimensionless state to SI in the point.
 static void give_dimensions(const whirl_bearing *of, whirl_bearing_point *point) {
-    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = unit_of(of, point);
+    const double r = of->radius, c = of->pad_clearance, speed = point->speed, unit = bearing_unit_of(of, point);
     const whirl_pads_state *state = &point->state;
     point->eccentricity = c * hypot(state->at[0], state->at[1]);
     point->attitude = remainder(atan2(state->at[1], state->at[0]) - of->load_angle, 2.0 * pi);
@@ -163,8 +163,8 @@ static void give_dimensions(const whirl_bearing *of, whirl_bearing_point *point)
     point->power = power_of(of, point, state);
     point->heating = heating_of(of, point, state);
     if (of->heated) point->outlet = of->temperature + of->heat_share * point->heating;
-    scale(state->stiffness[0], unit / c, point->stiffness[0]);
-    scale(state->damping[0], unit / (c * speed), point->damping[0]);
+    bearing_scale(state->stiffness[0], unit / c, point->stiffness[0]);
+    bearing_scale(state->damping[0], unit / (c * speed), point->damping[0]);
     for (size_t i = 0; i < of->ratio_count; i++) whirl_bearing_reduced(of, point, of->ratios[i], point->reduced[i]);
     for (size_t i = 0; i < of->pads.count; i++) {
         point->tilt[i] = state->tilt[i] * c / r;
@@ -178,7 +178,7 @@ static void estimate_error(const whirl_bearing *of, const whirl_pads *pads, whir
     whirl_pads coarse = *pads;
     whirl_pads_state other;
     coarse.halved = true;
-    if (rest(of, point, &coarse, &other).code != WHIRL_OK) return;
+    if (bearing_rest(of, point, &coarse, &other).code != WHIRL_OK) return;
     const whirl_pads_state *state = &point->state;
     point->error_place = of->pad_clearance * hypot(state->at[0] - other.at[0], state->at[1] - other.at[1]);
     point->error_stiffness = difference_of(state->stiffness[0], other.stiffness[0]);
@@ -187,7 +187,7 @@ static void estimate_error(const whirl_bearing *of, const whirl_pads *pads, whir
 
 // ---------------------------------------------------------------- how warm it is
 
-static void warm(const whirl_bearing *of, double temperature, whirl_bearing_point *point) {
+static void bearing_warm(const whirl_bearing *of, double temperature, whirl_bearing_point *point) {
     point->temperature = temperature;
     point->viscosity =
         of->density * mineral_oil_viscosity(of->oil_temperatures, of->oil_viscosities, of->oil_count, temperature);
@@ -195,12 +195,12 @@ static void warm(const whirl_bearing *of, double temperature, whirl_bearing_poin
 
 /// Excess of `temperature` over the film temperature that its heat makes, the mean of the inflow's and the
 /// outflow's temperatures. Infinite if no equilibrium carries the load: too hot.
-static whirl_status surplus(const whirl_bearing *of, double temperature, bool coarse, whirl_bearing_point *point,
-                            double *out) {
-    warm(of, temperature, point);
+static whirl_status bearing_surplus(const whirl_bearing *of, double temperature, bool coarse,
+                                    whirl_bearing_point *point, double *out) {
+    bearing_warm(of, temperature, point);
     whirl_pads pads = pads_of(of, point);
     pads.halved = coarse;
-    const whirl_status status = rest(of, point, &pads, &point->state);
+    const whirl_status status = bearing_rest(of, point, &pads, &point->state);
     *out = INFINITY;
     if (status.code == WHIRL_NO_MEMORY) return status;
     if (status.code == WHIRL_OK)
@@ -213,16 +213,16 @@ static whirl_status surplus(const whirl_bearing *of, double temperature, bool co
 static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *point) {
     static const double hottest = 473.15, enough = 1e-3;
     double value, slope = 1.0, at = of->temperature;
-    whirl_status status = surplus(of, at, true, point, &value);
+    whirl_status status = bearing_surplus(of, at, true, point, &value);
     if (status.code != WHIRL_OK) return status;
     if (isinf(value))
         return whirl_fail(WHIRL_NUMERICAL_FAILURE,
                           "no place was found where the films of the bearing carry the load, cold as the oil comes in");
     bracket between = bracket_between(at, value, fmin(at - value, hottest), 0.0);
-    status = surplus(of, between.b, true, point, &between.fb);
+    status = bearing_surplus(of, between.b, true, point, &between.fb);
     if (status.code == WHIRL_OK && between.fb < 0.0 && between.b < hottest) {
         between.b = hottest;
-        status = surplus(of, hottest, true, point, &between.fb);
+        status = bearing_surplus(of, hottest, true, point, &between.fb);
     }
     if (status.code == WHIRL_OK && between.fb < 0.0)
         return whirl_fail(WHIRL_NUMERICAL_FAILURE, "the oil that leaves does not carry the heat below %.4g degC",
@@ -231,12 +231,12 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
          k++) {
         const double last = at, before = value;
         at = isinf(between.fb) ? 0.5 * (between.a + between.b) : bracket_next(&between);
-        status = surplus(of, at, true, point, &value);
+        status = bearing_surplus(of, at, true, point, &value);
         bracket_tell(&between, at, value);
         if (isfinite(value) && value != before) slope = (value - before) / (at - last);
     }
     for (int k = 0; k < 8 && status.code == WHIRL_OK; k++) {
-        status = surplus(of, at, false, point, &value);
+        status = bearing_surplus(of, at, false, point, &value);
         if (status.code != WHIRL_OK || !(fabs(value) > enough)) return status;
         if (isinf(value)) break;
         at -= value / fmax(slope, 1.0);
@@ -245,11 +245,11 @@ static whirl_status balance_heat(const whirl_bearing *of, whirl_bearing_point *p
                                    : status;
 }
 
-static whirl_status compute(const whirl_bearing *of, whirl_bearing_point *point) {
+static whirl_status bearing_compute(const whirl_bearing *of, whirl_bearing_point *point) {
     whirl_status status = of->heated ? balance_heat(of, point) : whirl_ok();
     const whirl_pads pads = pads_of(of, point);
-    if (!of->heated) status = rest(of, point, &pads, &point->state);
-    point->sommerfeld = unit_of(of, point) / (pi * point->load);
+    if (!of->heated) status = bearing_rest(of, point, &pads, &point->state);
+    point->sommerfeld = bearing_unit_of(of, point) / (pi * point->load);
     point->reynolds = of->density * point->speed * of->radius * of->pad_clearance / point->viscosity;
     point->found = status.code == WHIRL_OK;
     snprintf(point->failure, sizeof point->failure, "%s", status.message);
@@ -260,7 +260,7 @@ static whirl_status compute(const whirl_bearing *of, whirl_bearing_point *point)
     return status;
 }
 
-static void begin(const whirl_bearing *of, size_t i, whirl_bearing_point *point) {
+static void bearing_begin(const whirl_bearing *of, size_t i, whirl_bearing_point *point) {
     *point = (whirl_bearing_point){.speed = of->speeds[i],
                                    .load = of->loads[i],
                                    .viscosity = of->viscosity,
@@ -285,7 +285,7 @@ typedef struct teller {
     double started, told;
 } teller;
 
-static void tell(teller *to) {
+static void bearing_report(teller *to) {
     const double now = clock_seconds() - to->started;
     to->progress.points_done++;
     to->progress.revolutions_done = (double)to->progress.points_done;
@@ -295,7 +295,7 @@ static void tell(teller *to) {
     to->options->progress(to->options->context, &to->progress);
 }
 
-static bool stopped(const whirl_bearing_options *options) {
+static bool bearing_stopped(const whirl_bearing_options *options) {
     return options && options->stop && *options->stop;
 }
 
@@ -309,19 +309,19 @@ whirl_status whirl_bearing_solve(const whirl_bearing *of, const whirl_bearing_op
                  .started = clock_seconds()};
     atomic_int worst = points && table ? WHIRL_OK : WHIRL_NO_MEMORY;
     *out = NULL;
-    for (size_t i = 0; i < of->count && points; i++) begin(of, i, &points[i]);
+    for (size_t i = 0; i < of->count && points; i++) bearing_begin(of, i, &points[i]);
 #pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (size_t i = 0; i < of->count; i++) {
-        if (atomic_load(&worst) != WHIRL_OK || stopped(options)) continue;
-        if (compute(of, &points[i]).code == WHIRL_NO_MEMORY) atomic_store(&worst, WHIRL_NO_MEMORY);
+        if (atomic_load(&worst) != WHIRL_OK || bearing_stopped(options)) continue;
+        if (bearing_compute(of, &points[i]).code == WHIRL_NO_MEMORY) atomic_store(&worst, WHIRL_NO_MEMORY);
 #pragma omp critical(whirl_bearing)
-        tell(&to);
+        bearing_report(&to);
     }
-    if (atomic_load(&worst) != WHIRL_OK || stopped(options)) {
+    if (atomic_load(&worst) != WHIRL_OK || bearing_stopped(options)) {
         free(points);
         free(table);
-        return stopped(options) ? whirl_fail(WHIRL_STOPPED, "stopped before the end of the table")
-                                : whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
+        return bearing_stopped(options) ? whirl_fail(WHIRL_STOPPED, "stopped before the end of the table")
+                                        : whirl_fail(WHIRL_NO_MEMORY, "no memory for a bearing");
     }
     *table = (whirl_bearing_table){.bearing = of, .count = of->count, .points = points};
     remark_bearing(of, table);

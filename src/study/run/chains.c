@@ -13,7 +13,7 @@
 
 /// Analyses of a pass whose verdicts are compared with those of the points: the regime and, at the second tolerance,
 /// the requested exponents.
-static whirl_analysis_set compared(const pass *p, const whirl_batch *batch) {
+static whirl_analysis_set chains_compared(const pass *p, const whirl_batch *batch) {
     static const char *const names[] = {"regime", "lyapunov", "exponents"};
     const size_t count = p->confirming ? sizeof names / sizeof *names : 1;
     whirl_analysis_set set = 0;
@@ -28,8 +28,8 @@ static whirl_status make_other_layout(chains *c) {
     first.outline = true;
     whirl_status status = whirl_study_machine(c->run->study, &first, 0, &machine);
     if (status.code != WHIRL_OK) return status;
-    status =
-        whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, compared(c->pass, c->batch), &c->other);
+    status = whirl_layout_new(machine.system, &c->pass->integrate, &c->pass->record, chains_compared(c->pass, c->batch),
+                              &c->other);
     if (machine.release) machine.release(machine.owner);
     return status;
 }
@@ -112,7 +112,7 @@ static chain *take_ready(worker *w) {
 }
 
 /// Releases a chain after a point: other threads may continue it, unless it has ended.
-static void leave(chains *c, chain *link, bool ended) {
+static void chains_leave(chains *c, chain *link, bool ended) {
     const bool over = ended || link->done == link->length;
 #pragma omp critical(whirl_chains)
     {
@@ -126,7 +126,7 @@ static size_t current_slot(const chain *link) {
     return link->first_slot + (link->reverse ? link->length - 1 - link->done : link->done);
 }
 
-static void release(chain *link) {
+static void chains_release(chain *link) {
     if (link->machine.release) link->machine.release(link->machine.owner);
     link->machine = (whirl_machine){0};
     free(link->start);
@@ -134,8 +134,8 @@ static void release(chain *link) {
 }
 
 /// Frees a chain that nobody continues.
-static void drop(chain *link) {
-    release(link);
+static void chains_drop(chain *link) {
+    chains_release(link);
     free(link);
 }
 
@@ -153,7 +153,7 @@ static const double *carried_start(const chains *c, size_t slot) {
 }
 
 /// Memory for the block of a point.
-static double *block_of(const worker *w, size_t slot) {
+static double *chains_block_of(const worker *w, size_t slot) {
     const whirl_table *table = w->chains->table;
     return table->blocks ? table->blocks + slot * table->layout.size : w->block;
 }
@@ -167,12 +167,12 @@ static void set_beside(const worker *w, size_t slot) {
 #pragma omp critical(whirl_beside)
     {
         if (c->pass->confirming) {
-            whirl_block_confirm(layout, block_of(w, slot), &other);
-            whirl_block_compare_exponents(layout, block_of(w, slot), &c->other, w->other);
+            whirl_block_confirm(layout, chains_block_of(w, slot), &other);
+            whirl_block_compare_exponents(layout, chains_block_of(w, slot), &c->other, w->other);
         } else {
-            whirl_block_follow(layout, block_of(w, slot), &other, revolutions);
+            whirl_block_follow(layout, chains_block_of(w, slot), &other, revolutions);
         }
-        if (c->pass->round > 0) refine_add_spent(layout, block_of(w, slot), c->weight * revolutions);
+        if (c->pass->round > 0) refine_add_spent(layout, chains_block_of(w, slot), c->weight * revolutions);
     }
 }
 
@@ -206,14 +206,14 @@ static kept_point kept_at(const worker *w, size_t slot) {
     const bool beside = pass_is_beside(c->pass);
     return (kept_point){.batch = keeper_number(c),
                         .slot = slot,
-                        .block = beside ? w->other : block_of(w, slot),
+                        .block = beside ? w->other : chains_block_of(w, slot),
                         .size = beside ? c->other.size : c->table->layout.size,
                         .end = w->end,
                         .dimension = beside || c->pass->round > 0 ? 0 : c->run->dimension};
 }
 
 /// Recalls the next point of a chain from the journal, if it is there.
-static bool recall(worker *w, chain *link) {
+static bool chains_recall(worker *w, chain *link) {
     chains *c = w->chains;
     const kept_point point = kept_at(w, current_slot(link));
     if (!keeper_recall(c->run->keeper, &point)) return false;
@@ -229,11 +229,11 @@ static chain *take_unknown(worker *w) {
     for (;;) {
         chain *link = take_ready(w);
         if (!link) return link;
-        while (link->done < link->length && recall(w, link)) {
+        while (link->done < link->length && chains_recall(w, link)) {
         }
         const bool gathering = w->chains->run->gathering && !w->chains->pass->anew;
         if (link->done < link->length && !gathering) return link;
-        leave(w->chains, link, gathering);
+        chains_leave(w->chains, link, gathering);
     }
 }
 
@@ -294,11 +294,11 @@ static chain *take_machine(worker *w) {
         if (!link->start) w->status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
     }
     if (w->status.code == WHIRL_OK) return link;
-    drop(link);
+    chains_drop(link);
     return NULL;
 }
 
-static bool next(void *context, whirl_task *task) {
+static bool chains_next(void *context, whirl_task *task) {
     worker *w = context;
     const chains *c = w->chains;
     if (w->status.code != WHIRL_OK || atomic_load(&c->run->tracker.halt)) return false;
@@ -315,14 +315,15 @@ static bool next(void *context, whirl_task *task) {
 }
 
 /// Computes the block of a point, or its verdict at the second tolerance.
-static whirl_status analyze(const worker *w, const chain *link, const whirl_record *record) {
+static whirl_status chains_analyze(const worker *w, const chain *link, const whirl_record *record) {
     const chains *c = w->chains;
     const pass *p = c->pass;
     const size_t slot = current_slot(link);
     const beginning start = {slot, pass_origin(c->run, p->batch, slot), link->from};
-    double *block = block_of(w, slot);
+    double *block = chains_block_of(w, slot);
     if (pass_is_beside(p)) {
-        const whirl_status beside = whirl_analyze(record, &p->record, compared(p, c->batch), &c->other, w->other);
+        const whirl_status beside =
+            whirl_analyze(record, &p->record, chains_compared(p, c->batch), &c->other, w->other);
         if (beside.code != WHIRL_OK || !p->confirming) return beside;
         const whirl_system *system = link->machine.system;
         const whirl_status sought = whirl_block_seek_refuge(&c->other, w->other, system, &p->integrate, record);
@@ -337,14 +338,14 @@ static whirl_status analyze(const worker *w, const chain *link, const whirl_reco
     return status;
 }
 
-static whirl_status done(void *context, const whirl_task *task, whirl_record *record) {
+static whirl_status chains_done(void *context, const whirl_task *task, whirl_record *record) {
     worker *w = context;
     chains *c = w->chains;
     chain *link = task->tag;
     const size_t slot = current_slot(link);
     const bool bounded = record->motion == WHIRL_BOUNDED;
     for (size_t i = 0; i < c->run->dimension; i++) w->end[i] = bounded ? record->end[i] : (double)NAN;
-    whirl_status status = analyze(w, link, record);
+    whirl_status status = chains_analyze(w, link, record);
     const kept_point point = kept_at(w, slot);
     if (status.code == WHIRL_OK) status = keeper_keep(c->run->keeper, &point);
     // Revolutions that a motion saved by settling or diverging count as done.
@@ -352,19 +353,19 @@ static whirl_status done(void *context, const whirl_task *task, whirl_record *re
     whirl_record_free(record);
     w->under_way--;
     if (status.code != WHIRL_OK) {
-        drop(link);
+        chains_drop(link);
         return status;
     }
-    release(link);
+    chains_release(link);
     finish_point(w, link);
-    leave(c, link, false);
+    chains_leave(c, link, false);
     tracker_advance(&c->run->tracker, 0.0, 1);
     return status;
 }
 
-static void abandon(void *context, const whirl_task *task) {
+static void chains_abandon(void *context, const whirl_task *task) {
     (void)context;
-    drop(task->tag);
+    chains_drop(task->tag);
 }
 
 /// Revolutions reach the tracker in packets, so that threads seldom meet.
@@ -395,7 +396,8 @@ static whirl_status record_structures(worker *w) {
     const chains *c = w->chains;
     const whirl_motion_saver saver = {save_is_wanted, save_states, saved_state};
     const whirl_keeper *keeper = c->run->keeper;
-    const whirl_task_source source = {next, done, abandon, w, keeper && keeper->save ? &saver : NULL};
+    const whirl_task_source source = {chains_next, chains_done, chains_abandon, w,
+                                      keeper && keeper->save ? &saver : NULL};
     const whirl_monitor monitor = {revolution_done, w};
     whirl_status status = whirl_ok();
     do {
@@ -420,7 +422,7 @@ whirl_status chains_work(chains *c, size_t number) {
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for a state");
     }
-    if (w.unlike) drop(w.unlike);
+    if (w.unlike) chains_drop(w.unlike);
     free(w.end);
     if (w.first.release) w.first.release(w.first.owner);
     tracker_advance(&c->run->tracker, w.pending, 0);

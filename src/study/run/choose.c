@@ -5,7 +5,8 @@
 #include "whirl/engine/study.h"
 
 /// Adds the cost of one point's machine.
-static whirl_status probe(const whirl_study *study, const whirl_batch *batch, size_t point, whirl_method_cost *sum) {
+static whirl_status choose_probe(const whirl_study *study, const whirl_batch *batch, size_t point,
+                                 whirl_method_cost *sum) {
     whirl_machine machine;
     whirl_method_cost cost;
     whirl_status status = whirl_study_machine(study, batch, point, &machine);
@@ -24,7 +25,7 @@ static whirl_status choose(const whirl_study *study, whirl_batch *batch) {
     whirl_method_cost sum = {0.0, 0.0};
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < sizeof at / sizeof *at && status.code == WHIRL_OK; i++)
-        if (i == 0 || at[i] != at[i - 1]) status = probe(study, batch, at[i], &sum);
+        if (i == 0 || at[i] != at[i - 1]) status = choose_probe(study, batch, at[i], &sum);
     if (status.code != WHIRL_OK) return status;
     snprintf(batch->integrate.method, sizeof batch->integrate.method, "%s",
              sum.rodas5p < sum.dop853 ? "rodas5p" : "dop853");

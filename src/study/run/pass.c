@@ -69,7 +69,7 @@ deal deal_begin(const study_run *run, const pass *p, size_t count) {
 }
 
 /// Claims more pieces for this run.
-static void claim(deal *d) {
+static void pass_claim(deal *d) {
     size_t first = 0;
     const size_t taken = d->dealer->claim(d->dealer->context, d->number, d->count, &first);
     d->next = first;
@@ -78,7 +78,7 @@ static void claim(deal *d) {
 }
 
 bool deal_take(deal *d, size_t *piece) {
-    if (d->next == d->end && d->dealt < d->count) claim(d);
+    if (d->next == d->end && d->dealt < d->count) pass_claim(d);
     if (d->next == d->end) return false;
     *piece = d->next++;
     return true;

@@ -17,7 +17,7 @@ static void sort_long_first(chains *all, size_t count) {
     }
 }
 
-static void work(study_run *run, chains *all, size_t count) {
+static void passes_work_chains(study_run *run, chains *all, size_t count) {
     tracker *progress = &run->tracker;
 #pragma omp parallel num_threads(run->threads)
     {
@@ -54,7 +54,7 @@ whirl_status passes_work(study_run *run, const pass *passes, size_t count) {
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) status = chains_new(&all[i], run, left[i]);
     if (status.code == WHIRL_OK) {
         sort_long_first(all, count);
-        work(run, all, count);
+        passes_work_chains(run, all, count);
     }
     for (size_t i = 0; all && i < count; i++) chains_free(&all[i]);
     free(all);

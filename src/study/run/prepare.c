@@ -28,7 +28,7 @@ typedef struct preparation {
 } preparation;
 
 /// Builds and releases the machine of a point, which makes its tables. Its faults are reported where it is used.
-static whirl_status visit(const whirl_study *study, const place *at, bool outline, const whirl_stop *stop) {
+static whirl_status prepare_visit(const whirl_study *study, const place *at, bool outline, const whirl_stop *stop) {
     whirl_batch batch = study->batches[at->batch];
     whirl_machine machine;
     batch.outline = outline;
@@ -44,7 +44,7 @@ static whirl_status add_place(preparation *p, size_t batch, size_t point) {
     if (p->count == PREPARED) return whirl_ok();
     p->places[p->count++] = at;
     whirl_film_tables_watch(&p->tables);
-    const whirl_status status = visit(p->study, &at, true, NULL);
+    const whirl_status status = prepare_visit(p->study, &at, true, NULL);
     whirl_film_tables_watch(NULL);
     return status;
 }
@@ -72,7 +72,7 @@ static whirl_status choose_places(preparation *p) {
     return status;
 }
 
-static void tell(preparation *p) {
+static void prepare_report(preparation *p) {
     const double seconds = clock_seconds() - p->started;
     if (!p->options->progress || seconds - p->told < 0.2) return;
     const size_t missing = whirl_film_tables_missing(&p->tables);
@@ -95,11 +95,11 @@ whirl_status whirl_study_prepare(const whirl_study *study, const whirl_run_optio
         // Threads that want the same table make it together, so all threads visit the points in one order.
 #pragma omp parallel num_threads(threads)
     for (size_t i = 0; i < p.count; i++) {
-        const whirl_status own = visit(study, &p.places[i], false, options->stop);
+        const whirl_status own = prepare_visit(study, &p.places[i], false, options->stop);
 #pragma omp critical(whirl_prepare)
         {
             first_error_note(&p.error, &own);
-            tell(&p);
+            prepare_report(&p);
         }
         if (own.code != WHIRL_OK) break;
     }

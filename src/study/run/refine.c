@@ -16,7 +16,7 @@ typedef struct candidate {
     double cost;
 } candidate;
 
-static double *block_of(const study_run *run, size_t batch, size_t slot) {
+static double *refine_block_of(const study_run *run, size_t batch, size_t slot) {
     const whirl_table *table = &run->result->tables[batch];
     return table->blocks + slot * table->layout.size;
 }
@@ -29,13 +29,13 @@ static double rounded_up(double factor) {
 /// The pass by which the point was last computed.
 static pass last_pass(const study_run *run, size_t batch, size_t slot, int round) {
     const whirl_batch *own = &run->study->batches[batch];
-    const double *numbers = refine_noted(&run->result->tables[batch].layout, block_of(run, batch, slot));
+    const double *numbers = refine_noted(&run->result->tables[batch].layout, refine_block_of(run, batch, slot));
     pass p = {.batch = batch, .round = round, .integrate = own->integrate, .record = own->record};
     if (numbers[REFINE_ROUNDS] > 0.0) refine_recall(numbers, &p);
     return p;
 }
 
-static int sign(double difference) {
+static int refine_sign(double difference) {
     return (difference > 0.0) - (difference < 0.0);
 }
 
@@ -46,7 +46,7 @@ static int compare_options(const pass *a, const pass *b) {
     for (size_t i = 0; refine_option(i, &option); i++) {
         const double own = whirl_member_number(option.member, (const char *)a + option.offset);
         const double other = whirl_member_number(option.member, (const char *)b + option.offset);
-        if (own != other) return sign(own - other);
+        if (own != other) return refine_sign(own - other);
     }
     return 0;
 }
@@ -60,7 +60,7 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     const bool doubtful = verdict.regime == WHIRL_UNDETERMINED || verdict.confidence == WHIRL_LOW || verdict.settles;
     if (!doubtful) return false;
     if (verdict.advice.remedy == WHIRL_NO_REMEDY) return false;
-    if (refine_noted(&table->layout, block_of(run, batch, slot))[REFINE_ROUNDS] == round) return false;
+    if (refine_noted(&table->layout, refine_block_of(run, batch, slot))[REFINE_ROUNDS] == round) return false;
     const pass last = last_pass(run, batch, slot, round);
     *found = (candidate){.slot = slot, .next = last};
     // The samples of a waveform stay the same, whatever the steps.
@@ -73,20 +73,20 @@ static bool is_candidate(const study_run *run, size_t batch, size_t slot, int ro
     return true;
 }
 
-static int by_place(const candidate *a, const candidate *b) {
+static int refine_by_place(const candidate *a, const candidate *b) {
     if (a->next.batch != b->next.batch) return a->next.batch < b->next.batch ? -1 : 1;
     return a->slot < b->slot ? -1 : a->slot > b->slot;
 }
 
 static int by_cost(const void *left, const void *right) {
     const candidate *a = left, *b = right;
-    return a->cost != b->cost ? sign(a->cost - b->cost) : by_place(a, b);
+    return a->cost != b->cost ? refine_sign(a->cost - b->cost) : refine_by_place(a, b);
 }
 
 static int by_options(const void *left, const void *right) {
     const candidate *a = left, *b = right;
     const int order = compare_options(&a->next, &b->next);
-    return order != 0 ? order : by_place(a, b);
+    return order != 0 ? order : refine_by_place(a, b);
 }
 
 // ---------------------------------------------------------------- a round
@@ -117,7 +117,7 @@ static size_t count_points(const whirl_result *result) {
 }
 
 /// Chooses the cheapest points, as far as the budget allows.
-static void choose(const study_run *run, int round, double budget, plan *p) {
+static void refine_choose(const study_run *run, int round, double budget, plan *p) {
     size_t count = 0;
     for (size_t batch = 0; batch < run->study->batch_count; batch++)
         for (size_t slot = 0; slot < run->result->tables[batch].count; slot++)
@@ -127,7 +127,7 @@ static void choose(const study_run *run, int round, double budget, plan *p) {
     qsort(p->points, p->count, sizeof *p->points, by_options);
 }
 
-static void group(const study_run *run, plan *p) {
+static void refine_group(const study_run *run, plan *p) {
     for (size_t i = 0; i < p->count; i++) {
         pass *last = p->pass_count ? &p->passes[p->pass_count - 1] : NULL;
         p->slots[i] = p->points[i].slot;
@@ -147,12 +147,12 @@ static whirl_status plan_round(const study_run *run, int round, double budget, p
     const size_t most = count_points(run->result);
     *p = (plan){.points = calloc(most + 1, sizeof *p->points)};
     if (!p->points) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", most);
-    choose(run, round, budget, p);
+    refine_choose(run, round, budget, p);
     p->slots = calloc(p->count + 1, sizeof *p->slots);
     p->passes = calloc(2 * p->count + 1, sizeof *p->passes);
     if (!p->slots || !p->passes) return whirl_fail(WHIRL_NO_MEMORY, "no memory to refine %zu points", p->count);
     p->again = p->passes + p->count;
-    group(run, p);
+    refine_group(run, p);
     return whirl_ok();
 }
 
@@ -173,7 +173,7 @@ static size_t block_size(const study_run *run, const candidate *point) {
     return run->result->tables[point->next.batch].layout.size;
 }
 
-static whirl_status remember(const study_run *run, plan *p) {
+static whirl_status refine_remember(const study_run *run, plan *p) {
     size_t size = 0;
     for (size_t i = 0; i < p->count; i++) size += block_size(run, &p->points[i]);
     p->before = malloc(size * sizeof *p->before);
@@ -181,7 +181,7 @@ static whirl_status remember(const study_run *run, plan *p) {
     double *to = p->before;
     for (size_t i = 0; i < p->count; i++) {
         const candidate *point = &p->points[i];
-        memcpy(to, block_of(run, point->next.batch, point->slot), block_size(run, point) * sizeof *to);
+        memcpy(to, refine_block_of(run, point->next.batch, point->slot), block_size(run, point) * sizeof *to);
         to += block_size(run, point);
     }
     return whirl_ok();
@@ -193,7 +193,7 @@ static void take_back(const study_run *run, const plan *p, int round) {
     for (size_t i = 0; i < p->count; i++) {
         const candidate *point = &p->points[i];
         const whirl_table *table = &run->result->tables[point->next.batch];
-        double *block = block_of(run, point->next.batch, point->slot);
+        double *block = refine_block_of(run, point->next.batch, point->slot);
         const bool confirmed =
             !run->study->batches[point->next.batch].confirm || whirl_block_verdict(&table->layout, block).confirmed;
         if (refine_noted(&table->layout, block)[REFINE_ROUNDS] != round || !confirmed)
@@ -206,14 +206,14 @@ static double spent_on(const study_run *run, const plan *p) {
     double sum = 0.0;
     for (size_t i = 0; i < p->count; i++) {
         const candidate *point = &p->points[i];
-        sum +=
-            refine_spent(&run->result->tables[point->next.batch].layout, block_of(run, point->next.batch, point->slot));
+        sum += refine_spent(&run->result->tables[point->next.batch].layout,
+                            refine_block_of(run, point->next.batch, point->slot));
     }
     return sum;
 }
 
 /// Computes the points, then confirms those that need it. When time runs out the rest is left as it is.
-static whirl_status work(study_run *run, const plan *p) {
+static whirl_status refine_work(study_run *run, const plan *p) {
     whirl_status status = passes_work(run, p->passes, p->pass_count);
     if (status.code == WHIRL_OK) status = passes_outcome(run);
     if (status.code != WHIRL_OK || p->again_count == 0 || pass_time_is_over(run)) return status;
@@ -230,8 +230,8 @@ static whirl_status refine_some(study_run *run, int round, double *budget, size_
     if (*done > 0) {
         const double before = spent_on(run, &p);
         tracker_round(&run->tracker, round, p.count, p.cost);
-        if (run->deadline > 0.0) status = remember(run, &p);
-        if (status.code == WHIRL_OK) status = work(run, &p);
+        if (run->deadline > 0.0) status = refine_remember(run, &p);
+        if (status.code == WHIRL_OK) status = refine_work(run, &p);
         if (p.before && status.code == WHIRL_OK) take_back(run, &p, round);
         *budget -= spent_on(run, &p) - before;
     }

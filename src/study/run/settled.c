@@ -34,7 +34,7 @@ whirl_branch_options settled_options(const whirl_batch *batch, size_t most_point
 // ---------------------------------------------------------------- the section of a motion
 
 /// Records the motion after the transient, long enough to detect periods.
-static whirl_status follow(const whirl_machine *machine, const whirl_batch *batch, whirl_record **record) {
+static whirl_status settled_follow(const whirl_machine *machine, const whirl_batch *batch, whirl_record **record) {
     enum { LEAST = 16 };
     whirl_record_options options = whirl_record_default();
     options.transient = batch->record.transient;
@@ -71,7 +71,7 @@ static size_t period_of(const whirl_record *r, size_t longest) {
 }
 
 /// Replaces the last state by the mean of the section, except for angles that turn.
-static void average(whirl_record *r) {
+static void settled_average(whirl_record *r) {
     for (size_t i = 0; i < r->dimension; i++) {
         double mean = 0.0;
         for (size_t n = 0; n < r->section_count; n++)
@@ -82,16 +82,16 @@ static void average(whirl_record *r) {
 
 /// Searches from the motion's last state. If the motion does not settle on a periodic orbit, searches from the mean of
 /// its section, which is near the unstable orbit that it left.
-static whirl_status settle(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
-                           whirl_orbit **orbit) {
+static whirl_status settled_from_motion(const whirl_machine *machine, const whirl_batch *batch,
+                                        const whirl_orbit_options *options, whirl_orbit **orbit) {
     const whirl_trace_options *trace = &batch->record.trace;
     whirl_record *record;
-    whirl_status status = follow(machine, batch, &record);
+    whirl_status status = settled_follow(machine, batch, &record);
     if (status.code != WHIRL_OK) return status;
     const size_t k = trace->revolutions > 0 ? (size_t)trace->revolutions : period_of(record, (size_t)trace->longest);
     status = whirl_orbit_find(machine->system, record->end, k, options, orbit);
     if (status.code == WHIRL_BAD_INPUT && k == 1) {
-        average(record);
+        settled_average(record);
         status = whirl_orbit_find(machine->system, record->end, 1, options, orbit);
     }
     whirl_record_free(record);
@@ -100,8 +100,8 @@ static whirl_status settle(const whirl_machine *machine, const whirl_batch *batc
 
 /// Searches by Newton's method from the initial state, or from the first harmonic of the machine's linear response
 /// about its equilibrium. Finds unstable orbits, too.
-static whirl_status search(const whirl_machine *machine, const whirl_batch *batch, const whirl_orbit_options *options,
-                           whirl_orbit **orbit) {
+static whirl_status settled_from_start(const whirl_machine *machine, const whirl_batch *batch,
+                                       const whirl_orbit_options *options, whirl_orbit **orbit) {
     const whirl_trace_options *trace = &batch->record.trace;
     const whirl_system *system = machine->system;
     const size_t n = system->dimension, revolutions = trace->revolutions > 0 ? (size_t)trace->revolutions : 1;
@@ -129,9 +129,9 @@ whirl_status settled_orbit(const whirl_study *study, const whirl_batch *batch, d
     if (trace->rest)
         status = whirl_orbit_rest(machine.system, machine.start, &options.orbit, orbit);
     else if (settles)
-        status = settle(&machine, batch, &options.orbit, orbit);
+        status = settled_from_motion(&machine, batch, &options.orbit, orbit);
     else
-        status = search(&machine, batch, &options.orbit, orbit);
+        status = settled_from_start(&machine, batch, &options.orbit, orbit);
     if (machine.release) machine.release(machine.owner);
     if (status.code != WHIRL_BAD_INPUT) return status;
     if (settles)
