@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/// Turn of a shaft that stands still: so slow that what goes with the speed is lost in rounding, and not 0, by which
-/// the laws of films divide.
+/// Turn of a shaft at standstill: so slow that terms in proportion to the speed are lost in rounding, and not 0, by
+/// which film laws divide.
 static const double slowest = 0x1p-60;
 
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count) {
@@ -143,7 +143,7 @@ double assembly_force_scale(const assembly *of, size_t coordinate) {
     return of->inertia[coordinate] * of->clock * of->clock * of->unit[coordinate];
 }
 
-/// The list [count] of items of `size` bytes with room for one more; NULL without memory, which is noted.
+/// Grows a list [count] of items of `size` bytes by one; NULL without memory, which is noted.
 static void *room_for_one(assembly *to, void *list, size_t count, size_t *room, size_t size) {
     if (count < *room) return list;
     void *longer = realloc(list, (2 * count + 64) * size);
@@ -247,7 +247,7 @@ void assembly_runout(assembly *to, size_t station, whirl_runout seen) {
     to->runouts[to->runout_count++] = (station_runout){station, seen};
 }
 
-/// The weight of a shaft at a node, beside that of stations of the design.
+/// Adds the weight of a shaft at a node, besides that of stations of the design.
 static void pull_node(assembly *to, const assembly_station *at, double x, double y) {
     const double force[AXES] = {x * at->mass, y * at->mass, x * at->pull_moment, y * at->pull_moment};
     for (axis along = at->hidden ? AXIS_X : AXIS_TILT_X; along < AXES; along++)

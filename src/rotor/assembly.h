@@ -1,10 +1,9 @@
-/// The coordinates of a rotor, their inertia, and what acts on them linearly: what stations and elements build
-/// together.
+/// Assembly of a rotor: its coordinates, their inertia, and the linear terms that stations and elements build together.
 ///
-/// Stations that move in x and y have their coordinates first, two and two; stations that move along one axis, tilts
-/// and the nodes of shafts follow. All that is handed in is in SI; the assembly scales: time by 1/clock, displacements
-/// by the length scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in
-/// errors and distances).
+/// Stations that move in x and y have their coordinates first, in pairs; stations that move along one axis, tilts and
+/// the nodes of shafts follow. All inputs are in SI; the assembly scales: time by 1/clock, displacements by the length
+/// scale, tilts by the length scale over the station's radius of gyration (so that both weigh alike in errors and
+/// distances).
 #ifndef ROTOR_ASSEMBLY_H
 #define ROTOR_ASSEMBLY_H
 
@@ -36,17 +35,18 @@
 #define assembly_pull whirl_assembly_pull
 #define assembly_ground_damping whirl_assembly_ground_damping
 
-/// No coordinate: what does not move; no shaft.
+/// Marks a motion without a coordinate, and a station without a shaft.
 #define NO_COORDINATE ((size_t)-1)
 #define NO_SHAFT ((size_t)-1)
 
-/// The ways a station can move: along x and y, and the slopes dx/dz and dy/dz of its axis, z along the shaft.
+/// Directions in which a station can move: along x and y, and the slopes dx/dz and dy/dz of its axis, z along the
+/// shaft.
 typedef enum axis { AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y, AXES } axis;
 
-/// What acts on a station that moves in x and y and does not depend on where it is; the numbers of station_kernel.h.
+/// Numbers of a station that moves in x and y which do not depend on its place; see station_kernel.h.
 enum { STATION_DAMPING, STATION_UNBALANCE_COS, STATION_UNBALANCE_SIN, STATION_PULL_X, STATION_PULL_Y, STATION_NUMBERS };
 
-/// The values that depend on time alone, as the kernels index them.
+/// Values that depend on time alone, as the kernels index them.
 enum { COS_TAU, SIN_TAU, COS_2TAU, SIN_2TAU, FORCING_COUNT };
 
 /// A term of the acceleration of a coordinate: its number times a coordinate, a velocity, a value of time, or 1.
@@ -58,7 +58,7 @@ typedef struct linear_term {
     double number;
 } linear_term;
 
-/// What the acceleration of one coordinate takes of the force on another, beside their own inertia: kg, kg m or kg m2.
+/// Coupling of accelerations by mass, besides the coordinates' own inertia: kg, kg m or kg m2.
 typedef struct mass_term {
     size_t row, by;
     double mass;
@@ -75,21 +75,21 @@ typedef struct assembly_station {
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
     double fluid;                  ///< kg of fluid that is moved along; inertia without weight or unbalance
     bool moves_x, moves_y;
-    size_t shaft;            ///< of finite elements, that it is a node of; NO_SHAFT
-    double ratio;            ///< of the speed of that shaft over the rotor's; 1
+    size_t shaft;            ///< shaft of finite elements that it is a node of; NO_SHAFT
+    double ratio;            ///< speed of that shaft over the rotor's; 1
     double position;         ///< along it, m
-    double pull_moment;      ///< kg m by which gravity tilts it: what the weight of a shaft does between its nodes
+    double pull_moment;      ///< kg m by which gravity tilts it, from the shaft's weight between its nodes
     bool hidden;             ///< a node that is no station of the design
-    size_t place;            ///< among the stations that move in x and y
-    size_t coordinate[AXES]; ///< NO_COORDINATE where it does not move so
+    size_t place;            ///< index among the stations that move in x and y
+    size_t coordinate[AXES]; ///< NO_COORDINATE for directions in which it does not move
 } assembly_station;
 
 typedef struct assembly {
-    double speed, length;              ///< of the shaft, rad/s, whichever way it turns; length scale, m
-    double clock;                      ///< rad/s of the phase that sections are taken by: tau = clock t
+    double speed, length;              ///< speed of the shaft, rad/s, in either direction; length scale, m
+    double clock;                      ///< rad/s of the phase that defines sections: tau = clock t
     double pace;                       ///< the speed for laws of surfaces that slide: never 0
-    double turn;                       ///< pace/clock, below 0 where the shaft turns clockwise, from y to x
-    bool phased;                       ///< the shaft's phase is a state: what turns with it are terms alone
+    double turn;                       ///< pace/clock, negative if the shaft turns clockwise, from y to x
+    bool phased;                       ///< the shaft's phase is a state: forces that turn with it are terms only
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     assembly_station *stations;
     double (*numbers)[STATION_NUMBERS]; ///< [plane_count]
@@ -99,50 +99,50 @@ typedef struct assembly {
     linear_term *terms;
     size_t mass_count, mass_room;
     mass_term *masses;
-    body body;           ///< what shafts of finite elements are
-    bool in_time;        ///< coefficients over the frequency of whirl are functions with states of their own
-    double frequency;    ///< rad/s of whirl, at which coefficients are looked up
+    body body;           ///< shafts of finite elements
+    bool in_time;        ///< frequency-dependent coefficients are functions with states of their own
+    double frequency;    ///< rad/s of whirl, for frequency-dependent coefficients
     double *frequencies; ///< [frequency_count] rad/s, of all tables over it, rising
     size_t frequency_count;
     size_t runout_count, runout_room;
-    station_runout *runouts; ///< of what probes see
-    double stages;           ///< times which cross couplings of stages count
-    double cross_coupling;   ///< N/m, their sum, each once
-    bool balanced;           ///< what is said of unbalance and skew does not count
-    const char *aside; ///< station on a shaft of another speed that has an unbalance which would turn with the rotor
-    bool no_memory;    ///< a term was lost
+    station_runout *runouts; ///< runout of probes
+    double stages;           ///< factor of the stages' cross couplings
+    double cross_coupling;   ///< N/m, the sum of cross couplings, each counted once
+    bool balanced;           ///< unbalance and skew are ignored
+    const char *aside;       ///< station with an unbalance that turns with the rotor, on a shaft of another speed
+    bool no_memory;          ///< a term was lost
 } assembly;
 
-/// An assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear. speed:
-/// below 0 (or -0.0) clockwise. The unit of time of a rotor that stands still is a second. Its laws have the limits
-/// that they have at speeds ever nearer to 0: `pace` and `turn` are those of a shaft that turns once in 2e11 years.
+/// Makes an assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
+/// speed: negative (or -0.0) clockwise. At standstill the unit of time is a second, and laws have their limits for a
+/// speed that goes to 0: `pace` and `turn` are those of a shaft that turns once in 2e11 years.
 whirl_status assembly_begin(assembly *to, double speed, double length, size_t station_count);
 void assembly_clear(assembly *to);
 
-/// The shaft's speed, rad/s, below 0 clockwise.
+/// Returns the shaft's speed, rad/s, negative clockwise.
 double assembly_spin(const assembly *of);
 
-/// True where the shaft stands still at its angle of t = 0. Stiffness that turns with it (flats, cracks) stays at that
-/// angle; forces that turn with it count with their mean over a turn, 0.
+/// Returns true if the shaft stands still, at its angle of t = 0. Stiffness that turns with it (flats, cracks) stays at
+/// that angle; forces that turn with it count with their mean over a turn, 0.
 bool assembly_stands(const assembly *of);
 
-/// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as they are.
+/// Numbers the coordinates, once all inertia is known, in the order [station_count] of the stations, NULL: as listed.
 /// WHIRL_BAD_INPUT for a station without mass.
 whirl_status assembly_number(assembly *to, const size_t *order);
 
-/// The coordinate of a station along an axis, which is to be there: WHIRL_BAD_INPUT with a sentence where it is not.
+/// Finds the coordinate of a station along an axis. WHIRL_BAD_INPUT with a sentence if it has none.
 whirl_status assembly_find(const assembly *of, size_t station, axis along, size_t *coordinate);
 
-/// Those along x and y, into port[0] and port[1].
+/// Finds the coordinates along x and y, port[0] and port[1].
 whirl_status assembly_find_plane(const assembly *of, size_t station, size_t port[2]);
 
-/// kg that a force on a station accelerates along x and y: its own mass and that of the fluid.
+/// Returns the kg that a force on a station accelerates along x and y: its own mass and that of the fluid.
 double assembly_inertia(const assembly *of, size_t station);
 
-/// kg rad^2/s^2 by which a stiffness on a station is scaled.
+/// Returns the scale of a stiffness on a station, kg rad^2/s^2.
 double assembly_stiffness_scale(const assembly *of, size_t station);
 
-/// What a force (N or N m) on a coordinate is divided by to become its acceleration.
+/// Returns the divisor that turns a force (N or N m) on a coordinate into its acceleration.
 double assembly_force_scale(const assembly *of, size_t coordinate);
 
 /// Adds -stiffness times the coordinate `by`, or -damping times its velocity, to the force on `row`; nothing where one
@@ -162,7 +162,7 @@ void assembly_inertance(assembly *to, size_t row, size_t by, double mass);
 /// them perhaps NO_COORDINATE, the ground.
 void assembly_inerter(assembly *to, size_t one, size_t other, double mass);
 
-/// Adds a term as it stands, scaled.
+/// Adds a term that is already scaled.
 void assembly_term(assembly *to, linear_term term);
 
 /// Adds a force (N or N m) times a value of time to the coordinate; none where the shaft stands still.
@@ -178,8 +178,8 @@ void assembly_gyroscopic(assembly *to, size_t station, double polar);
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);
 
-/// Tells that coefficients are known at these frequencies of whirl [count], rising. Of several tables those count that
-/// all of them reach over: WHIRL_BAD_INPUT where there is no range that is common to all.
+/// Registers frequencies of whirl [count], rising, of a coefficient table. Of several tables those frequencies are kept
+/// that all of them cover. WHIRL_BAD_INPUT if there is no common range.
 whirl_status assembly_frequencies(assembly *to, size_t count, const double *frequencies);
 
 /// Adds a harmonic (m) of the runout at a station to what probes see there.
@@ -191,7 +191,7 @@ void assembly_pull(assembly *to, double x, double y);
 /// Adds damping (N s/m) between a station and the ground.
 void assembly_ground_damping(assembly *to, size_t station, double damping);
 
-/// Puts the terms in order, row by row, and adds those that belong together. False where one was lost.
+/// Sorts the terms row by row, and adds those of one place. False if one was lost.
 bool assembly_finish(assembly *to);
 
 #endif

@@ -1,4 +1,4 @@
-/// What the kernels of a call work on: vectors of one instruction set.
+/// Arguments of kernels: vectors of one instruction set.
 ///
 /// Rotors side by side, each lane at its own time and on its own sides of the switches, with perturbations.
 #ifndef ROTOR_BLOCK_H
@@ -11,19 +11,19 @@
 typedef struct block {
     size_t stride, vectors;
     size_t perturbations;
-    size_t next, next_v;   ///< vectors from the positions of one state or perturbation to the next, and of the rest
-    size_t forcing_stride; ///< vectors from one value of time to the next
+    size_t next, next_v; ///< distance in vectors between the positions of states or perturbations, and between the rest
+    size_t forcing_stride; ///< distance in vectors between values of time
     const vec *forcing, *q, *v;
-    const vec *turned;    ///< derivatives of the values of time by the shaft's phase, where that is a state; else NULL
-    size_t phase;         ///< that state's row among the rates
-    vec *a, *divergence;  ///< divergence: NULL where it is not wanted
-    const vec *numbers;   ///< of the machine
-    const size_t *places; ///< of those of its parts; NULL: each has its own
-    const vec *sides;     ///< of its switches; NULL: the state decides
-    const coupling *coupled; ///< by masses; NULL where none are
+    const vec *turned;       ///< derivatives of the values of time by the shaft's phase, if that is a state; else NULL
+    size_t phase;            ///< row of that state among the rates
+    vec *a, *divergence;     ///< divergence: NULL unless requested
+    const vec *numbers;      ///< numbers of the machine
+    const size_t *places;    ///< start of each part's numbers; NULL: each has its own
+    const vec *sides;        ///< sides of its switches; NULL: the state decides
+    const coupling *coupled; ///< by masses; or NULL
 } block;
 
-/// Those of an element, of the first vector.
+/// Returns the numbers of an element, for the first vector.
 static inline const vec *numbers_of(const block *b, const element *own) {
     return b->numbers + (b->places ? b->places[own->part] : own->first_number) * b->stride;
 }
@@ -31,15 +31,14 @@ static inline const vec *sides_of(const block *b, const element *own) {
     return b->sides ? b->sides + own->first_switch * b->stride : NULL;
 }
 
-/// A block of one vector, as large machines have it, where compilers see that it is one: no loop is left, and no
-/// distance to compute.
+/// Returns the block as one of a single vector, as large machines have it: compilers then drop loops and strides.
 static inline block single(const block *b) {
     block one = *b;
     one.stride = one.vectors = 1;
     return one;
 }
 
-/// What perturbation n is to the shaft's phase, of vector k.
+/// Returns perturbation n of the shaft's phase, for vector k.
 static inline vec phase_of(const block *b, size_t n, size_t k) {
     return b->turned ? b->v[n * b->next_v + b->phase * b->stride + k] : v_set(0.0);
 }
@@ -48,8 +47,8 @@ static inline int wants_tangent(const block *b) {
     return b->perturbations > 0 || b->divergence;
 }
 
-/// What a derivative, of the acceleration that forces give the coordinate `row` alone by the velocity of `by`, is of
-/// the trace.
+/// Returns the part of the trace of a derivative: of the acceleration that forces give the coordinate `row` alone, by
+/// the velocity of `by`.
 static inline vec of_trace(const block *b, size_t row, size_t by, vec derivative) {
     if (b->coupled) return v_mul(v_set(coupling_share(b->coupled, by, row)), derivative);
     return row == by ? derivative : v_set(0.0);

@@ -1,30 +1,31 @@
-/// What all machines of a block have in common although their speeds differ: linear terms whose numbers are the shaft's
-/// own (stiffness, damping, gyroscopic moments in SI), scaled by a few powers of the speed when the machine runs.
+/// Linear terms that all machines of a block share although their speeds differ: the shaft's own numbers (stiffness,
+/// damping, gyroscopic moments in SI), scaled by powers of the speed when the machine runs.
 ///
-/// Shafts of finite elements have thousands of such terms. They stand once for all lanes; each lane has but its rates.
+/// Shafts of finite elements have thousands of such terms. They are stored once for all lanes; each lane has only its
+/// rates.
 #ifndef ROTOR_BODY_H
 #define ROTOR_BODY_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/// What a body's term multiplies.
+/// Factor of a body's term.
 typedef enum body_source { BODY_PLACE, BODY_VELOCITY, BODY_ONE } body_source;
 
-/// What its number is scaled by when time is tau = clock t. Each rate is the next one's times a number that no speed
-/// makes infinite, so that a sum over all of them is taken by Horner's scheme.
+/// Rates that scale a body's numbers when time is tau = clock t. Each rate is the next one times a factor that is
+/// finite at every speed, so that sums over all of them use Horner's scheme.
 typedef enum body_rate {
-    RATE_GYRO,      ///< speed/clock: moments of velocities, in proportion to the speed
-    RATE_FOLLOWING, ///< speed/clock^2: forces of displacements, in proportion to the speed
+    RATE_GYRO,      ///< speed/clock: moments of velocities, proportional to the speed
+    RATE_FOLLOWING, ///< speed/clock^2: forces of displacements, proportional to the speed
     RATE_DAMPING,   ///< 1/clock
     RATE_STATIC,    ///< 1/clock^2: stiffness, weight
     RATES
 } body_rate;
 
-/// No value of time.
+/// Marks terms that do not depend on time.
 enum { BODY_STEADY = -1 };
 
-/// Where `value` is not BODY_STEADY it is multiplied by that value of time (COS_2TAU, ...), too.
+/// Kind of a term. If `value` is not BODY_STEADY it is also multiplied by that value of time (COS_2TAU, ...).
 typedef struct body_kind {
     body_source source;
     body_rate rate;
@@ -40,25 +41,25 @@ typedef struct body_term {
 
 enum { PANEL_ROWS = 8 };
 
-/// What the rows of a panel take of one kind: columns that they have in common, with zeros where a row has no term, and
-/// columns that each has alone.
+/// The terms of one kind in a panel: columns that all rows share, with zeros for rows without a term, and columns that
+/// each row has alone.
 typedef struct body_part {
     body_kind kind;
-    size_t common, lone; ///< columns; of each row
-    size_t first_column; ///< of [common], then [lone][rows], in the list of columns
-    size_t first_number; ///< of [common + lone][rows] in the list of numbers
+    size_t common, lone; ///< number of columns; for each row
+    size_t first_column; ///< first of [common], then [lone][rows], in the list of columns
+    size_t first_number; ///< first of [common + lone][rows] in the list of numbers
 } body_part;
 
-/// A few rows that have most of their columns in common, so that each column is read once for all of them and their
-/// sums stay at hand. All that depends on one value of time, part by part as the rates follow one another.
+/// A few rows that share most of their columns, so that each column is read once for all of them and their sums stay in
+/// registers. Contains the terms of one value of time, part by part in the order of the rates.
 typedef struct body_panel {
     int value;
-    bool begins; ///< its sums are the first that its rows are given
+    bool begins; ///< its sums are the first contributions to its rows
     size_t rows, row[PANEL_ROWS];
     size_t part_count, first_part;
 } body_panel;
 
-/// Where panels go; with panels NULL they are only counted.
+/// Storage of panels; with panels NULL they are only counted.
 typedef struct body_panels {
     size_t count, part_count, column_count, number_count;
     body_panel *panels;
@@ -67,7 +68,7 @@ typedef struct body_panels {
     double *numbers;
 } body_panels;
 
-/// Column c, of the common ones and then of those of row r alone.
+/// Index of column c, the shared ones first and then those of row r alone.
 static inline size_t body_column(const body_panels *in, const body_part *part, size_t rows, size_t c, size_t r) {
     return in->columns[part->first_column + (c < part->common ? c : part->common + (c - part->common) * rows + r)];
 }
@@ -82,26 +83,27 @@ typedef struct body {
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number);
 void body_clear(body *of);
 
-/// Puts the terms in order, row by row and kind by kind, and adds those that belong together. False where one was lost.
+/// Sorts the terms by row and kind, and adds those of one place. False if one was lost.
 bool body_finish(body *of);
 
 /// Gathers the terms, which are in order, into panels. False without memory.
 bool body_gather(const body *of, body_panels *to);
 
-/// Has the last rows of `rows`, but none before `first`, begun by panels; says from where on they are.
+/// Marks panels as the first contributions to the last rows of `rows`, but not before `first`; returns the first such
+/// row.
 size_t body_begin(body_panels *of, size_t first, size_t rows);
 
-/// Whether they are the same, to the bit.
+/// Returns true if both are the same, to the bit.
 bool body_alike(const body_panels *one, const body_panels *other);
 
-/// Below, at or above 0 as one kind comes before, is, or comes after the other.
+/// Orders kinds: negative, 0 or positive.
 int body_compare_kinds(body_kind one, body_kind other);
 
-/// A machine's numbers: each rate over all that come later, and as it is.
+/// Computes a machine's rates: each over all later ones, and itself.
 enum { BODY_STEPS = RATES * (RATES + 1) / 2 };
 void body_rates(double speed, double clock, double steps[BODY_STEPS]);
 
-/// Where a rate over one that comes later is among them; over RATES the rate itself.
+/// Index of the quotient of a rate and a later one; for RATES of the rate itself.
 static inline size_t body_step(body_rate rate, body_rate later) {
     return rate * (2 * RATES + 1 - rate) / 2 + later - rate - 1;
 }

@@ -1,4 +1,4 @@
-// Masses that couple coordinates: the mass matrix of those that are coupled, and its inverse.
+// Mass coupling: the mass matrix of coupled coordinates, and its inverse.
 #include "coupling.h"
 
 #include <math.h>
@@ -33,7 +33,7 @@ static void add_masses(const coupling *out, const assembly *from, double *m) {
     }
 }
 
-/// Numbers the coordinates so that those that couple with one another, though by others, are side by side.
+/// Numbers the coordinates so that those that couple with one another, directly or not, are adjacent.
 static size_t number_coupled(coupling *out, const assembly *from) {
     size_t *first = out->place, n = 0; // of those that each couples with
     for (size_t d = 0; d < from->degrees; d++) first[d] = d;

@@ -1,8 +1,9 @@
-/// What an element is made of: its keys, the numbers that follow from them, and its kernels.
+/// Interface of elements: their keys, the numbers that follow from them, and their kernels.
 ///
 /// All is scaled: time by 1/clock, lengths by the rotor's length scale, forces on a coordinate by its inertia, so that
 /// an element adds to accelerations. The physics itself is in elements/<element>_kernel.h, written once over the vector
-/// type; elements/<element>.c is compiled once for every instruction set and tells all else in the first of them.
+/// type; elements/<element>.c is compiled once for every instruction set and defines everything else in the first of
+/// these builds.
 #ifndef ROTOR_ELEMENT_H
 #define ROTOR_ELEMENT_H
 
@@ -32,67 +33,67 @@ typedef struct key_value {
     double number;
     int choice;
     size_t station[2];
-    size_t count; ///< of a list of numbers; 0: `number` is all there is
-    size_t rows;  ///< of equal lists that it is made of, one after the other; 1: it is one list
+    size_t count; ///< length of a list; 0: `number` is the value
+    size_t rows;  ///< number of equal lists in it, one after the other; 1: it is one list
     double *list; ///< [count]
 } key_value;
 
-/// The most that one element has: coordinates that it sees, keys; states that switches depend on.
+/// Maxima of one element: coordinates that it sees, keys; states that switches depend on.
 enum { MAX_PORTS = 8, MAX_KEYS = 64, MAX_ELEMENT_STATES = 32 };
 
-/// Until `build` says how many states an element has.
+/// Placeholder until `build` sets the number of an element's states.
 #define STATES_OF_TYPE ((size_t)-1)
 
 /// An element as its kernels see it. The structure (ports, law) is shared by all machines of a block, the numbers are
 /// not.
 typedef struct element {
     const struct whirl_element_type *type;
-    size_t run;          ///< how many of its type follow one another from here, itself the first
-    size_t first_number; ///< where its numbers begin, in those of the machine
-    size_t part;         ///< its number among the machine's parts: stations, then elements
+    size_t run;          ///< number of elements of its type that follow one another from here, itself included
+    size_t first_number; ///< index of its first number in those of the machine
+    size_t part;         ///< index among the machine's parts: stations, then elements
     int law;
-    bool lumped;            ///< it is part of the assembly alone
-    size_t port[MAX_PORTS]; ///< the coordinates that it sees; NO_COORDINATE: the ground's
-    size_t state;           ///< where its own first-order states begin, in the rows of the velocities
-    size_t states;          ///< how many it has: those of its type, unless `build` makes them fewer
-    size_t first_switch;    ///< where its switches begin, in those of the machine
-    size_t station;         ///< where it sits
+    bool lumped;            ///< it is part of the assembly only
+    size_t port[MAX_PORTS]; ///< coordinates that it sees; NO_COORDINATE: the ground's
+    size_t state;           ///< index of its first first-order state, in the rows of the velocities
+    size_t states;          ///< number of its states: those of its type, unless `build` sets fewer
+    size_t first_switch;    ///< index of its first switch, in those of the machine
+    size_t station;         ///< index of its station
     double *number;         ///< [type->number_count]
 } element;
 
 struct block;
 
-/// Who is told of doubts, and the element that they are in.
+/// Receiver of doubts, and the element to which they refer.
 typedef struct doubt_teller {
     whirl_design_tell *tell;
     void *context;
     size_t element;
 } doubt_teller;
 
-/// What a motion came to where an element is: extremes of the places of its ports, in length scales (0 of the ground),
-/// and of its states; the largest distance from a housing that stands, else NaN.
+/// Extent of a motion at an element: extremes of the places of its ports, in length scales (0 for the ground), and of
+/// its states; the largest distance from a fixed housing, else NaN.
 typedef struct element_seen {
     double low[MAX_PORTS], high[MAX_PORTS];
     const double *state_low, *state_high;
     double radius;
 } element_seen;
 
-/// A film, as whirl_film_gap: lengths in length scales.
+/// A film, as in whirl_film_gap: lengths in length scales.
 typedef whirl_film_gap element_film;
 
-/// A range of its law: as whirl_law_range.
+/// A range of its law, as in whirl_law_range.
 typedef struct element_range {
     const char *quantity, *unit, *limit;
     double most, reached;
 } element_range;
 
-/// What an element sees of a state or a perturbation, or derivatives by that: places and velocities of its ports, 0 of
-/// the ground, and its states.
+/// Part of a state or a perturbation that an element sees, or derivatives by it: places and velocities of its ports, 0
+/// for the ground, and its states.
 typedef struct element_place {
     double q[MAX_PORTS], v[MAX_PORTS], s[MAX_ELEMENT_STATES];
 } element_place;
 
-/// What an element does in lanes; one for every instruction set. NULL for what it has not.
+/// Kernels of an element in lanes, for one instruction set. NULL for those that it does not have.
 typedef struct element_kernels {
     /// Adds the accelerations of `count` elements of one type, one after the other, those of the perturbations by their
     /// derivatives, and the trace of these to the divergence.
@@ -101,8 +102,8 @@ typedef struct element_kernels {
     /// Writes its switching functions and, unless NULL, their derivatives by time: rows of the block's stride.
     void (*switches)(const element *own, const struct block *b, void *values, void *rates);
 
-    /// Writes the normal force of its contact in newtons and, unless NULL, what its friction does: two rows of the
-    /// block's stride, as whirl_system.friction has it.
+    /// Writes the normal force of its contact in newtons and, unless NULL, the effect of its friction: two rows of the
+    /// block's stride, as in whirl_system.friction.
     void (*contact)(const element *own, const struct block *b, void *force, void *friction);
 } element_kernels;
 
@@ -114,20 +115,20 @@ typedef struct element_kernels {
 typedef struct whirl_element_type {
     whirl_group group;
     size_t number_count;
-    size_t state_count;                    ///< first-order states of its own, at most
-    bool modulated;                        ///< its forces depend on the values of time in other ways than in proportion
-    size_t turning;                        ///< of these, from the first on, are angles: 2 pi is 0
-    bool spun;                             ///< its force goes with the speed of the shaft that it acts on
-    bool kinked;                           ///< its force has kinks that no switch tells of
-    const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly alone
-    const struct whirl_element_type *variant; ///< what `build` may make of it, as out->type: other kernels and numbers
+    size_t state_count;                    ///< most first-order states of its own
+    bool modulated;                        ///< its forces are not linear in the values of time
+    size_t turning;                        ///< number of these, from the first on, that are angles: 2 pi is 0
+    bool spun;                             ///< its force depends on the speed of its shaft
+    bool kinked;                           ///< its force has kinks without a switch
+    const element_kernels *const *kernels; ///< by number of vector.h; NULL: it is part of the assembly only
+    const struct whirl_element_type
+        *variant; ///< type with other kernels and numbers to which `build` may set out->type
 
     /// Optional: coordinates and inertia that it adds to stations, before any is built.
     whirl_status (*inertia)(const key_value *values, assembly *to);
 
-    /// Its ports, law and numbers from values, or what it adds to the assembly. WHIRL_BAD_INPUT where keys contradict
-    /// each other. It may change out->type to another one of its group with as many numbers, but other kernels and
-    /// states of its own.
+    /// Sets its ports, law and numbers from values, or adds to the assembly. WHIRL_BAD_INPUT for contradicting keys. It
+    /// may change out->type to another one of its group with as many numbers, but other kernels and states.
     whirl_status (*build)(const key_value *values, assembly *to, element *out);
 
     /// Optional: switching functions, which it has `switch_count(own)` of; their derivatives by the places and
@@ -137,19 +138,19 @@ typedef struct whirl_element_type {
     void (*switch_curvature)(const element *own, const element_place *at, size_t index, const element_place *along,
                              element_place *by);
 
-    /// With switches of a contact with a gap: whether one begins at switch `index`. NULL: at the first one.
+    /// With switches of a contact with a gap: returns true if a contact begins at switch `index`. NULL: at the first
+    /// one.
     bool (*touches)(const element *own, size_t index);
 
-    /// Optional: rad/s of its phase where sections are to be taken by it, else 0; its first key is its station.
+    /// Optional: returns the rad/s of its phase if that defines sections, else 0; its first key is its station.
     double (*keyphasor)(const key_value *values, double speed);
 
-    /// Optional: the states [own->states] that it has where its place rests in the middle; else 0.
+    /// Optional: sets its states [own->states] for a centred station; the default is 0.
     void (*begin)(const element *own, double *states);
 
-    /// Optional: sets its states [own->states] to where they balance while the places of its ports, q [MAX_PORTS], are
-    /// held, in a way that no small motion of the states alone leaves; of several balances as whirl_system.settle says.
-    /// idle [own->states]: nothing holds them, and they act on nothing. False where there is no such balance (a wall is
-    /// touched). Idle ones may stay where they are.
+    /// Optional: sets its states [own->states] to a stable balance for given places of its ports, q [MAX_PORTS]; of
+    /// several balances as in whirl_system.settle. idle [own->states]: states without restoring force or effect, which
+    /// may stay. False without such a balance (a wall is touched).
     bool (*settle)(const element *own, const double *q, double *states, bool *idle);
 
     /// Optional: which of its states only tells the time, from its start on; own->states: none does. Linear analyses
@@ -161,34 +162,34 @@ typedef struct whirl_element_type {
     whirl_status (*hold)(const element *own, const whirl_stop *stop);
     void (*release)(const element *own);
 
-    /// With states that turn at a constant rate: how often what follows from one comes round in a revolution. NULL:
-    /// they never fit revolutions.
+    /// With states that turn at a constant rate: rounds per revolution after which a state's effects repeat. NULL:
+    /// never in whole revolutions.
     double (*rounds)(const element *own, size_t state);
 
-    /// With switches: whether motions can slide along one (friction that jumps where the slip reverses).
+    /// With switches: returns true if motions can slide along one (friction that jumps where the slip reverses).
     bool (*slides)(const element *own);
 
-    /// With switches, optional: whether its force may jump at one.
+    /// With switches, optional: returns true if its force may jump at one.
     bool (*jumps)(const element *own);
 
-    /// For unilateral contacts: the gap in length scales around its station; 0 where the stator moves.
+    /// For unilateral contacts: returns the gap in length scales around its station; 0 if the stator moves.
     double (*contact_gap)(const element *own);
 
-    /// Whether its friction takes power, which its contact's kernel tells of; -1: it does, but its radius is not known.
+    /// Returns 1 if its friction takes power, which its contact's kernel reports; -1 if the radius is unknown; else 0.
     int (*rubs)(const element *own);
 
-    /// Whether more than the gap tells of contact: a force that depends on the velocity, which jumps where `jumps` does
-    /// not say otherwise, a stator that moves or is not all around.
+    /// Returns true if contact does not follow from the gap alone: a force that depends on velocity (and jumps, unless
+    /// `jumps` denies it), a stator that moves or is not all around.
     bool (*contact_damped)(const element *own);
 
-    /// Optional: loops of control that it has, and of one of them what a signal added to its sensor's adds to the
-    /// accelerations of the ports and to the slopes of its states, and the sensor's signal by the ports' places.
+    /// Optional: number of control loops and, for one of them, the effect of a signal added to its sensor's on the
+    /// accelerations of the ports and the slopes of its states, and the sensor's signal by the ports' places.
     size_t loops;
     void (*loop)(const element *own, const double *q, const double *states, size_t index, double *acceleration,
                  double *slope, double *sensed);
 
-    /// What carries the rotor, and what drags it besides (seals, impellers). A key `role`, where there is one, says it
-    /// of a single element: bearing, or another word.
+    /// It carries the rotor; it is a seal or an impeller. A key `role` can decide this for a single element: bearing,
+    /// or another word.
     bool carries, drags;
 
     /// For bearings and seals: the radial clearance in length scales around its station, as assembled.
@@ -205,27 +206,28 @@ typedef struct whirl_element_type {
     /// and its states say. NULL: the wall is a circle of the clearance.
     void (*film)(const element *own, const double *q, const double *states, element_film *out);
 
-    /// Optional: the order, from number 0 on, at which it may show in spectra, and its name; false beyond the last.
-    /// What it has of another order too (a dent that is hit twice in a turn) follows from multiples.
+    /// Optional: returns order `index` (from 0) that may show in spectra, and its name; false beyond the last. Its
+    /// other orders (a dent that is hit twice in a turn) are multiples.
     bool (*named_order)(const element *own, size_t index, double *order, const char **name);
 
-    /// Optional: range `index` of its law, from 0 on, with what a motion reached of it; false beyond the last.
+    /// Optional: describes range `index` of its law, from 0 on, and how far a motion used it; false beyond the last.
     bool (*range)(const element *own, size_t index, const element_seen *seen, element_range *out);
 
-    /// Optional: what its numbers come to, in SI; "": nothing. Of the machine the length scale and the clock.
+    /// Optional: describes its numbers in SI; "": nothing. `length` and `clock` are the machine's length scale and
+    /// clock.
     void (*note)(const element *own, double length, double clock, char *text, size_t size);
 
-    /// Optional: raises a doubt for every value that its law is not for, or that no such part has; speed in rad/s, of
-    /// the shaft that its first station lies on.
+    /// Optional: raises a doubt for every value outside of its law's range, or unlike real parts; speed in rad/s, of
+    /// the shaft of its first station.
     void (*doubt)(const key_value *values, double speed, const doubt_teller *to);
 } element_type;
 
-/// Raises a doubt in the value of a key, in a sentence that begins behind its name: "is 2 times the diameter: ...".
+/// Raises a doubt about the value of a key, in a sentence that continues its name: "is 2 times the diameter: ...".
 void doubt_value(const doubt_teller *to, const char *key, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/// The ports of an element at the station of its key `at`: its coordinates along x and y (`first` is AXIS_X) or both
-/// tilts (AXIS_TILT_X), NO_COORDINATE where it does not move so.
+/// Sets the ports of an element at the station of its key `at`: its coordinates along x and y (`first` is AXIS_X) or
+/// both tilts (AXIS_TILT_X), NO_COORDINATE for directions in which it does not move.
 void element_on(const key_value *at, const assembly *to, axis first, element *out);
 
 /// The ports of an element between the two stations of its key `between`, one of them perhaps the ground: the first
@@ -235,11 +237,11 @@ void element_on(const key_value *at, const assembly *to, axis first, element *ou
 whirl_status element_between(const key_value *between, const assembly *to, const axis *axes, size_t count,
                              element *out);
 
-/// WHIRL_BAD_INPUT where both stations of `between` lie on one shaft of finite elements: what stands for a shaft
-/// between them would be one beside it, and add its stiffness.
+/// Checks that the stations of `between` are not on one shaft of finite elements, to which a second shaft would be
+/// added. WHIRL_BAD_INPUT.
 whirl_status element_beside_none(const key_value *between, const assembly *to);
 
-/// The same in x and y of an element at a station, in a housing that is the station of `from`, or else the ground.
+/// Sets ports in x and y of an element at a station, in a housing that is the station of `from`, or else the ground.
 whirl_status element_in_housing(const key_value *at, const key_value *from, const assembly *to, element *out);
 
 /// Returns whether the housing of an element with the ports of element_in_housing moves along neither axis.
@@ -247,10 +249,10 @@ static inline bool element_housing_stands(const element *own) {
     return own->port[2] == NO_COORDINATE && own->port[3] == NO_COORDINATE;
 }
 
-/// The library's elements in the order in which they act (the order fixes the last bits of a sum); ended by NULL.
+/// The library's elements in the order in which they act (the order fixes the last bits of a sum); terminated by NULL.
 extern const element_type *const element_types[];
 
-/// Keys of a station that shafts look at.
+/// Keys of a station that shafts use.
 enum { STATION_SHAFT, STATION_POSITION, STATION_BOW, STATION_BOW_ANGLE };
 
 /// The station's own keys, its inertia, and what it adds to the assembly.

@@ -44,12 +44,12 @@
 enum { KERNEL_PORTS = 2 * KERNEL_AXES, DUAL_INPUTS = 2 * KERNEL_AXES + KERNEL_STATES + KERNEL_PHASED };
 _Static_assert(2 * KERNEL_AXES <= (int)MAX_PORTS, "an element sees at most MAX_PORTS coordinates");
 
-/// What a kernel is given besides what it moves with.
+/// Arguments of a kernel besides its motion.
 typedef struct kernel_view {
     size_t stride;
     const vec *number;                               ///< number n of the element is number[n * stride]
     vec phase[FORCING_COUNT], turned[FORCING_COUNT]; ///< values of time, and their derivatives by the shaft's phase
-    const vec *sides;                                ///< of switch s: sides[s * stride]; NULL: the state decides
+    const vec *sides;                                ///< side of switch s: sides[s * stride]; NULL: the state decides
 } kernel_view;
 
 #undef NUMBERS_DUAL
@@ -67,7 +67,7 @@ static inline dual phase_dual(const kernel_view *view, int value) {
 }
 #include KERNEL_FILE
 
-/// What an element sees of a state or a perturbation.
+/// Part of a state or a perturbation that an element sees.
 typedef struct kernel_inputs {
     vec d[KERNEL_AXES], w[KERNEL_AXES], s[KERNEL_STATES + 1], phase;
 } kernel_inputs;
@@ -82,8 +82,8 @@ VECTOR_INLINE vec in_unit(const element *own, const block *b, size_t k, size_t p
 #endif
 }
 
-/// Whether its place moves along all axes, in their own units, and the other place is the ground: mostly so, and then
-/// there is less to ask.
+/// Returns true if its place moves along all axes, in their own units, and the other place is the ground: the most
+/// frequent case, with fewer branches.
 static inline bool is_grounded(const element *own) {
 #ifdef KERNEL_TILTS
     bool grounded = false;
@@ -95,7 +95,7 @@ static inline bool is_grounded(const element *own) {
     return grounded;
 }
 
-/// Along axis a, of vector k of a row.
+/// Difference of both places along axis a, for vector k of a row.
 VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, size_t k, size_t a) {
     const size_t one = own->port[a], other = own->port[KERNEL_AXES + a];
     const vec here = one == NO_COORDINATE ? v_set(0.0) : in_unit(own, b, k, a, row[one * b->stride + k]);
@@ -103,7 +103,7 @@ VECTOR_INLINE vec between(const element *own, const block *b, const vec *row, si
     return v_sub(here, in_unit(own, b, k, KERNEL_AXES + a, row[other * b->stride + k]));
 }
 
-/// Of vector k of state or perturbation n.
+/// Gathers the inputs for vector k of state or perturbation n.
 VECTOR_INLINE void inputs_of(const element *own, const block *b, size_t n, size_t k, bool grounded, kernel_inputs *in) {
     const vec *q = b->q + n * b->next, *v = b->v + n * b->next_v;
     if (grounded)
@@ -155,7 +155,7 @@ VECTOR_INLINE void add_plain(const element *own, const block *b, size_t k, bool 
     spread(own, b, 0, k, grounded, force, slope);
 }
 
-/// What the derivative of `of` makes of a perturbation.
+/// Applies the derivative of `of` to a perturbation.
 VECTOR_INLINE vec along(const element *own, const dual *of, const kernel_inputs *in) {
     (void)own;
     vec sum = v_set(0.0);
@@ -167,7 +167,7 @@ VECTOR_INLINE vec along(const element *own, const dual *of, const kernel_inputs 
     return KERNEL_PHASED ? v_fma(of->by[DUAL_INPUTS - 1], in->phase, sum) : sum;
 }
 
-/// The trace of the derivative.
+/// Returns the trace of the derivative.
 VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const dual *force, const dual *slope) {
     vec trace = v_set(0.0);
     for (size_t port = 0; port < KERNEL_PORTS; port++) {
@@ -185,7 +185,7 @@ VECTOR_INLINE vec trace_of(const element *own, const block *b, size_t k, const d
     return trace;
 }
 
-/// The inputs as duals.
+/// Makes duals of the inputs.
 VECTOR_INLINE void seed(const element *own, const kernel_inputs *in, dual *d, dual *w, dual *s) {
     (void)own;
     for (int a = 0; a < KERNEL_AXES; a++) {
@@ -217,7 +217,7 @@ static void add_dual(const element *own, const block *b, size_t k) {
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, k, force, slope));
 }
 
-/// The block and the element are one's own, so that what is written cannot be a part of them.
+/// Block and element are copied, so that compilers know that no write changes them.
 static void generic_flow(const element *first, size_t count, const block *b) {
     const block at = *b;
     for (size_t i = 0; i < count; i++) {
@@ -304,7 +304,7 @@ static void generic_gradient(const element *own, const element_place *at, size_t
 }
 
 #ifndef KERNEL_CURVED
-/// They are affine.
+/// Second derivatives of affine functions: zero.
 static void generic_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
                               element_place *by) {
     (void)own, (void)at, (void)index, (void)along;
@@ -327,7 +327,7 @@ static void generic_curvature(const element *own, const element_place *at, size_
 #endif
 
 #if VECTOR_ISA == VECTOR_SCALAR
-/// Fills in the numbers by which a force of `unit` newtons becomes accelerations; with unit 1 of forces in newtons.
+/// Fills in the numbers that turn a force of `unit` newtons into accelerations; with unit 1 for forces in newtons.
 static inline void generic_scale(element *own, const assembly *to, double unit) {
     for (size_t port = 0; port < KERNEL_PORTS; port++)
         own->number[KERNEL_NUMBERS + port] =
@@ -335,8 +335,8 @@ static inline void generic_scale(element *own, const assembly *to, double unit) 
 }
 
 #ifdef KERNEL_TILTS
-/// generic_scale of forces in N, or moments in N m; and the units of the ports over that of the element, which is
-/// returned: m or rad.
+/// The same for forces in N or moments in N m; with the units of the ports over that of the element, which is returned:
+/// m or rad.
 static double generic_tilts(element *own, const assembly *to) {
     double unit = 0.0;
     for (size_t port = KERNEL_PORTS; port-- > 0;)

@@ -15,7 +15,7 @@
 enum { INSTANCES(INSTANCE_NUMBER) INSTANCE_COUNT };
 #undef INSTANCE_NUMBER
 
-/// Whether it is the structure NAME; NULL: it is none of them.
+/// Tests for the structure NAME; NULL: none of them.
 #define IS_INSTANCE(NAME, instance) ((instance) && (instance)->structure == INSTANCE_##NAME)
 
 #endif

@@ -1,4 +1,4 @@
-/// The built rotor as its equations of motion see it.
+/// The built rotor, for its equations of motion.
 #ifndef ROTOR_MACHINE_H
 #define ROTOR_MACHINE_H
 
@@ -12,39 +12,39 @@
 struct whirl_rotor {
     double speed, clock, length;
     double cross_coupling; ///< N/m, of all stages
-    /// -1: what turns with the shaft turns by -tau; with a phase that is a state this is in its slope. 0: it stands
-    /// still.
+    /// -1: what turns with the shaft turns by -tau; if the phase is a state, its slope has the sign instead. 0:
+    /// standstill.
     double way;
-    char keyphasor[WHIRL_NAME_SIZE + 16]; ///< what sections are taken by; "": the shaft
-    /// Row of the shaft's phase among the rates where it is a state, whose slope is the last number; else 0.
+    char keyphasor[WHIRL_NAME_SIZE + 16]; ///< name of the phase that defines sections; "": the shaft's
+    /// Row of the shaft's phase among the rates if it is a state, whose slope is the last number; else 0.
     size_t phase;
     whirl_system system;
     whirl_lanes lanes;
-    lanes_instance instance;           ///< where it is one
+    lanes_instance instance;           ///< structure with loops of its own
     size_t station_count, plane_count; ///< stations, and those that move in x and y
     size_t term_count, element_count, contact_count;
     linear_term *terms;
-    coupling coupled; ///< by masses; the same in all machines of a block
-    /// Terms that shafts of finite elements are; the same in all machines of a block.
-    body_panels body;      ///< numbers scaled but for their rates
-    size_t first_rate;     ///< where the machine's rates are among its numbers
-    size_t begun;          ///< coordinates from there on are begun by the body, those before by stations or at zero
-    between_term *between; ///< [between_count] what lies between stations, of displacements of these
+    coupling coupled; ///< mass coupling; the same in all machines of a block
+    /// Terms of shafts of finite elements; the same in all machines of a block.
+    body_panels body;  ///< numbers, scaled except for their rates
+    size_t first_rate; ///< index of the machine's rates among its numbers
+    size_t begun;      ///< first coordinate that the body initializes; those before are initialized by stations or zero
+    between_term *between; ///< [between_count] displacements between stations as functions of the stations'
     size_t between_count;
-    double *frequencies; ///< [frequency_count] as whirl_system has them
+    double *frequencies; ///< [frequency_count] as in whirl_system
     size_t frequency_count;
-    element *elements; ///< [element_count] those that have kernels, in the registry's order
+    element *elements; ///< [element_count] elements with kernels, in the registry's order
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
-    size_t *places;    ///< [plane_count + element_count] as whirl_lanes has them
+    size_t *places;    ///< [plane_count + element_count] as in whirl_lanes
     whirl_probe *probes;
-    whirl_runout *runouts; ///< of the probes, station after station
+    whirl_runout *runouts; ///< runouts of the probes, station after station
     size_t *groups;        ///< [lanes.group_count + 1]
-    double *turns;         ///< [dimension] as whirl_system has them
+    double *turns;         ///< [dimension] as in whirl_system
     bool turning;          ///< some of them are not 0
-    size_t repeats;        ///< as whirl_system has them
-    bool kinked;           ///< as whirl_system has it
-    size_t held;           ///< elements, the first ones, whose `hold` is behind them
-    bool mute;             ///< there is friction whose power is not known
+    size_t repeats;        ///< as in whirl_system
+    bool kinked;           ///< as in whirl_system
+    size_t held;           ///< number of elements, the first ones, whose `hold` succeeded
+    bool mute;             ///< there is friction of unknown power
     size_t *contacts;      ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 32];
     const char **contact_names;
@@ -55,31 +55,31 @@ enum { MAX_OWN_STATES = 2 * WHIRL_MAX_ELEMENTS };
 
 enum { INSTANCE_STATIONS = 2 }; ///< most of one
 
-/// Of every structure of instances.h: whether a machine is it when its stations' coordinates come in the order told,
-/// and its laws [INSTANCE_LAWS].
+/// Function of a structure of instances.h that recognizes it: returns true if a machine has it with its stations'
+/// coordinates in this order, and its laws [INSTANCE_LAWS].
 typedef bool instance_find(const assembly *of, const element *elements, size_t count, size_t order[INSTANCE_STATIONS],
                            int *laws);
 instance_find pair_find;
 
-/// What rotors give to lanes.h: one function of each kind for every instruction set of vector.h (kernels/machine.c).
+/// Functions of rotors for lanes.h: one of each kind for every instruction set of vector.h (kernels/machine.c).
 FOR_EVERY_ISA(lanes_flow, machine_flow);
 FOR_EVERY_ISA(lanes_switches, machine_switches);
 FOR_EVERY_ISA(lanes_forcing, machine_forcing);
 FOR_EVERY_ISA(lanes_contacts, machine_contacts);
 
-/// What rotors give to lanes.h besides (rotor_lanes.c), once their parts are there.
+/// Fills in the other members for lanes.h (rotor_lanes.c), after the rotor's parts.
 void rotor_lanes_fill(whirl_rotor *rotor);
 
-/// What rotors give to whirl/engine/system.h (rotor_system.c): fills in the functions of the rotor's system.
+/// Fills in the functions of the rotor's system (rotor_system.c).
 void rotor_system_fill(whirl_rotor *rotor);
 
 // ---------------------------------------------------------------- repeats
-// After how many revolutions phases come back that turn at ratios of the speed.
+// Revolutions after which phases that turn at ratios of the speed repeat.
 
-/// The smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is whole, to rounding; 0 where there is none.
+/// Returns the smallest q up to WHIRL_MAX_REPEATS for which q times `ratio` is whole, to rounding; 0 without one.
 size_t repeats_of(double ratio);
 
-/// For two phases that come back after a and b revolutions (0: never).
+/// Combines the repeats a and b (0: never) of two phases.
 size_t repeats_of_both(size_t a, size_t b);
 
 #endif

@@ -44,7 +44,7 @@ VECTOR_INLINE dual dual_mul(dual a, dual b) {
     FOR_INPUTS out.by[i] = v_fma(a.by[i], b.value, v_mul(a.value, b.by[i]));
     return out;
 }
-/// By a number that depends on no input.
+/// Scales by a number that depends on no input.
 VECTOR_INLINE dual dual_scale(vec factor, dual a) {
     a.value = v_mul(factor, a.value);
     FOR_INPUTS a.by[i] = v_mul(factor, a.by[i]);
@@ -61,7 +61,7 @@ VECTOR_INLINE dual dual_div(dual a, dual b) {
     FOR_INPUTS out.by[i] = v_mul(over, v_fnma(out.value, b.by[i], a.by[i]));
     return out;
 }
-/// Of a number above 0; 0 has the derivative 0.
+/// Square root of a number above 0; 0 has the derivative 0.
 VECTOR_INLINE dual dual_sqrt(dual a) {
     dual out = {.value = v_sqrt(a.value)};
     const vec half = v_div(v_set(0.5), v_max(out.value, v_set(0x1p-1000)));
@@ -69,7 +69,7 @@ VECTOR_INLINE dual dual_sqrt(dual a) {
     FOR_INPUTS out.by[i] = v_mul(over, a.by[i]);
     return out;
 }
-/// Of a number above 0, to a power that depends on no input.
+/// Power of a number above 0, with an exponent that depends on no input.
 VECTOR_INLINE dual dual_pow(dual a, vec power) {
     dual out = {.value = v_pow(a.value, power)};
     const vec slope = v_mul(power, v_div(out.value, a.value));
@@ -83,7 +83,7 @@ VECTOR_INLINE dual dual_over_root(dual a) {
     FOR_INPUTS out.by[i] = v_mul(slope, a.by[i]);
     return out;
 }
-/// Of a normal number above 0.
+/// Ninth root of a normal number above 0.
 VECTOR_INLINE dual dual_ninth_root(dual a) {
     dual out = {.value = v_ninth_root(a.value)};
     const vec slope = v_div(out.value, v_mul(v_set(9.0), a.value));

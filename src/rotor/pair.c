@@ -3,10 +3,10 @@
 #include "pair_kernel.h"
 #include "registry.h"
 
-/// Its elements: a shaft, a film at its one end, a rub at the other.
+/// Its elements: a shaft, a film at one end, a rub at the other.
 enum { SHAFT, FILM, RUB, ELEMENTS_OF_PAIR };
 
-/// With the disc's coordinates before or behind the journal's.
+/// Tests for the pair with the disc's coordinates before or after the journal's.
 static bool is_pair(const assembly *of, const element *e, size_t count, bool reversed) {
     const size_t disc = reversed ? 2 : 0, journal = 2 - disc;
     return of->station_count == PAIR_STATIONS && of->degrees == PAIR_DEGREES && of->plane_count == PAIR_STATIONS &&

@@ -23,7 +23,7 @@ enum { PAIR_SHAFT_LAW, PAIR_RUB_LAW };
 /// Coordinates whose sizes are measured together, as whirl_lanes has them.
 static const size_t pair_groups[] = {0, PAIR_JOURNAL, PAIR_DEGREES};
 
-/// Where the numbers of the parts begin.
+/// First numbers of the parts.
 enum {
     PAIR_DISC_NUMBERS = 0,
     PAIR_JOURNAL_NUMBERS = PAIR_DISC_NUMBERS + STATION_NUMBERS,
@@ -47,7 +47,7 @@ typedef struct pair_line {
 
 enum { PAIR_UNDER_WAY = 3, PAIR_MAX_STRIDE = 4 };
 
-/// Whether the journal of a vector has no unbalance in any lane.
+/// Returns true if the journal of a vector has no unbalance in any lane.
 VECTOR_INLINE bool pair_balanced(size_t stride, const vec *number) {
     const vec *journal = number + PAIR_JOURNAL_NUMBERS * stride;
     const vec in_phase = v_abs(journal[STATION_UNBALANCE_COS * stride]);
@@ -64,7 +64,7 @@ VECTOR_INLINE void pair_put(pair_line *line, size_t at, const vec *number, const
     line->a[at] = a;
 }
 
-/// Begins an acceleration: leaves the divider with the film's root.
+/// Begins an acceleration: starts the film's root in the divider.
 VECTOR_INLINE void pair_send(pair_line *line, size_t stride, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *a) {
     const element film = {.port = {2, 3}};
@@ -92,7 +92,7 @@ VECTOR_INLINE void pair_frame(const lanes_instance *pair, size_t stride, const p
     shaft_kernel(&shaft, c2, s2, stride, number + PAIR_SHAFT_NUMBERS * stride, q, frame);
 }
 
-/// Film and rub.
+/// Adds film and rub.
 VECTOR_INLINE void pair_end(const lanes_instance *pair, size_t stride, const pair_line *line, size_t at, vec *frame) {
     const element rub = {.port = {0, 1}, .law = pair->law[PAIR_RUB_LAW]};
     const vec *number = line->number[at];
@@ -113,7 +113,7 @@ VECTOR_INLINE void pair_receive(const lanes_instance *pair, size_t stride, pair_
     pair_end(pair, stride, line, ended, frame);
 }
 
-/// An acceleration all by itself; arguments as pair_send.
+/// Computes a single acceleration; arguments as pair_send.
 VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const vec *number, const void *forcing,
                               bool shared, const vec *sides, const vec *q, const vec *v, vec *a) {
     pair_line line;
@@ -126,13 +126,13 @@ VECTOR_INLINE void pair_alone(const lanes_instance *pair, size_t stride, const v
     pair_end(pair, stride, &line, 0, frame);
 }
 
-/// Nothing is begun, one more is finished.
+/// Finishes one more acceleration without beginning another.
 VECTOR_INLINE void pair_drain(const lanes_instance *pair, size_t stride, pair_line *line, bool shared) {
     line->begun++;
     pair_receive(pair, stride, line, shared);
 }
 
-/// Makes a line ready: what it finishes first was never begun, and goes nowhere.
+/// Prepares a line: the first results, which were never begun, go nowhere.
 VECTOR_INLINE void pair_open(pair_line *line, bool balanced, const vec *number, const void *forcing, const vec *sides,
                              const vec *q, const vec *v, vec *nowhere) {
     memset(&line->film, 0, sizeof line->film);

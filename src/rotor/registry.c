@@ -1,4 +1,4 @@
-// The elements that a rotor can be made of, one line each, in the order in which they act.
+// Registry of elements, one line each, in the order in which they act.
 #include <string.h>
 
 #include "registry.h"

@@ -1,4 +1,4 @@
-// The rotor: what stations and elements build together, in one block, and the system that it makes.
+// The rotor: assembles its parts in one block, and the system that it makes.
 #include "whirl/engine/rotor.h"
 
 #include <math.h>
@@ -10,8 +10,7 @@
 #include "instances.h"
 #include "machine.h"
 
-/// Finds the structure among those that integrators have loops of their own for: the machine is it when its stations'
-/// coordinates come in this order.
+/// Recognizes a structure with loops of its own, with its stations' coordinates in this order.
 static bool find_instance(const building *b, size_t order[INSTANCE_STATIONS], lanes_instance *out) {
     if (b->keyphasor || b->mesh.node_count > 0 || b->assembly.turn != 1.0) return false;
 #define FIND(name, NAME)                                                                                               \
@@ -41,7 +40,7 @@ static void *cut(char *block, size_t *used, size_t size) {
     return part;
 }
 
-/// Where the numbers of elements begin: after those of stations and terms.
+/// Index of the first element's numbers: after those of stations and terms.
 static size_t first_of_elements(const building *b) {
     return b->assembly.plane_count * STATION_NUMBERS + b->assembly.term_count;
 }
@@ -57,7 +56,7 @@ static size_t count_contacts(const building *b) {
     return count;
 }
 
-/// Lays the parts of a rotor out in a block and gives the block's size.
+/// Lays the parts of a rotor out in a block and returns the block's size.
 static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     const size_t stations = b->design->station_count, contacts = count_contacts(b);
     const size_t coupled = coupling_count(&b->assembly);
@@ -109,7 +108,7 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     return used;
 }
 
-/// A station that moves along one axis has one coordinate, which stands for both.
+/// A station that moves along one axis has one coordinate, which is used for both.
 static void add_probes(whirl_rotor *rotor, const building *b) {
     const size_t degrees = b->assembly.degrees;
     for (size_t s = 0; s < b->design->station_count; s++) {
@@ -132,7 +131,7 @@ static void add_probes(whirl_rotor *rotor, const building *b) {
     }
 }
 
-/// In length scales, those of a station one after the other.
+/// Adds the runouts in length scales, those of a station adjacent.
 static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     whirl_runout *next = rotor->runouts;
     for (size_t s = 0; s < rotor->station_count; s++) {
@@ -150,7 +149,7 @@ static void add_runouts(whirl_rotor *rotor, const assembly *from) {
     }
 }
 
-/// Coordinates whose sizes are measured together: both displacements of a station, both of its tilts.
+/// Groups coordinates whose sizes are measured together: both displacements of a station, both of its tilts.
 static void add_groups(whirl_rotor *rotor, const assembly *from) {
     size_t lone = 0;
     for (size_t s = 0; s < from->station_count; s++) lone += from->stations[s].moves_x != from->stations[s].moves_y;
@@ -193,7 +192,7 @@ static bool add_body(whirl_rotor *rotor, const assembly *from) {
     return true;
 }
 
-/// "rub at disc"; of several alike the others are "rub at disc (2)", ...
+/// Names a contact: "rub at disc"; further equal ones are "rub at disc (2)", ...
 static void name_contact(whirl_rotor *rotor, size_t k) {
     const element *own = &rotor->elements[rotor->contacts[k]];
     char again[16] = "";
@@ -222,7 +221,7 @@ static void note_contact(whirl_rotor *rotor, size_t index) {
     name_contact(rotor, k);
 }
 
-/// Revolutions after which the phases have come back, one of so many rounds in a revolution (NaN: never) of them, too.
+/// Updates the revolutions after which the phases repeat by a phase with so many rounds per revolution (NaN: never).
 static void note_phase(whirl_rotor *rotor, double rounds) {
     const size_t repeats = repeats_of(rounds);
     rotor->repeats = rotor->turning ? repeats_of_both(rotor->repeats, repeats) : repeats;
@@ -267,7 +266,7 @@ static void add_elements_to(whirl_rotor *rotor, const building *b) {
     }
 }
 
-/// The shaft's phase as a state, the last one. Where nothing feels it, it keeps no motion from returning.
+/// Adds the shaft's phase as the last state. If nothing depends on it, it does not keep motions from returning.
 static void add_phase(whirl_rotor *rotor, const building *b) {
     enum { MOST = 2 * AXES * WHIRL_MAX_STATIONS + MAX_OWN_STATES };
     const size_t dimension = rotor->system.dimension, last = dimension - 1;
@@ -326,7 +325,7 @@ static whirl_rotor *finish(building *b) {
     return rotor;
 }
 
-/// What the arrays of a rotor have room for.
+/// Checks the limits of a rotor's arrays.
 static whirl_status check_states(const building *b) {
     if (b->state_count <= MAX_OWN_STATES) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "the rotor's elements have %zu states of their own, expected at most %d",
@@ -410,7 +409,7 @@ void whirl_rotor_free(whirl_rotor *rotor) {
     free(rotor);
 }
 
-/// Where none of an element's own states is said.
+/// Sets the elements' own states if none of them was given.
 static void begin_elements(const whirl_rotor *rotor, double *x) {
     for (size_t i = 0; i < rotor->element_count; i++) {
         const element *own = &rotor->elements[i];

@@ -1,4 +1,4 @@
-// Many rotors side by side: what lanes ask of a rotor's structure and numbers.
+// Functions of lanes.h for a rotor's structure and numbers.
 #include <string.h>
 
 #include "machine.h"
@@ -39,8 +39,8 @@ static bool lane_alike(const void *one, const void *other) {
     return couplings_alike(&a->coupled, &b->coupled);
 }
 
-/// Gives a part its own place for `count` numbers that begin at `own` where they differ from those that it shares; says
-/// how many it has then.
+/// Gives a part a place of its own for `count` numbers that begin at `own` if they differ from those that it shares;
+/// returns how many it then has.
 static size_t part_from(const double *number, size_t own, size_t count, size_t *place) {
     if (memcmp(number + own, number + *place, count * sizeof *number) != 0) *place = own;
     return *place == own ? count : 0;
@@ -57,7 +57,7 @@ static size_t lane_part(const void *model, size_t *places) {
     return count;
 }
 
-/// The force on an element's ports and the slopes of its states may depend on all that it sees.
+/// Marks what an element's forces and slopes depend on: all that it sees.
 static void depend_on_element(const whirl_rotor *rotor, const element *own, bool *table) {
     const size_t degrees = rotor->lanes.degrees, width = rotor->system.dimension;
     for (size_t i = 0; i < MAX_PORTS + own->states; i++) {
@@ -99,10 +99,10 @@ static void lane_depends(const void *model, bool *table) {
     }
     depend_on_body(&rotor->body, degrees, width, table);
     for (size_t i = 0; i < rotor->element_count; i++) depend_on_element(rotor, &rotor->elements[i], table);
-    // What turns with the shaft depends on its phase where that is a state.
+    // Rotating forces depend on the shaft's phase if that is a state.
     for (size_t i = 0; rotor->phase && i < degrees + rotor->lanes.states; i++)
         table[i * width + degrees + rotor->phase] = true;
-    // Where masses couple, each of these accelerations depends on all that the others do.
+    // Accelerations that couple by mass depend on all that any of them depends on.
     for (size_t c = 0; c < width; c++) {
         bool any = false;
         for (size_t i = 0; i < coupled->count; i++) any |= table[coupled->row[i] * width + c];

@@ -1,4 +1,4 @@
-// A rotor as a system: by the one-lane build of its kernels.
+// A rotor as a system, by the one-lane build of its kernels.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -56,7 +56,7 @@ static void friction(const void *model, const double *x, double *friction) {
     machine_contacts_scalar(&view, normal_force, friction);
 }
 
-/// The state and as many perturbations as there is room for, positions apart from the rest as lanes want them.
+/// The state and as many perturbations as fit, with positions apart from the rest as lanes need them.
 typedef struct group {
     double q[2 * MAX_DEGREES], v[2 * MAX_ROWS], a[2 * MAX_ROWS];
 } group;
@@ -132,7 +132,7 @@ static element_place see(const whirl_rotor *rotor, const element *own, const dou
     return seen;
 }
 
-/// Writes a derivative by what an element sees as one by the state.
+/// Converts a derivative by what an element sees into one by the state.
 static void spread(const whirl_rotor *rotor, const element *own, const element_place *by, double *out) {
     const size_t degrees = rotor->lanes.degrees;
     memset(out, 0, rotor->system.dimension * sizeof *out);
@@ -187,7 +187,7 @@ static bool named_order(const void *model, size_t index, whirl_named_order *out)
     return false;
 }
 
-/// Extremes as an element sees them; of what none are told of, NaN.
+/// Extracts extremes as an element sees them; NaN for unknown ones.
 static element_seen see_extremes(const whirl_rotor *rotor, const element *own, const whirl_extremes *of) {
     const size_t first = rotor->lanes.degrees + own->state;
     const whirl_probe *probe = &rotor->probes[own->station];
@@ -314,7 +314,7 @@ static bool film(const void *model, const double *x, size_t probe, whirl_film_ga
     return found;
 }
 
-/// The element of another rotor that is `own` of this one: of its type, at its station, in the same turn.
+/// Finds the element of another rotor that corresponds to `own`: of its type, at its station, in the same sequence.
 static const element *counterpart(const whirl_rotor *rotor, const element *own, const whirl_rotor *other) {
     size_t before = 0;
     for (const element *e = rotor->elements; e < own; e++) before += e->type == own->type && e->station == own->station;

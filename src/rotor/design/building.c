@@ -6,14 +6,14 @@
 
 #include "mesh.h"
 
-/// The status with the kind of the element that it is of.
+/// Returns the status with the name of the element that it refers to.
 static whirl_status named(const building *b, size_t index, whirl_status status) {
     if (index == WHIRL_NO_ELEMENT) return status;
     return whirl_fail(status.code, "%s %.300s", b->design->elements[index].type->group.name, status.message);
 }
 
-/// What goes on with element `index` (WHIRL_NO_ELEMENT: with no single one) after `status`: where problems are told one
-/// by one, as if it had been good.
+/// Handles a problem with element `index` (WHIRL_NO_ELEMENT: no single one): if problems are reported one by one it is
+/// reported, and building continues.
 static whirl_status with_element(building *b, size_t index, whirl_status status) {
     if (status.code == WHIRL_OK) return status;
     status = named(b, index, status);
@@ -23,7 +23,7 @@ static whirl_status with_element(building *b, size_t index, whirl_status status)
     return whirl_ok();
 }
 
-/// Of an element of a type, whatever its `build` makes of it.
+/// Most numbers that an element of a type may have, whatever its `build` makes of it.
 static size_t most_numbers(const element_type *type) {
     const size_t other = type->variant ? type->variant->number_count : 0;
     return type->number_count > other ? type->number_count : other;
@@ -36,7 +36,7 @@ static whirl_status begin(building *b, const whirl_design *design) {
     size_t culprit;
     whirl_status status = mesh_make(design, &b->mesh, &culprit);
     if (status.code != WHIRL_OK) {
-        // Without its mesh the rest would be told of for nothing.
+        // Without its mesh, further problems would be consequences only.
         if (status.code == WHIRL_NO_MEMORY || culprit == WHIRL_NO_ELEMENT || !b->tell) return named(b, culprit, status);
         with_element(b, culprit, status);
         return whirl_ok();
@@ -63,8 +63,7 @@ const key_value *building_value(const design_element *own, const char *key) {
     return NULL;
 }
 
-/// What an element is to the rotor. One of a bearing's kind has a key for it (bearing.c), and without stiffness is
-/// none.
+/// Role of an element in the rotor. Bearing elements have a key for it (bearing.c), and without stiffness are none.
 typedef enum role { ROLE_BEARING, ROLE_DRAG, ROLE_OTHER } role;
 
 static role role_of(const design_element *own) {
@@ -88,7 +87,7 @@ static bool on_springs(const whirl_design *design) {
     return design->bearings == WHIRL_BEARINGS_SPRINGS || design->bearings == WHIRL_BEARINGS_HELD;
 }
 
-/// Whether something else stands for an element, or nothing.
+/// Returns true if an element is replaced, or left out.
 static bool is_replaced(const building *b, const design_element *own) {
     const whirl_bearings what = b->design->bearings;
     const bool drags = role_of(own) == ROLE_DRAG;
@@ -96,13 +95,14 @@ static bool is_replaced(const building *b, const design_element *own) {
     if (drags && b->design->drag == WHIRL_DRAG_AT &&
         (building_value(own, "at")->station[0] != b->design->drag_at || strcmp(own->type->group.name, "stage") == 0))
         return true;
-    // On soft springs it would sag into stators, which no critical speed map is about.
+    // On soft springs it would sag into stators, which is outside the scope of critical speed maps.
     if (on_springs(b->design) && strcmp(own->type->group.name, "gravity") == 0) return true;
     return on_springs(b->design) ? role_of(own) != ROLE_OTHER
                                  : what == WHIRL_BEARINGS_ALONE && role_of(own) != ROLE_BEARING;
 }
 
-/// All inertia; after it coordinates can be numbered. And the unit of time: the phase by which sections are taken.
+/// Adds all inertia, after which coordinates can be numbered, and sets the unit of time from the phase that defines
+/// sections.
 static whirl_status add_inertia(building *b) {
     const whirl_design *design = b->design;
     whirl_status status = whirl_ok();
@@ -126,7 +126,7 @@ static whirl_status add_inertia(building *b) {
     return status;
 }
 
-/// What turns with the rotor cannot sit on a shaft of another speed.
+/// Rejects forces that turn with the rotor on a shaft of another speed.
 static whirl_status check_aside(const building *b) {
     if (!b->assembly.aside) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT,
@@ -135,7 +135,7 @@ static whirl_status check_aside(const building *b) {
                       b->assembly.aside);
 }
 
-/// What goes with the rotor's speed has no end on a shaft of another one.
+/// Rejects terms proportional to the rotor's speed on a shaft of another speed.
 static whirl_status check_spin(const building *b, const design_element *own) {
     const whirl_group *group = &own->type->group;
     for (size_t k = 0; own->type->spun && k < group->key_count; k++) {
@@ -153,7 +153,7 @@ static whirl_status check_spin(const building *b, const design_element *own) {
     return whirl_ok();
 }
 
-/// Where bearings hold, both places are held; but not two shafts that turn in each other.
+/// Adds springs at both places of a bearing; but not between two shafts of one another.
 static whirl_status add_springs(building *b, const key_value *at, const key_value *from, double stiffness) {
     element place = {.type = NULL};
     const whirl_status status = element_in_housing(at, from, &b->assembly, &place);
@@ -166,7 +166,7 @@ static whirl_status add_springs(building *b, const key_value *at, const key_valu
     return status;
 }
 
-/// A spring in the place of a bearing, two in series where a ring floats in it; nothing in that of other replaced ones.
+/// Adds a spring instead of a bearing, two in series for a floating ring; nothing instead of other replaced elements.
 static whirl_status add_replaced(building *b, const design_element *own) {
     const key_value nowhere = {.given = false}, *at = building_value(own, "at"), *from = building_value(own, "from");
     const key_value *const ring = building_value(own, "ring"), *const house = from ? from : &nowhere;
@@ -206,7 +206,7 @@ static whirl_status add_elements(building *b, const element_type *type) {
 whirl_status building_assemble(building *b, const whirl_design *design, const size_t *order) {
     whirl_status status = begin(b, design);
     if (status.code == WHIRL_OK && b->problems == 0) status = add_inertia(b);
-    if (b->problems > 0) return status; // without its inertia the rest would be told of for nothing
+    if (b->problems > 0) return status; // without its inertia, further problems would be consequences only
     size_t culprit = WHIRL_NO_ELEMENT;
     if (status.code == WHIRL_OK) status = thrust_build(b, &culprit);
     if (status.code != WHIRL_OK) status = with_element(b, culprit, status);
@@ -226,7 +226,7 @@ whirl_status building_assemble(building *b, const whirl_design *design, const si
     b->assembly.balanced = false;
     for (size_t i = 0; i < design->placed_count && status.code == WHIRL_OK; i++)
         assembly_unbalance(&b->assembly, design->placed[i].station, design->placed[i].moment, design->placed[i].angle);
-    // Of bearings alone the forces are asked for, on the stations' own masses.
+    // The forces of bearings alone act on the stations' own masses.
     if (design->bearings == WHIRL_BEARINGS_ALONE) b->assembly.mass_count = 0;
     return status.code == WHIRL_OK ? check_aside(b) : status;
 }

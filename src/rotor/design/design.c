@@ -1,4 +1,4 @@
-// Writing a design: settings are checked against the descriptors, here and nowhere else.
+// Builds designs: settings are checked against the descriptors, here and nowhere else.
 #include "design.h"
 
 #include <ctype.h>
@@ -111,7 +111,7 @@ static whirl_status unknown_part(const part_list *in, const char *name, size_t l
     return whirl_fail(WHIRL_BAD_INPUT, "no %s is called '%s'", in->kind, word);
 }
 
-/// A shaft or a material; steel that nobody has defined is one past the last.
+/// Reads the name of a shaft or a material; steel that the design does not define is one past the last.
 static whirl_status read_name(whirl_design *design, const whirl_key *key, const char *name, size_t *index) {
     const bool is_material = strcmp(key->choices, "materials") == 0;
     const part_list in = is_material ? materials_of(design) : shafts_of(design);
@@ -148,7 +148,7 @@ static whirl_status read_stations(whirl_design *design, const char *text, size_t
     return whirl_ok();
 }
 
-/// Room for all numbers of a text.
+/// Allocates all numbers of a text.
 static bool make_list(const char *text, key_value *value) {
     size_t most = 1;
     for (const char *c = text; *c; c++) most += *c == ',' || *c == ';';
@@ -160,7 +160,7 @@ static bool make_list(const char *text, key_value *value) {
 /// "1e7, 1.2e7", or rows of as many numbers each, "1e7, 1.2e7; 2e7, 2.1e7".
 static whirl_status read_list(const whirl_key *key, const char *text, key_value *value) {
     static const char *const expected = "is no list of numbers, expected 'one, other, ...'";
-    size_t first = 0, width = 0; // where the row begins, and the numbers of the row before
+    size_t first = 0, width = 0; // start of the row, and the numbers of the row before
     if (!make_list(text, value)) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a list of numbers");
     for (;;) {
         char *end;

@@ -1,4 +1,4 @@
-/// A design as the builder of the rotor sees it.
+/// Internal representation of a design, for the builder of the rotor.
 #ifndef ROTOR_DESIGN_H
 #define ROTOR_DESIGN_H
 
@@ -8,7 +8,7 @@
 /// A station, a shaft or a material.
 typedef struct design_part {
     char name[WHIRL_NAME_SIZE];
-    key_value *values; ///< of the keys of station_group, shaft_group or material_group
+    key_value *values; ///< values of the keys of station_group, shaft_group or material_group
 } design_part;
 
 typedef struct design_element {
@@ -20,21 +20,21 @@ enum { MAX_TYPES = 64 };
 
 struct whirl_design {
     double speed, length;
-    whirl_bearings bearings; ///< what stands for them
-    double stiffness;        ///< of springs in their place
-    whirl_drag drag;         ///< seals and impellers that are there
+    whirl_bearings bearings; ///< replacement of the bearings
+    double stiffness;        ///< stiffness of the springs that replace them
+    whirl_drag drag;         ///< seals and impellers to be included
     size_t drag_at;          ///< station of the only ones
-    double stages;           ///< times which stages count
-    bool in_time;            ///< coefficients over the frequency of whirl are functions with states of their own
-    bool asynchronous;       ///< coefficients over the frequency of whirl are those at
-    double frequency;        ///< rad/s, in place of that of the shaft
+    double stages;           ///< factor of stages
+    bool in_time;            ///< frequency-dependent coefficients are functions with states of their own
+    bool asynchronous;       ///< frequency-dependent coefficients are those at `frequency`
+    double frequency;        ///< rad/s, instead of the shaft's
     size_t placed_count;
-    const whirl_placed *placed; ///< [placed_count] unbalances in the place of its own; borrowed
+    const whirl_placed *placed; ///< [placed_count] unbalances that replace its own; borrowed
     size_t station_count, element_count, shaft_count, material_count;
     design_part stations[WHIRL_MAX_STATIONS], shafts[WHIRL_MAX_SHAFTS], materials[WHIRL_MAX_MATERIALS];
     design_element elements[WHIRL_MAX_ELEMENTS];
     size_t type_count;
-    const element_type *types[MAX_TYPES]; ///< the library's, then those that were added; in the order they act in
+    const element_type *types[MAX_TYPES]; ///< the library's, then those that were added; in the order in which they act
 };
 
 #endif

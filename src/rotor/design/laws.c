@@ -1,4 +1,4 @@
-// What laws of elements need when a machine is designed.
+// Laws that elements use when a machine is designed.
 #include "laws.h"
 
 #include <math.h>
@@ -24,7 +24,7 @@ black_coefficients black_find(const black_seal *seal, double speed) {
     const double c = seal->clearance, surface = seal->radius * speed, inlet = 1.0 + seal->loss;
     const double thin = seal->density * c / seal->viscosity, around = thin * surface;
     double velocity = sqrt(2.0 * seal->pressure / seal->density / inlet), lambda = 0.0;
-    // The friction falls slower than with 1/V, so that every pass takes half of what is missing, or more.
+    // The friction falls more slowly than 1/V, so that every pass halves the error, or better.
     for (int i = 0; i < 100; i++) {
         lambda = friction(2.0 * thin * velocity, around);
         velocity = sqrt(2.0 * seal->pressure / seal->density / (inlet + 2.0 * lambda * seal->length / c));
@@ -43,7 +43,7 @@ black_coefficients black_find(const black_seal *seal, double speed) {
 }
 
 // ---------------------------------------------------------------- doubts
-// Values that are likely not meant, or beyond what a law is for.
+// Raises doubts about values that are probably mistakes, or outside of a law's range.
 
 void doubt_value(const doubt_teller *to, const char *key, const char *format, ...) {
     char sentence[WHIRL_MESSAGE_SIZE];
@@ -55,7 +55,7 @@ void doubt_value(const doubt_teller *to, const char *key, const char *format, ..
 }
 
 void doubt_clearance(const doubt_teller *to, const char *key, double clearance, double radius) {
-    // Bearings and dampers have 5e-4 to 5e-3 (San Andres 2010); a unit that is mistaken is off by 1000.
+    // Bearings and dampers have 5e-4 to 5e-3 (San Andres 2010); a wrong unit is off by 1000.
     const double share = clearance / radius, least = 1e-4, most = 1e-2, largest = 10.0;
     if (share < least || share > most)
         doubt_value(to, key, "is %.3g times the radius, and films have %g to %g times", share, least, most);
@@ -83,7 +83,7 @@ bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double c
     return reynolds >= most;
 }
 
-/// The speed of the shaft that an element's first station lies on; the rotor's where it lies on none.
+/// Returns the speed of the shaft of an element's first station; the rotor's if it is on no shaft.
 static double speed_at(const whirl_design *design, const design_element *own) {
     for (size_t k = 0; k < own->type->group.key_count; k++) {
         const whirl_key_kind kind = own->type->group.keys[k].kind;
@@ -108,7 +108,7 @@ void whirl_design_doubts(const whirl_design *design, whirl_design_tell *tell, vo
 }
 
 // ---------------------------------------------------------------- hertz
-// Hertz contacts of steel on the inner race, which are the sharpest.
+// Hertz contacts of steel on the inner race, which has the highest pressure.
 
 static const double pi = 3.14159265358979323846;
 
@@ -128,7 +128,7 @@ double hertz_ball_load(double diameter, double race, double groove) {
 }
 
 double hertz_roller_load(double diameter, double race, double stiffness) {
-    // Of one contact Palmgren has 3.84e-5 Q^0.9/l^0.8 mm, lengths in mm: two of them give the stiffness.
+    // Approach of one contact: 3.84e-5 Q^0.9/l^0.8 mm, lengths in mm (Palmgren); two of them give the stiffness.
     const double of_one = pow(2.0 * 3.84e-5, -10.0 / 9.0) * pow(1e3, 10.0 / 9.0);
     const double length = 1e-3 * pow(stiffness / of_one, 9.0 / 8.0);
     const double radius = 1.0 / (2.0 / diameter + 1.0 / race);
@@ -137,7 +137,7 @@ double hertz_roller_load(double diameter, double race, double stiffness) {
 
 // ---------------------------------------------------------------- table
 
-/// At an end the parabola through three points, kept from turning back (Fritsch, Carlson 1980).
+/// Slope at an end, by the parabola through three points, limited to stay monotone (Fritsch, Carlson 1980).
 static double end_slope(double near, double far, double rise, double next) {
     const double slope = ((2.0 * near + far) * rise - near * next) / (near + far);
     if (slope * rise <= 0.0) return 0.0;
@@ -152,7 +152,7 @@ static double rise(const double *x, const double *y, size_t i) {
     return (y[i + 1] - y[i]) / width(x, i);
 }
 
-/// At a point in the middle the weighted harmonic mean of the rises to either side, 0 at an extreme.
+/// Slope at a point in the middle: the weighted harmonic mean of the rises on both sides, 0 at an extreme.
 static double slope_at(size_t count, const double *x, const double *y, size_t i) {
     if (count == 2) return rise(x, y, 0);
     if (i == 0) return end_slope(width(x, 0), width(x, 1), rise(x, y, 0), rise(x, y, 1));

@@ -1,4 +1,4 @@
-/// What laws of elements need when a machine is designed: seals, contacts, oils, tables, ranges.
+/// Laws that elements use when a machine is designed: seals, contacts, oils, tables, ranges.
 #ifndef ROTOR_LAWS_H
 #define ROTOR_LAWS_H
 
@@ -7,34 +7,33 @@
 // ---------------------------------------------------------------- black
 // A plain annular seal by its geometry, short and turbulent (Black 1969; Black, Jenssen 1970).
 
-/// SI. `pressure` is what drops over the seal, `loss` that at its inlet over rho V^2/2 (without the velocity head
-/// itself), `swirl` the speed around the shaft with which fluid enters over that of the shaft's surface.
+/// Geometry of the seal, SI. `pressure` is the drop over the seal, `loss` that at its inlet over rho V^2/2 (without the
+/// velocity head itself), `swirl` the circumferential speed of the entering fluid over that of the shaft's surface.
 typedef struct black_seal {
     double radius, length, clearance, density, viscosity, pressure, loss, swirl;
 } black_seal;
 
-/// What seen from the fluid, which turns at `ratio` of the shaft's speed, is a spring, a damper and a mass; the mean
-/// axial velocity, and the Reynolds number 2 rho c |velocity|/mu of that and half the surface's speed.
+/// Coefficients in a frame that turns with the fluid, at `ratio` of the shaft's speed; mean axial velocity; and
+/// Reynolds number 2 rho c |velocity|/mu of that and half the surface's speed.
 typedef struct black_coefficients {
     double stiffness, damping, mass, ratio, velocity, reynolds;
 } black_coefficients;
 
-/// At a speed of the shaft, rad/s, >= 0.
+/// Computes the coefficients at a speed of the shaft, rad/s, >= 0.
 black_coefficients black_find(const black_seal *seal, double speed);
 
 // ---------------------------------------------------------------- doubts
-// Doubts that several elements have, in the values of keys.
+// Doubts about values that several elements share.
 
-/// Of what turns or moves in a film of oil: of a clearance that is far from a thousandth of the radius,
-/// and of a radius that none has.
+/// Doubts an oil film's clearance that is far from a thousandth of the radius, and a radius that no machine has.
 void doubt_clearance(const doubt_teller *to, const char *key, double clearance, double radius);
 
-/// Of a film whose law leaves out the flow around it: of one that is longer than its radius. `instead` ends the
+/// Doubts the length of a film, longer than its radius, whose law ignores circumferential flow. `instead` ends the
 /// sentence.
 void doubt_length(const doubt_teller *to, const char *key, double length, double radius, const char *instead);
 
-/// Of a film by its Reynolds number rho Omega R c/mu, whose law is for laminar or for turbulent flow, and has the
-/// other. Gives whether the flow is turbulent.
+/// Doubts a film whose law is for laminar or turbulent flow while the Reynolds number rho Omega R c/mu indicates the
+/// other. Returns true if the flow is turbulent.
 bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double clearance, bool turbulent_law);
 
 // ---------------------------------------------------------------- hertz
@@ -45,17 +44,18 @@ bool doubt_flow(const doubt_teller *to, double reynolds, double radius, double c
 #define HERTZ_MAX_BALL 4.2e9
 #define HERTZ_MAX_ROLLER 4.0e9
 
-/// The load, N, at that pressure between a ball and the inner race: diameter and radius of the race in m, radius of its
-/// groove over the diameter (0.52 as a rule).
+/// Returns the load, N, at that pressure between a ball and the inner race: diameter and radius of the race in m,
+/// radius of its groove over the diameter (usually 0.52).
 double hertz_ball_load(double diameter, double race, double groove);
 
-/// The same of a roller, whose length follows from its stiffness between both races, N/m^(10/9) (Palmgren 1959).
+/// Returns the load on a roller, whose length follows from its stiffness between both races, N/m^(10/9) (Palmgren
+/// 1959).
 double hertz_roller_load(double diameter, double race, double stiffness);
 
 // ---------------------------------------------------------------- oil
-// The oil of a film: its viscosity, dynamic or kinematic or by its temperature, and what inertia it has.
+// Oil of a film: dynamic or kinematic viscosity, or viscosity by temperature; and density.
 
-/// An element's keys of oil, from the first on in this order.
+/// Keys of oil of an element, in this order.
 enum {
     OIL_DYNAMIC,
     OIL_KINEMATIC,
@@ -68,8 +68,8 @@ enum {
     OIL_KEYS
 };
 
-/// Rows of tables of keys. What is given in cSt needs the density; what is given in Pa s may have it, and the film is
-/// looked at then whether its inertia may be left out.
+/// Rows of tables of keys. A value in cSt requires the density; with one in Pa s it is optional, and is used to check
+/// that the film's inertia is negligible.
 // clang-format off
 #define OIL_ROWS(first, text)                                                                                          \
     [(first) + OIL_DYNAMIC] = NUMBER_KEY("viscosity", "mu", "Pa s", OPTIONAL, WHIRL_POSITIVE, text),                   \
@@ -95,13 +95,13 @@ typedef struct oil {
     const key_value *keys;
 } oil;
 
-/// Whether they say a viscosity.
+/// Returns true if they define a viscosity.
 bool oil_given(const oil *of);
 
-/// mu in Pa s. WHIRL_BAD_INPUT where it is not given in one way.
+/// Computes mu in Pa s. WHIRL_BAD_INPUT unless it is given in exactly one way.
 whirl_status oil_viscosity(const oil *of, double *viscosity);
 
-/// rho speed length^2/mu; 0 where the density is not known.
+/// Returns rho speed length^2/mu; 0 without a density.
 double oil_reynolds(const oil *of, double speed, double length);
 
 #endif

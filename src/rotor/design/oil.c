@@ -14,7 +14,7 @@ bool oil_given(const oil *of) {
     return false;
 }
 
-/// The one way in which it is given.
+/// Finds the one way in which viscosity is given.
 static whirl_status way_of(const oil *of, int *way) {
     int count = 0;
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
@@ -29,7 +29,7 @@ static whirl_status way_of(const oil *of, int *way) {
     return whirl_ok();
 }
 
-/// What belongs to one way, and stands beside another.
+/// Rejects keys that belong to another way.
 static whirl_status check_strays(const oil *of, int way) {
     const bool warm = way == OIL_GRADE || way == OIL_TEMPERATURES;
     if (of->keys[OIL_TEMPERATURE].given && !warm)

@@ -1,8 +1,8 @@
-// Where an element acts: the coordinates of its stations.
+// Ports of elements: the coordinates of their stations.
 #include "element.h"
 
-/// The coordinates of a place along some axes; of the ground, and along AXES, none. A station that does not move along
-/// x or y is held there, as the ground is.
+/// Finds the coordinates of a place along some axes; none for the ground, and for AXES. A station that does not move
+/// along x or y counts as ground there.
 static whirl_status find_place(const assembly *to, size_t station, const axis *axes, size_t count, size_t *port) {
     for (size_t a = 0; a < count; a++) {
         port[a] = NO_COORDINATE;
@@ -14,7 +14,7 @@ static whirl_status find_place(const assembly *to, size_t station, const axis *a
     return whirl_ok();
 }
 
-/// Refuses ports [2 count] of which none moves: the element would do nothing.
+/// Rejects ports [2 count] none of which moves: the element would have no effect.
 static whirl_status check_moving(const assembly *to, size_t station, const axis *axes, size_t count,
                                  const size_t *port) {
     size_t none = NO_COORDINATE;

@@ -1,11 +1,11 @@
-/// Numbers given at a few places, and what lies between.
+/// Interpolation of a table of numbers.
 #ifndef ROTOR_TABLE_H
 #define ROTOR_TABLE_H
 
 #include <stddef.h>
 
-/// The value at `at`, from x[0] to x[count - 1], of the piecewise cubic through the points (x, y) [count >= 2], x
-/// rising: smooth, and monotone where the points are (Fritsch, Carlson 1980; slopes after Fritsch, Butland 1984).
+/// Returns the value at `at`, from x[0] to x[count - 1], of the piecewise cubic through the points (x, y) [count >= 2],
+/// x rising: smooth, and monotone where the points are (Fritsch, Carlson 1980; slopes after Fritsch, Butland 1984).
 double table_value(size_t count, const double *x, const double *y, double at);
 
 #endif

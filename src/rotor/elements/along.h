@@ -1,4 +1,4 @@
-/// The axes along which elements between two stations act, as their key `along` says.
+/// Axes of elements between two stations, as their key `along` selects them.
 #ifndef ROTOR_ALONG_H
 #define ROTOR_ALONG_H
 
@@ -6,7 +6,7 @@
 
 enum { ALONG_XY, ALONG_X, ALONG_Y, ALONG_TILTS, ALONG_TILT_X, ALONG_TILT_Y, ALONGS };
 
-/// Those [2] of each choice; AXES: none.
+/// The axes [2] of each choice; AXES: none.
 static const axis axes_along[ALONGS][2] = {
     [ALONG_XY] = {AXIS_X, AXIS_Y},        [ALONG_X] = {AXIS_X, AXES},
     [ALONG_Y] = {AXES, AXIS_Y},           [ALONG_TILTS] = {AXIS_TILT_X, AXIS_TILT_Y},
@@ -20,7 +20,7 @@ static inline bool along_tilts(int choice) {
     return choice >= ALONG_TILTS;
 }
 
-/// Whether a key goes with the axes: WHIRL_BAD_INPUT where it is given for tilts and they are none, or the other way.
+/// Checks that a key fits the axes. WHIRL_BAD_INPUT for one of tilts without tilts, or the reverse.
 static inline whirl_status check_along(const whirl_key *key, const key_value *value, bool for_tilts, int choice) {
     if (!value->given || for_tilts == along_tilts(choice)) return whirl_ok();
     return whirl_fail(WHIRL_BAD_INPUT, "has %s, in %s, and acts along %s, expected along: %s", key->name, key->unit,

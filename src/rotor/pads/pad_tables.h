@@ -11,9 +11,9 @@
 #include <stdint.h>
 
 // ---------------------------------------------------------------- centred
-// How a pad lies before a journal in the middle of its bearing.
+// Tilt of a pad before a centred journal.
 
-/// The tilt, R delta/c, at which its film holds it, by a coarse grid; 0 where none does, or without memory.
+/// Returns the tilt, R delta/c, at which its film holds it, by a coarse grid; 0 without one, or without memory.
 double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel);
 
 // ---------------------------------------------------------------- table
@@ -28,13 +28,13 @@ double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel);
 // S a cubic spline with equal distances of nodes, periodic in alpha. Beyond the table t and w count as at its edge:
 // the factor goes on growing where the film closes. Lengths are in the pad's clearance.
 
-/// What a table is of.
+/// Key of a table: the pad and its film.
 typedef struct pad_table_key {
     double arc, ratio;
     cavitation law;
     whirl_turbulence turbulence;
     double reynolds; ///< as in pad_film; 0 of laminar ones
-    double lead;     ///< of a pad that tilts without inertia: by how much its pivot lies before its middle; else 0
+    double lead;     ///< angle from pivot to middle of a pad that tilts without inertia; else 0
 } pad_table_key;
 
 /// Nodes along t, w and alpha, the same of all tables; numbers of one t and w, of one t, and of a whole table.
@@ -53,8 +53,8 @@ enum {
 #define PAD_HALF_TURN 3.14159265358979323846
 #define PAD_STEP_ALPHA (2.0 * PAD_HALF_TURN / PAD_ALPHA_NODES)
 
-/// Of rows for kernels, how far one is from the next along alpha, w and t: a row more for every w than there are cells
-/// along alpha, for else those around a place would share few sets of a cache.
+/// Row distances for kernels along alpha, w and t: one row more for every w than there are cells along alpha, since
+/// rows around a place would otherwise share few sets of a cache.
 enum {
     PAD_ALPHA_APART = 8,
     PAD_W_APART = PAD_ALPHA_APART * (PAD_ALPHA_NODES + 1),
@@ -74,73 +74,73 @@ typedef struct pad_table {
 /// A table of zeros, to be freed; NULL without memory.
 pad_table *pad_table_empty(void);
 
-/// The film of a table's nodes, with its grid.
+/// Returns the film at a table's nodes, with its grid.
 pad_film pad_table_film(const pad_table_key *key);
 
 /// Fills in the values at the nodes of one t, from 0 to PAD_T_NODES - 1, in place of coefficients: some hundredths of a
-/// second's work, of pads of less than half a turn. Errors as pad_solve.
+/// second's work, for pads of less than half a turn. Errors as pad_solve.
 whirl_status pad_table_fill(pad_table *table, const pad_film *film, pad_workspace *work, int t);
 
-/// Makes coefficients of the values at all nodes.
+/// Turns the values at all nodes into coefficients.
 void pad_table_splines(pad_table *table);
 
-/// Whether films that are solved anew, at some places all over the table, have the forces that the table has: a table
-/// from a file may be another program's. Errors as pad_solve.
+/// Solves films at some places all over the table, and compares their forces: a table from a file may be another
+/// program's. Errors as pad_solve.
 whirl_status pad_table_confirm(const pad_table *table, const pad_table_key *key, bool *confirmed);
 
 /// Fills in `rows` from the coefficients.
 void pad_table_rows(pad_table *table);
 
-/// Fills in `lean` of a pad whose pivot lies `lead` before its middle.
+/// Fills in `lean` for a pad whose pivot is `lead` before its middle.
 void pad_table_lean(pad_table *table, double lead);
 
 // ---------------------------------------------------------------- table files
 // Tables in the user's cache folder, $XDG_CACHE_HOME/whirl or ~/.cache/whirl, for other runs.
 
-/// Fowler, Noll, Vo 1991 over the coefficients, as words of 64 bits.
+/// Returns the checksum (Fowler, Noll, Vo 1991) of the coefficients, as words of 64 bits.
 uint64_t pad_table_checksum(const pad_table *table);
 
-/// Whether there is a file for such a table, which is not read.
+/// Returns true if there is a file for such a table, which is not read.
 bool pad_table_file_is_there(const pad_table_key *key);
 
-/// Reads the coefficients. *found is false where there is no plain file, or one that is damaged, of other sources or
-/// not confirmed. Errors as pad_table_confirm.
+/// Reads the coefficients. *found is false if there is no plain file, or if it is damaged, of other sources or not
+/// confirmed. Errors as pad_table_confirm.
 whirl_status pad_table_file_read(const pad_table_key *key, pad_table *table, bool *found);
 
-/// Leaves a table for other runs, in one step; where that fails they make it again. The files that were used least
-/// recently go where there are more than PAD_TABLE_FILES.
+/// Saves a table for other runs, atomically; a failure is ignored. Removes the least recently used files beyond
+/// PAD_TABLE_FILES.
 void pad_table_file_write(const pad_table_key *key, const pad_table *table);
 
-enum { PAD_TABLE_FILES = 512 }; ///< of 2 MB each
+enum { PAD_TABLE_FILES = 512 }; ///< files of 2 MB each
 
 // ---------------------------------------------------------------- tables
-// The tables of all pads of the process, by number. Machines hold the tables of their pads; a table is read from its
-// file or made when it is first held, and freed when nobody has held it for long.
+// Tables of all pads of the process, by number. Machines hold the tables of their pads; a table is read from its file
+// or made when it is first held, and freed some time after its last holder.
 
-/// Tables in memory that nobody holds, of 4 MB each.
+/// Most unused tables in memory, of 4 MB each.
 enum { MAX_IDLE_PAD_TABLES = 64 };
 
-/// The number of the table of such a pad, which need not be there. WHIRL_BAD_INPUT for more tables than
+/// Returns the number of a pad's table, which need not exist yet. WHIRL_BAD_INPUT for more tables than
 /// WHIRL_MAX_FILM_TABLES.
 whirl_status pad_table_number(const pad_table_key *key, double *number);
 
-/// What that is of.
+/// Returns the key of a number.
 pad_table_key pad_table_key_of(double number);
 
-/// Sees to it that the table is there until pad_table_release. Making it takes a second; all threads that want the
-/// table make it together, and give up where *stop becomes true (NULL: never). A film that cannot be solved gives a
-/// table of not-a-numbers: what moves by it diverges. WHIRL_NO_MEMORY, WHIRL_STOPPED: then it is not held.
+/// Provides the table until pad_table_release. Making it takes a second; all threads that want the table make it
+/// together, and give up when *stop becomes true (NULL: never). An unsolvable film gives a table of NaN, with which
+/// motions diverge. WHIRL_NO_MEMORY, WHIRL_STOPPED: then it is not held.
 whirl_status pad_table_hold(double number, const whirl_stop *stop);
 void pad_table_release(double number);
 
-/// The table of a number that somebody holds; else one of zeros.
+/// Returns the table of a number that is held; else one of zeros.
 const pad_table *pad_table_of(double number);
 
 // ---------------------------------------------------------------- turbulence
-// What turbulence makes of a film: factors by its local Reynolds number, rho U h/mu with the speed U of the journal's
-// surface and the thickness h. All are 1 where that is 0.
+// Turbulence of a film: factors by its local Reynolds number, rho U h/mu with the speed U of the journal's surface and
+// the thickness h. All are 1 if that is 0.
 
-/// What a slope of pressure drives is divided by, around the bearing and along its axis: 12 G of the literature
+/// Divisors of the flow that a pressure gradient drives, around the bearing and along its axis: 12 G of the literature
 /// inverted, (1 + .0136/12 Re^.90, 1 + .0043/12 Re^.96) of Ng and Pan 1965.
 typedef struct turbulent_factors {
     double around, along;

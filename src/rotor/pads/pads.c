@@ -1,4 +1,4 @@
-// Bearings of pads: from the films of single pads to where the journal rests, and how stiffly.
+// Bearings of pads: from the films of single pads to the journal's equilibrium and its stiffness.
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,19 +9,19 @@
 #include "reynolds.h"
 #include "whirl/engine/bearing.h"
 
-/// Of places and tilts for derivatives; forces are good to 1e-6 and better, differences are of fourth order.
+/// Step of differences in places and tilts; forces are exact to 1e-6 and better, differences are of fourth order.
 static const double difference = 0.02;
 
 enum { FINENESS = 960, ALONG = 24, COARSER = 4, MAX_STEPS = 60 };
 
-/// R delta/c, beyond which no pad is looked for.
+/// R delta/c, limit of the search for pads.
 static const double widest_tilt = 20.0;
 
-/// What is solved with.
+/// Data of a solution.
 typedef struct solver {
     const whirl_pads *bearing;
     pad_workspace *work;
-    int coarser; ///< how many times coarser the grid is
+    int coarser; ///< factor by which the grid is coarser
 } solver;
 
 static double middle_of(const whirl_pad *pad) {
@@ -64,19 +64,19 @@ static whirl_status force_of(const solver *s, const whirl_pad *pad, const seen *
     return status;
 }
 
-/// Along the pad at its pivot, with the rotation.
+/// Direction along the pad at its pivot, with the rotation.
 static void tangent_of(const whirl_pad *pad, double t[2]) {
     t[0] = -sin(pad->pivot);
     t[1] = cos(pad->pivot);
 }
 
-/// Outwards there.
+/// Outward direction at the pivot.
 static void normal_of(const whirl_pad *pad, double n[2]) {
     n[0] = cos(pad->pivot);
     n[1] = sin(pad->pivot);
 }
 
-/// The journal before a pad that has moved outwards.
+/// The journal relative to a pad that has moved outwards.
 static void before_pad(const whirl_pad *pad, const double place[2], double yield, double out[2]) {
     double n[2];
     normal_of(pad, n);
@@ -92,8 +92,8 @@ static seen tilted(const whirl_pad *pad, const double place[2], double tilt) {
 
 // ---------------------------------------------------------------- tilts
 
-/// The tilts between which no part of a pad touches the journal; false where there are none. The film is least at an
-/// edge or, between them, on the line to the journal.
+/// Finds the range of tilts without contact; false if it is empty. The film is least at an edge or, between the edges,
+/// on the line to the journal.
 static bool free_tilts(const whirl_pad *pad, const double place[2], double ends[2]) {
     const double before = -pad->offset * pad->arc, after = (1.0 - pad->offset) * pad->arc;
     const double c = cos(pad->pivot), sn = sin(pad->pivot);
@@ -112,7 +112,7 @@ static bool free_tilts(const whirl_pad *pad, const double place[2], double ends[
     return true;
 }
 
-/// What is asked of a tilt.
+/// Arguments of the search for a tilt.
 typedef struct balance {
     const solver *s;
     const whirl_pad *pad;
@@ -131,8 +131,8 @@ static whirl_status along_pad(balance *b, double tilt, double *along) {
     return status;
 }
 
-/// The first two of tilts between which the film has no moment about the pivot and holds the pad: the force along it
-/// grows with the tilt there. False where no film does.
+/// Finds the first adjacent tilts between which the film's moment about the pivot vanishes stably: the force along the
+/// pad grows with the tilt. *held is false without a film.
 static whirl_status bracket_tilt(balance *b, bracket *found, bool *held) {
     enum { LOOKS = 32 };
     double ends[2], last = 0.0, before = 0.0;
@@ -152,7 +152,7 @@ static whirl_status bracket_tilt(balance *b, bracket *found, bool *held) {
     return whirl_ok();
 }
 
-/// The tilt of a pad at rest; 0 where no film holds it.
+/// Finds the tilt of a pad at rest; 0 without a film.
 static whirl_status balance_pad(const solver *s, const whirl_pad *pad, const double place[2], double *tilt,
                                 bool *held) {
     balance b = {.s = s, .pad = pad, .place = place};
@@ -189,7 +189,7 @@ static whirl_status derive(const solver *s, const whirl_pad *pad, const double p
                            double out[2][2][2]) {
     static const double weight[] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0}, at[] = {-2.0, -1.0, 1.0, 2.0};
     const seen rest = tilted(pad, place, tilt);
-    // The force is homogeneous in (A, B), which at rest is the place before the pad.
+    // The force is homogeneous in (A, B), which at rest is the place relative to the pad.
     const double wedge =
         hypot(rest.place[0] + pad->preload * cos(pad->pivot), rest.place[1] + pad->preload * sin(pad->pivot));
     const double step = difference * fmin(fmax(wedge, 0.05), thinnest);
@@ -226,7 +226,7 @@ static void begin_look(const whirl_pads *bearing, const double place[2], whirl_p
     state->thinnest = INFINITY;
 }
 
-/// Every pad at a place, with its tilt where that is asked for, and its derivatives.
+/// Solves every pad at a place, with its tilt and its derivatives if requested.
 static whirl_status look(const solver *s, const double place[2], bool balanced, bool derived, whirl_pads_state *state) {
     whirl_status status = whirl_ok();
     begin_look(s->bearing, place, state);
@@ -258,11 +258,11 @@ static whirl_status look(const solver *s, const double place[2], bool balanced, 
 
 // ---------------------------------------------------------------- rest
 
-/// How a pad follows the journal: its tilt and how it yields, r, by the journal's place q, r = by dq - back.
+/// Linear response of a pad to the journal: tilt and yield, r, by the journal's place q, r = by dq - back.
 typedef struct follower {
-    double t[2], n[2]; ///< what they move it along
+    double t[2], n[2]; ///< directions in which tilt and yield move it
     double by[2][2];   ///< [tilt, yield][x, y]
-    double back[2];    ///< what its own balance lacks
+    double back[2];    ///< residual of the pad's own balance
 } follower;
 
 /// The balance of a pad, F.t = 0 and k yield + F.n = 0 with dF = -K (dq - T dr), is A dr = T' K dq - b.
@@ -300,7 +300,7 @@ typedef struct step {
     double place[2], tilt[WHIRL_MAX_PADS], yield[WHIRL_MAX_PADS];
 } step;
 
-/// Solves K* d = r, with pads that are held following: K* = K - K T by. Then their changes.
+/// Solves K* d = r, with pads that follow: K* = K - K T by. Then their changes.
 static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, const double lacking[2]) {
     double sum[2][2] = {{0.0}}, right[2] = {lacking[0], lacking[1]};
     follower pads[WHIRL_MAX_PADS] = {{.t = {0.0}}};
@@ -326,7 +326,7 @@ static step step_of(const whirl_pads *bearing, const whirl_pads_state *state, co
     return out;
 }
 
-/// What the journal's balance lacks; returned with that of the pivots, over the load.
+/// Computes the residual of the journal's balance; returns it with that of the pivots, over the load.
 static double lack(const whirl_pads *bearing, const whirl_pads_state *state, const double load[2], double lacking[2]) {
     double sum = 0.0;
     for (int k = 0; k < 2; k++) lacking[k] = load[k] + state->force[k], sum += lacking[k] * lacking[k];
@@ -335,7 +335,7 @@ static double lack(const whirl_pads *bearing, const whirl_pads_state *state, con
     return sqrt(sum) / hypot(load[0], load[1]);
 }
 
-/// A share of the way.
+/// Moves by a share of a step.
 static void go(const whirl_pads *bearing, const step *by, double share, whirl_pads_state *state) {
     for (int c = 0; c < 2; c++) state->at[c] += share * by->place[c];
     for (size_t i = 0; i < bearing->count; i++) {
@@ -344,8 +344,8 @@ static void go(const whirl_pads *bearing, const step *by, double share, whirl_pa
     }
 }
 
-/// Looks where a search begins: a little towards the load in the middle of tilting pads without preload, which hold
-/// nothing there, for their films are even.
+/// Solves the first place of a search: slightly towards the load from the centre for tilting pads without preload,
+/// whose films carry nothing there.
 static whirl_status look_first(const solver *s, const double load[2], whirl_pads_state *state) {
     const whirl_status status = look(s, state->at, true, true, state);
     bool held = false;
@@ -355,7 +355,7 @@ static whirl_status look_first(const solver *s, const double load[2], whirl_pads
     return look(s, state->at, true, true, state);
 }
 
-/// Newton's method on a coarse grid, pads at rest at every step; steps are halved until less is lacking.
+/// Newton's method on a coarse grid, with pads in balance at every step; steps are halved until the residual falls.
 static whirl_status find_coarsely(const solver *s, const double load[2], whirl_pads_state *state) {
     double lacking[2];
     whirl_status status = look_first(s, load, state);
@@ -475,7 +475,7 @@ static void add_up(const whirl_pads *bearing, whirl_pads_state *state) {
             }
 }
 
-/// Memory for the finest grid of its widest pad.
+/// Allocates the workspace for the finest grid of the widest pad.
 static whirl_status workspace_of(const whirl_pads *bearing, pad_workspace **work) {
     const solver s = {.bearing = bearing, .coarser = 1};
     pad_film widest = {.around = 0};
@@ -522,7 +522,7 @@ whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], wh
 
 // ---------------------------------------------------------------- reduced coefficients
 
-/// Takes from z what a pad makes of it that follows: Z T (T' Z T + D)^-1 T' Z, T = (t, n), D what holds and weighs it.
+/// Eliminates a pad that follows from z: Z T (T' Z T + D)^-1 T' Z, T = (t, n), D its springs and inertia.
 static void follow(const whirl_pads *bearing, const whirl_pad *pad, const double complex own[2][2], double ratio,
                    double inertia, double complex z[2][2]) {
     const bool yields = bearing->pivot_stiffness > 0.0;
@@ -552,7 +552,7 @@ static void follow(const whirl_pads *bearing, const whirl_pad *pad, const double
 
 void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state, double ratio, double inertia,
                         double stiffness[2][2], double damping[2][2]) {
-    // Damping at rest is the limit, which needs the terms of first order alone.
+    // Damping at rest is the limit, which needs only the terms of first order.
     const double at = ratio != 0.0 ? ratio : 1e-6;
     double complex z[2][2];
     for (int r = 0; r < 2; r++)

@@ -19,7 +19,7 @@ static double reynolds_of(const key_value *values, double speed) {
     return oil_reynolds(&own, speed, sqrt(values[PADS_RADIUS].number * values[PADS_CLEARANCE].number));
 }
 
-/// The name of the usual bearing of a choice, in the order of the keys' tables.
+/// Name of the usual bearing of a choice, in the order of the keys' tables.
 static const char *shape_name(bool tilting, int choice) {
     static const char *const fixed[] = {"two-groove", "elliptical", "three-lobe", "four-lobe", "offset-half"};
     static const char *const free[] = {"tilting-4", "tilting-5"};
@@ -73,7 +73,7 @@ whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise,
     return status;
 }
 
-/// The numbers of one pad, which may tilt without inertia, whose angles are those of a shaft that turns from x to y.
+/// Writes the numbers of one pad, which may tilt without inertia, with angles for a shaft that turns from x to y.
 static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, bool light, double *number) {
     const double lead = (0.5 - pad->offset) * pad->arc, middle = pad->pivot + lead;
     number[PAD_COSINE] = cos(middle);
@@ -94,13 +94,13 @@ static whirl_status put_pad(const whirl_pads *bearing, const whirl_pad *pad, boo
     return pad_table_number(&key, &number[PAD_TABLE]);
 }
 
-/// The Reynolds number of a table: tables of turbulent films are made for one every 2 percent.
+/// Rounds a Reynolds number to that of a table: turbulent tables are 2 percent apart.
 static double nearest_table(double reynolds) {
     const double step = log(1.02);
     return reynolds > 0.0 ? exp(step * round(log(reynolds) / step)) : 0.0;
 }
 
-/// What films of the table's Reynolds number are to be multiplied by: the ratio of the factors around.
+/// Factor from films of the table's Reynolds number to the bearing's: the ratio of the circumferential factors.
 static double to_the_table(const key_value *values, double reynolds, double table) {
     const whirl_turbulence law = (whirl_turbulence)values[PADS_TURBULENCE].choice;
     return turbulent_resistance(law, reynolds).around / turbulent_resistance(law, table).around;
@@ -123,9 +123,9 @@ static double strength_of(const key_value *values, double viscosity, double spee
     return viscosity * speed * values[PADS_RADIUS].number * values[PADS_LENGTH].number * share * share;
 }
 
-/// Dampers of pads, whose films may carry nothing, damp at least so much: as a share of 2 times the scale of the film's
-/// moment; those without inertia also so that a spring takes a pad back in no less than so many radians. A pad without
-/// a film would else go on to tilt at the rate that it had when it lost it, until its edge is in the journal.
+/// Least dampers of pads, since films may carry nothing: as a share of 2 times the scale of the film's moment; without
+/// inertia also so that a spring returns a pad in no less than so many radians. Otherwise a pad that lost its film
+/// would keep its rate of tilt until its edge is in the journal.
 static const double least_damper = 3e-4, soonest = 0.1;
 
 static void put_tilts(const key_value *values, const assembly *to, double turn, double strength, double *number) {
@@ -144,7 +144,7 @@ static void put_tilts(const key_value *values, const assembly *to, double turn, 
         fmax(values[PADS_DAMPER].number / (inertia * clock), number[PADS_TILT_FORCE] * least_damper / turn);
 }
 
-/// What pivots that yield have.
+/// Writes the numbers of yielding pivots.
 static whirl_status put_yields(const key_value *values, const assembly *to, double strength, element *out) {
     const bool yields = values[PADS_PIVOT].given;
     const double mass = values[PADS_MASS].number, clock = to->clock;
@@ -243,7 +243,7 @@ void pads_note(const element *own, double length, double clock, char *text, size
         own->law);
 }
 
-/// Where no pad tilts, the largest displacement in any direction is at least that by which pads lie apart.
+/// For fixed pads, the largest displacement in any direction is at least the one by which pads are apart.
 double pads_clearance(const element *own) {
     const double *pad = own->number + PADS_FIRST;
     return (1.0 - hypot(pad[PAD_SHIFT_X], pad[PAD_SHIFT_Y])) / own->number[PADS_OVER_CLEARANCE];

@@ -1,4 +1,4 @@
-/// What bearings of fixed and of tilting pads have in common: keys, numbers, doubts.
+/// Shared by bearings of fixed and of tilting pads: keys, numbers, doubts.
 #ifndef ROTOR_PADS_BUILD_H
 #define ROTOR_PADS_BUILD_H
 
@@ -6,7 +6,7 @@
 #include "laws.h"
 #include "whirl/engine/bearing.h"
 
-/// Pads that tilt on pivots that yield: what tilting_pad is made then.
+/// Variant of tilting_pad with yielding pivots.
 extern const element_type tilting_pad_yielding_type;
 
 enum {
@@ -75,17 +75,17 @@ whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise,
 /// Ports, law (the number of pads) and numbers. WHIRL_BAD_INPUT where keys contradict each other; errors of tables.
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out);
 
-/// All pads lie alike before a journal in the middle: the states of a bearing of pads that tilt.
+/// Sets the states of tilting pads before a centred journal, where all pads have one tilt.
 void pads_begin(const element *own, double *states);
 
-/// Holds the tables of its pads (pad_table_hold), or none of them; lets them go.
+/// Holds the tables of its pads (pad_table_hold), or none of them; and releases them.
 whirl_status pads_hold(const element *own, const whirl_stop *stop);
 void pads_release(const element *own);
 
-/// In length scales: the circle in which the journal moves; 0 where the housing moves.
+/// Returns the radius of the circle in which the journal moves, in length scales; 0 if the housing moves.
 double pads_clearance(const element *own);
 
-/// By what the tables of its films err.
+/// Writes the errors of its film tables.
 void pads_note(const element *own, double length, double clock, char *text, size_t size);
 
 void pads_doubt(const key_value *values, double speed, const doubt_teller *to);

@@ -6,11 +6,11 @@
 
 #include "pad_tables.h"
 
-/// Solutions of cavities whose edge moves by a volume a pass are found on the next coarser grid first.
+/// Finest grid without a coarser first guess, and most passes: cavities change by few volumes a pass.
 enum { MIN_AROUND = 24, MIN_ALONG = 3, MAX_PASSES = 200 };
 
 struct pad_workspace {
-    int around, along;   ///< that there is room for
+    int around, along;   ///< capacity
     double *band;        ///< [(around - 1) along][along + 1] lower half of the matrix, row by row of the diagonal
     double *pressure;    ///< [(around - 1) along]
     double *source;      ///< the same
@@ -23,7 +23,7 @@ struct pad_workspace {
 /// A grid of nodes: `around` - 1 inside the pad by `along` from the middle on, each with the volume around it.
 typedef struct grid {
     int around, along;
-    double step, rise;     ///< of p and zeta
+    double step, rise;     ///< steps of p and zeta
     double first;          ///< p of the edge
     const double *middle;  ///< [around + 1] H^3 at nodes, as oil flows along the axis
     const double *between; ///< [around] H^3 between node i and i + 1, as it flows around
@@ -93,7 +93,7 @@ static void fill_source(const grid *g, const pad_place *at, double *source) {
     }
 }
 
-/// The coefficients of node (i, j) with its neighbours: back and forth around, and towards either end.
+/// Coefficients of node (i, j) with its neighbours: back and forth around, and towards either end.
 typedef struct links {
     double west, east, in, out;
 } links;
@@ -157,7 +157,7 @@ static void substitute(const double *band, size_t count, size_t width_of_band, d
     }
 }
 
-/// What the film would press into volume (i, j) of the cavity: above 0 it belongs to the film.
+/// Flow that the film would press into volume (i, j) of the cavity: if it is positive the volume belongs to the film.
 static double surplus(const grid *g, double ratio, const double *source, const double *p, int i, int j) {
     const int m = g->along, k = (i - 1) * m + j;
     const links own = links_of(g, ratio, i, j);
@@ -169,7 +169,7 @@ static double surplus(const grid *g, double ratio, const double *source, const d
     return sum;
 }
 
-/// The next cavity; how many volumes change sides.
+/// Moves to the next cavity; returns how many volumes change sides.
 static size_t move_cavity(const grid *g, double ratio, const double *source, const double *p, unsigned char *rest) {
     size_t moved = 0;
     for (int i = 1; i < g->around; i++)
@@ -182,7 +182,7 @@ static size_t move_cavity(const grid *g, double ratio, const double *source, con
     return moved;
 }
 
-/// Passes over the cavity until it stays as it is (a semismooth Newton method; Hintermueller, Ito, Kunisch 2003).
+/// Iterates the cavity until it is constant (a semismooth Newton method; Hintermueller, Ito, Kunisch 2003).
 static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_film *film, const pad_place *at) {
     const double ratio = 1.0 / (film->ratio * film->ratio);
     const size_t count = unknowns(g->around, g->along);
@@ -203,12 +203,12 @@ static whirl_status solve_grid(pad_workspace *work, const grid *g, const pad_fil
 
 // ---------------------------------------------------------------- what follows from the pressure
 
-/// The shear of a film, 1/H where it is laminar.
+/// Shear of a film, 1/H if laminar.
 static double shear_at(const pad_film *film, double h) {
     return turbulent_shear(film->turbulence, film->reynolds * h) / h;
 }
 
-/// Around the pad at node j. In the cavity it is that of the streams: as wide together as the film where it broke.
+/// Shear around the pad at node j. In the cavity it is that of streams, together as wide as the film where it broke.
 static double shear(const grid *g, const pad_film *film, const pad_place *at, const double *p, int j) {
     double broke = thickness(at, g->first), sum = 0.5 * shear_at(film, broke);
     for (int i = 1; i < g->around; i++) {
@@ -220,7 +220,7 @@ static double shear(const grid *g, const pad_film *film, const pad_place *at, co
     return sum + 0.5 * (g->edge[j] > 0.0 ? 1.0 : fmin(1.0, broke / last)) * shear_at(film, last);
 }
 
-/// Adds what the pressures [along] do from west to east of node i, of which a share of a volume is there.
+/// Adds the effect of the pressures [along] from west to east of node i, for the present share of a volume.
 static void add_column(const grid *g, const pad_place *at, double ratio, int i, double share, const double *p,
                        pad_answer *out) {
     const double west = g->first + (i - (i > 0 ? 0.5 : 0.0)) * g->step, east = west + share * g->step;

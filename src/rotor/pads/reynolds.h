@@ -18,29 +18,29 @@
 #include "whirl/engine/bearing.h"
 #include "whirl/status.h"
 
-/// What becomes of pressures below 0.
+/// Treatment of negative pressures.
 typedef enum cavitation {
     CAVITATION_REYNOLDS, ///< P >= 0 where the film is, and its gradient vanishes with it (Swift 1932, Stieber 1933)
     CAVITATION_GUMBEL    ///< the full film's pressures above 0 count (Guembel 1914)
 } cavitation;
 
-/// A pad and how finely it is divided.
+/// A pad and its grid.
 typedef struct pad_film {
     double arc;   ///< rad
     double ratio; ///< length over diameter, L/D
     cavitation law;
     int around, along; ///< volumes of the finest grid, along half the length; both multiples of 2
     whirl_turbulence turbulence;
-    double reynolds;       ///< density Omega R c/mu, of turbulent films
-    double supply, groove; ///< P in grooves, and the share of the length over which it stands there
+    double reynolds;       ///< density Omega R c/mu, for turbulent films
+    double supply, groove; ///< P in grooves, and their share of the length
 } pad_film;
 
-/// A journal in it.
+/// Place and velocity of a journal in it.
 typedef struct pad_place {
     double x, y, a, b; ///< a, b: A and B
 } pad_place;
 
-/// What the film does.
+/// Results of the film.
 typedef struct pad_answer {
     double force[2]; ///< on the journal, along the middle of the pad and a right angle further on
     double leaving;  ///< volume of oil that leaves at both ends a second, over Omega R c L
@@ -49,13 +49,13 @@ typedef struct pad_answer {
     double thinnest; ///< H, the least on the pad
 } pad_answer;
 
-/// Memory of solutions, for films of any size up to the one that it was made for.
+/// Workspace of solutions, for films of any size up to the one for which it was made.
 typedef struct pad_workspace pad_workspace;
 whirl_status pad_workspace_new(int around, int along, pad_workspace **out);
 void pad_workspace_free(pad_workspace *work);
 
-/// Solves it on grids, each twice as fine as the one before, and extrapolates the last two. WHIRL_BAD_INPUT where the
-/// journal touches the pad; WHIRL_NO_CONVERGENCE where the cavity does not settle.
+/// Solves it on grids, each twice as fine as the one before, and extrapolates the last two. WHIRL_BAD_INPUT if the
+/// journal touches the pad; WHIRL_NO_CONVERGENCE if the cavity does not converge.
 whirl_status pad_solve(pad_workspace *work, const pad_film *film, const pad_place *place, pad_answer *answer);
 
 #endif

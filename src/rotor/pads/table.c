@@ -167,7 +167,7 @@ static void line_of(const pad_table *table, int t, int w, double line[PAD_ROW]) 
     }
 }
 
-/// Of (p, r) = (cos, sin) of an angle: the steepest place where the moment, which grows with r, changes its sign.
+/// Finds the tilt direction (p, r) = (cos, sin): the steepest sign change of the moment, which grows with r.
 static double lean_of(const double line[PAD_ROW], double lead) {
     enum { LOOKS = 64 };
     const double along[] = {sin(lead), cos(lead)}, step = PAD_HALF_TURN / LOOKS;
@@ -195,8 +195,8 @@ void pad_table_lean(pad_table *table, double lead) {
 
 // ---------------------------------------------------------------- tables of other programs
 
-/// Places that are looked at, spread over all nodes by the golden ratio, and by how much of the largest force they may
-/// differ: rounding does by 1e-13, another solution by far more.
+/// Places to be compared, spread over all nodes by the golden ratio, and their largest difference over the largest
+/// force: rounding causes 1e-13, another solution far more.
 enum { CONFIRMED = 24 };
 static const double confirmed_within = 1e-9;
 

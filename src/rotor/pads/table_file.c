@@ -14,7 +14,7 @@
 
 enum { PATH_LENGTH = 1024 };
 
-/// What stands before the coefficients.
+/// Header of a file, before the coefficients.
 typedef struct file_head {
     char magic[8], sources[64];
     int32_t law, turbulence;
@@ -123,7 +123,7 @@ static void make_folders(char *folder) {
     (void)mkdir(folder, 0700);
 }
 
-/// Removes the table that was used least recently where there are more than PAD_TABLE_FILES.
+/// Removes the least recently used table if there are more than PAD_TABLE_FILES.
 static void remove_oldest(const char *folder) {
     char oldest[256] = "";
     struct stat file, least = {.st_mtime = 0};

@@ -1,4 +1,4 @@
-// The tables of the process: who holds them, and how threads make them together.
+// Film tables of the process: their holders, and how threads make them together.
 #include "pad_tables.h"
 
 #include <math.h>
@@ -14,23 +14,23 @@
 
 enum { MAX_TABLES = WHIRL_MAX_FILM_TABLES };
 
-/// A table that is being made. Under the guard, but for the table: of every t somebody fills in what is his alone.
+/// A table that is being made. Guarded, except the table itself: each thread fills in the values of its own t.
 typedef struct making {
     pad_table *table;
     pad_film film;
-    bool open;      ///< threads may join: the file was looked for, and values at nodes are left to be filled in
-    int next;       ///< the first t that nobody fills in
-    int done;       ///< how many of these are filled in
-    size_t workers; ///< threads at it
+    bool open;      ///< threads may join: the file was searched, and values at nodes are left to be computed
+    int next;       ///< first t that no thread has taken
+    int done;       ///< number of finished t
+    size_t workers; ///< threads that work at it
     first_error error;
 } making;
 
-/// What is known of a table.
+/// State of a table.
 typedef struct slot {
     pad_table_key key;
     size_t holders;
-    making *making; ///< NULL: nobody makes it
-    uint64_t left;  ///< when it was last left, by `clock`
+    making *making; ///< NULL: it is not being made
+    uint64_t left;  ///< time of its last release, by `clock`
     bool known;     ///< the table was in memory: `checksum` is that of its coefficients
     uint64_t checksum;
 } slot;
@@ -114,7 +114,7 @@ void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_T
     for (size_t i = 0; i < slot_count; i++)
         if (set_has(set, i) && slots[i].known) sums[count++] = slots[i].checksum;
     lock_leave(&guard);
-    // Sorted: the order in which a process meets its tables must not change the text.
+    // Sorted, so that the text does not depend on the order in which a process meets its tables.
     qsort(sums, count, sizeof *sums, compare_checksums);
     for (size_t i = 0; i < count; i++) {
         if (i > 0 && sums[i] == sums[i - 1]) continue; // pads that differ by their pivots alone share a file
@@ -127,7 +127,7 @@ void whirl_film_tables_text(const whirl_film_tables *set, char text[WHIRL_FILM_T
 
 // ---------------------------------------------------------------- memory
 
-/// Frees the table that nobody has held for longest. Under the guard.
+/// Frees the table that was unused for longest. Requires the guard.
 static bool free_oldest(void) {
     size_t oldest = slot_count;
     for (size_t i = 0; i < slot_count; i++)
@@ -140,7 +140,7 @@ static bool free_oldest(void) {
     return true;
 }
 
-/// A table of zeros, for which others go where there is no memory. Under the guard.
+/// Returns a table of zeros; frees others if memory is short. Requires the guard.
 static pad_table *take_memory(void) {
     const int before = exhausted_watch();
     pad_table *table = pad_table_empty();
@@ -167,7 +167,8 @@ static making *begin_making(const pad_table_key *key) {
     return own;
 }
 
-/// The values of one t after the other, until nobody has any to begin. Under the guard, which is left meanwhile.
+/// Computes the values of one t after the other, until none is left to begin. Requires the guard, and releases it
+/// meanwhile.
 static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace *work = NULL;
     whirl_status status = pad_workspace_new(with->film.around, with->film.along, &work);
@@ -182,7 +183,7 @@ static void fill_together(making *with, const whirl_stop *stop) {
     pad_workspace_free(work);
 }
 
-/// Looks for the file. Under the guard, which is left meanwhile.
+/// Searches the file. Requires the guard, and releases it meanwhile.
 static void look_for_file(making *with, const pad_table_key *key, bool *found) {
     lock_leave(&guard);
     const whirl_status status = pad_table_file_read(key, with->table, found);
@@ -197,7 +198,7 @@ static bool is_finite(const pad_table *table) {
     return i == PAD_COEFFICIENTS;
 }
 
-/// From values at nodes to what kernels read. Of films that cannot be solved it is not-a-numbers.
+/// Finishes a table from its values at nodes. Unsolvable films give NaN.
 static void finish(making *with, const pad_table_key *key) {
     const bool failed = with->error.code != WHIRL_OK, from_file = with->next == 0;
     for (size_t i = 0; failed && i < PAD_COEFFICIENTS; i++) with->table->coefficients[i] = NAN;
@@ -207,7 +208,8 @@ static void finish(making *with, const pad_table_key *key) {
     pad_table_lean(with->table, key->lead);
 }
 
-/// The last thread that leaves a table either finishes or drops it. Under the guard, which is left meanwhile.
+/// Ends a thread's work at a table; the last thread finishes or drops it. Requires the guard, and releases it
+/// meanwhile.
 static whirl_status end_making(size_t i, bool found) {
     making *with = slots[i].making;
     const bool done = found || with->done == PAD_T_NODES, failed = with->error.code != WHIRL_OK;
@@ -232,7 +234,7 @@ static whirl_status end_making(size_t i, bool found) {
     return status;
 }
 
-/// Makes a table or helps those that make it. Under the guard, which is left meanwhile.
+/// Makes a table, or helps those that make it. Requires the guard, and releases it meanwhile.
 static whirl_status make(size_t i, const whirl_stop *stop) {
     making *with = slots[i].making;
     bool found = false;

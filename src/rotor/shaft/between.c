@@ -5,10 +5,10 @@
 
 #include "matrix.h"
 
-/// A plane of one shaft: coordinates of stations' displacements are told, the rest follows.
+/// A plane of a shaft: the displacements of its stations are given, the rest follows.
 typedef struct plane {
     size_t count, told;
-    size_t coordinate[AXES * WHIRL_MAX_STATIONS]; ///< [count] those that are told first
+    size_t coordinate[AXES * WHIRL_MAX_STATIONS]; ///< [count] given ones first
     double *stiffness, *mass;                     ///< [count][count]
     double *inner, *follow;                       ///< [rest][rest]; [told][rest]
 } plane;
@@ -20,7 +20,7 @@ static void tell(plane *p, size_t coordinate) {
     p->coordinate[p->told++] = coordinate;
 }
 
-/// The coordinates of a shaft; how many of those that are told are displacements.
+/// Lists the coordinates of a shaft; returns how many of the given ones are displacements.
 static size_t find_coordinates(const mesh *from, const assembly *of, size_t shaft, const reduction *made, plane *p) {
     const assembly_station *last = NULL;
     p->told = 0;

@@ -27,7 +27,7 @@ int body_compare_kinds(body_kind one, body_kind other) {
     return one.source < other.source ? -1 : one.source > other.source;
 }
 
-/// By what terms multiply.
+/// Orders terms by what they multiply.
 static int compare_inputs(const body_term *a, const body_term *b) {
     const int kinds = body_compare_kinds(a->kind, b->kind);
     if (kinds != 0) return kinds;
@@ -71,13 +71,13 @@ static body_row row_from(const body *of, const body_term *first) {
     return (body_row){first, last};
 }
 
-/// What a few rows together multiply, and their terms with it; NULL: a row has none.
+/// A common input of a few rows, and their terms with it; NULL for rows without one.
 typedef struct body_input {
-    size_t rows; ///< that have one
+    size_t rows; ///< number of rows that have one
     const body_term *term[PANEL_ROWS];
 } body_input;
 
-/// All inputs of a few rows, in order. A row that has come to its end stands aside.
+/// Merges the inputs of a few rows, in order. A finished row is skipped.
 static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
     const body_term *at[PANEL_ROWS];
     for (size_t r = 0; r < count; r++) at[r] = rows[r].first;
@@ -95,8 +95,8 @@ static size_t unite(const body_row *rows, size_t count, body_input *inputs) {
     }
 }
 
-/// Rows are together while each has three quarters of the inputs that some have in common, and no more alone than
-/// these: those of one plane are, those of both are not.
+/// Returns true if rows are worth a panel: each has three quarters of their common inputs, and no more of its own than
+/// these. Rows of one plane are, those of both are not.
 static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     const size_t united = unite(rows, count, inputs);
     size_t common = 0, own[PANEL_ROWS] = {0};
@@ -110,7 +110,7 @@ static bool is_dense(const body_row *rows, size_t count, body_input *inputs) {
     return true;
 }
 
-/// How many inputs the row with most of them has alone; 0 where that saves nothing.
+/// Most inputs that a row has alone; 0 if separating them saves nothing.
 static size_t count_lone(size_t count, const body_input *first, const body_input *last) {
     size_t most = 0, all = 0, own[PANEL_ROWS] = {0};
     for (const body_input *input = first; input < last; input++)
@@ -142,7 +142,7 @@ static void fill_part(body_panels *to, const body_part *part, size_t count, cons
     }
 }
 
-/// What the rows take of one kind, inputs `first` to before `last`.
+/// Adds the part of one kind, inputs `first` to before `last`.
 static void add_part(body_panels *to, size_t count, body_kind kind, const body_input *first, const body_input *last) {
     body_part part = {.kind = kind,
                       .lone = count_lone(count, first, last),
@@ -178,7 +178,7 @@ static void add_panel(body_panels *to, const body_row *rows, size_t count, body_
     to->count++;
 }
 
-/// Fills up the panel that the first row begins with the next rows that go with it; notes which rows are done.
+/// Completes the panel that the first row begins with further rows that fit; marks them as done.
 static void gather_from(const body_row *rows, size_t count, size_t first, bool *done, body_input *inputs,
                         body_panels *to) {
     body_row together[PANEL_ROWS] = {rows[first]};

@@ -8,16 +8,16 @@
 #include "block.h"
 #include "body.h"
 
-/// Rows and vectors that are summed at a time: as many sums as there are registers for.
+/// Rows and vectors that are summed together: as many sums as fit into registers.
 enum { SUM_ROWS = VECTOR_ISA == VECTOR_AVX512 ? 8 : 4, SUMS = VECTOR_ISA >= VECTOR_AVX2 ? 3 : 2 };
 
-/// The block's vectors k to before k + count, of its state or of a perturbation.
+/// Arguments of a panel: the block's vectors k to before k + count, of its state or of a perturbation.
 typedef struct panel_work {
     const vec *q, *v, *steps; ///< steps: the machine's body_rates
-    const vec *value;         ///< of time; NULL: none
+    const vec *value;         ///< value of time; NULL: none
     vec *a;
     size_t stride, rows; ///< rows: of the panel
-    bool beside;         ///< a perturbation, which feels no steady force
+    bool beside;         ///< a perturbation, on which steady forces do not act
 } panel_work;
 
 /// One rate over another that comes later, or over RATES the rate itself.
@@ -43,7 +43,7 @@ VECTOR_INLINE void add_part(const body_panels *of, const body_part *part, const 
         VECTOR_FOR (r, rows) add_column(number + r, x + column[r] * w->stride, 1, count, sum + r);
 }
 
-/// Forces that depend on nothing.
+/// Adds constant forces.
 VECTOR_INLINE void add_steady(const double *number, size_t rows, size_t count, vec sum[SUM_ROWS][SUMS]) {
     VECTOR_FOR (r, rows)
         VECTOR_FOR (i, count) sum[r][i] = v_add(sum[r][i], v_set(number[r]));
@@ -102,7 +102,7 @@ static void pass_panel(const body_panels *of, const body_panel *panel, const pan
     }
 }
 
-/// What follows for perturbations by the shaft's phase, where that is a state.
+/// Adds the effect on perturbations of the shaft's phase, if that is a state.
 static void pass_turned(const body_panels *of, const body_panel *panel, const panel_work *w, const block *b) {
     const vec *turned = b->turned + (size_t)panel->value * b->forcing_stride;
     for (size_t n = 1; n <= b->perturbations; n++)
@@ -114,7 +114,7 @@ static void pass_turned(const body_panels *of, const body_panel *panel, const pa
         }
 }
 
-/// What a part is of the trace.
+/// Adds a part's contribution to the trace.
 static void trace_part(const body_panels *of, const body_panel *panel, const body_part *part, const panel_work *w,
                        const block *b) {
     for (size_t c = 0; c < part->common + part->lone; c++)
@@ -165,7 +165,7 @@ VECTOR_INLINE void couple_rows(const coupling *by, size_t first, size_t rows, si
         VECTOR_FOR (i, count) a[by->row[first + r] * stride + i] = sum[r][i];
 }
 
-/// Those that couple with one another, of `count` vectors.
+/// Couples one group of coordinates, for `count` vectors.
 VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, size_t count, vec *a, size_t stride) {
     vec g[AXES * WHIRL_MAX_STATIONS * SUMS];
     for (size_t j = begin; j < end; j++)
@@ -176,7 +176,7 @@ VECTOR_INLINE void couple_some(const coupling *by, size_t begin, size_t end, siz
     for (; row < end; row++) couple_rows(by, row, 1, begin, end, g, count, a, stride);
 }
 
-/// Where masses couple, what was gathered is the force on each coordinate by its own inertia: accelerations a = C g.
+/// Applies mass coupling: turns forces over each coordinate's own inertia into accelerations a = C g.
 static void couple(const block *b) {
     const coupling *by = b->coupled;
     for (size_t n = 0; n <= b->perturbations; n++)

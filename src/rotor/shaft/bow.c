@@ -1,6 +1,6 @@
-// A bent shaft turns with its bow: M q'' + ... + K (q - u exp(i tau)) = ..., so that K u turns as a force (Nicholas,
-// Gunter, Allaire 1976). The bow is told at stations; between them the shaft is bent as if it were held there and
-// nowhere else, which leaves forces at these stations alone.
+// A bent shaft turns with its bow: M q'' + ... + K (q - u exp(i tau)) = ..., so that K u rotates as a force (Nicholas,
+// Gunter, Allaire 1976). The bow is given at stations; between them the shaft has the shape of one held at these
+// stations only, so that all forces act there.
 #include "mesh.h"
 
 #include <math.h>
@@ -68,7 +68,7 @@ whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *t
             if (is_bent(design, from->nodes[of.first + n].station)) support[of.supports++] = n;
         if (of.supports == 0) continue;
         status = check(&of, from, design);
-        // Unbalances in the place of all that turns are in the place of bows, too.
+        // Unbalances that replace all rotating forces replace bows, too.
         if (status.code == WHIRL_OK && !to->balanced) status = add_forces(&of, from, design, to);
     }
     free(support);

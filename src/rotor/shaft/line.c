@@ -6,7 +6,7 @@
 
 #include "building.h"
 
-/// Places that a shaft has at least.
+/// Least number of places on a shaft.
 enum { LINE_PLACES = 96 };
 
 static whirl_status no_memory(void) {
@@ -44,8 +44,8 @@ static whirl_status line_lay(const mesh *from, whirl_shaft_line *out, line_place
     return whirl_ok();
 }
 
-/// Adds to `share` [degrees] what one unit of every coordinate moves of a coordinate before the reduction, which
-/// `follow` tells; NULL: there was none.
+/// Adds to `share` [degrees] the effect of a unit of every coordinate on one before the reduction, by `follow`; NULL:
+/// no reduction.
 static void line_add(const assembly *of, const double *follow, size_t coordinate, double moved, double *share) {
     if (coordinate == NO_COORDINATE) return;
     if (!follow) share[coordinate] += moved * of->unit[coordinate];

@@ -9,16 +9,16 @@
 
 // ---------------------------------------------------------------- segments
 
-/// Where a segment lies.
+/// Extent of a segment.
 typedef struct span {
-    size_t element; ///< of the design
+    size_t element; ///< index in the design
     size_t shaft;
     double from, to;
     const key_value *values;
     material of;
 } span;
 
-/// What is known while a mesh is made.
+/// State of the meshing.
 typedef struct meshing {
     const whirl_design *design;
     mesh *out;
@@ -26,7 +26,7 @@ typedef struct meshing {
     size_t span_count, *culprit;
     double *position; ///< [station_count] NaN: not on a shaft
     size_t *shaft;    ///< [station_count]
-    double *breaks;   ///< of the shaft that is meshed: where a node must be
+    double *breaks;   ///< places of nodes on the shaft that is meshed
     size_t break_count;
     size_t room;
 } meshing;
@@ -162,8 +162,8 @@ static whirl_status add_break(meshing *m, double z) {
     return whirl_ok();
 }
 
-/// The finest pieces that segments over a stretch ask for: a piece is so short that the wave number of a bending wave
-/// at mesh_to times its length is 0.6, where a cubic beam errs by 1e-4 ((k h)^4/1440; Leung 1978).
+/// Finest piece length that segments over a stretch require: at mesh_to, a bending wave's number times this length is
+/// 0.6, where a cubic beam errs by 1e-4 ((k h)^4/1440; Leung 1978).
 static double finest_over(const meshing *m, size_t shaft, double from, double to) {
     const double omega = 6.283185307179586476925 * m->out->shafts[shaft].mesh_to;
     double finest = INFINITY;
@@ -196,7 +196,7 @@ static whirl_status refine_stretch(meshing *m, double from, double to, double fi
     return status;
 }
 
-/// Sorts the breaks; those nearer to each other than rounding are one.
+/// Sorts the breaks and merges those nearer than rounding.
 static void merge_breaks(meshing *m, double length) {
     size_t kept = 0;
     qsort(m->breaks, m->break_count, sizeof *m->breaks, compare_numbers);
@@ -263,7 +263,7 @@ static shaft_piece piece_between(const span *own, const shaft_settings *shaft, d
     return piece;
 }
 
-/// The pieces between two nodes, one for every segment that lies over them; false: none does.
+/// Adds the pieces between two nodes, one for every segment over them; false without any.
 static bool add_pieces(meshing *m, size_t left) {
     mesh *out = m->out;
     const mesh_node *one = &out->nodes[left], *other = one + 1;

@@ -15,12 +15,12 @@ typedef struct mesh_node {
 
 typedef struct mesh_piece {
     size_t shaft, node[2];
-    double angle;            ///< of the flats' normal
+    double angle;            ///< direction of the flats' normal
     shaft_settings settings; ///< the shaft's, or its segment's own
     shaft_piece piece;
 } mesh_piece;
 
-/// Nothing where the design has no segments.
+/// The mesh; empty if the design has no segments.
 typedef struct mesh {
     size_t shaft_count, node_count, piece_count;
     shaft_settings *shafts;
@@ -29,7 +29,7 @@ typedef struct mesh {
     size_t hidden; ///< nodes that are no station of the design
 } mesh;
 
-/// Makes it. WHIRL_BAD_INPUT with a sentence: then *culprit is the design's element that it is with, or
+/// Makes the mesh. WHIRL_BAD_INPUT with a sentence: then *culprit is the design's element at fault, or
 /// WHIRL_NO_ELEMENT. Freed by mesh_clear in any case.
 whirl_status mesh_make(const whirl_design *design, mesh *out, size_t *culprit);
 void mesh_clear(mesh *of);
@@ -53,7 +53,7 @@ void mesh_build(const mesh *from, assembly *to);
 // only the few q_B have a mass matrix to be inverted. A column of Phi is scaled to a largest displacement of 1 (of
 // a tilt: what that is at the radius of gyration), so that z is a displacement in m, and its inertia the modal mass.
 
-/// What became of a shaft.
+/// Result of a shaft's reduction.
 typedef struct reduction {
     size_t kept, all; ///< modes in a plane, and how many there are
     double highest;   ///< rad/s of the highest that is kept; 0 where none is
@@ -68,47 +68,47 @@ typedef struct reduction {
 whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out,
                             double **follow);
 
-/// The coordinates of one plane (x, tilt_x) of a shaft's nodes that the assembly has, at most 2 a node; how many.
+/// Lists the coordinates of one plane (x, tilt_x) of a shaft's nodes in the assembly, at most 2 a node; returns how
+/// many.
 size_t reduction_nodes(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate);
 
-/// Stiffness and mass [count][count] of shafts between these coordinates, mass with what stations bring.
+/// Computes stiffness and mass [count][count] of shafts between these coordinates; mass includes that of stations.
 void reduction_matrices(const assembly *of, size_t count, const size_t *coordinate, double *stiffness, double *mass);
 
 // ---------------------------------------------------------------- line
-// What shafts look like between their nodes (whirl/engine/line.h).
+// Shapes of shafts between their nodes (whirl/engine/line.h).
 
-/// A place on a piece: the node to its left, and how far it moves by displacement and slope of that and of the next.
+/// A place on a piece: the node to its left, and its displacement by displacement and slope of that and of the next.
 typedef struct line_place {
     size_t node;
     double moved[4];
 } line_place;
 
-/// Adds the sag to a line that has these places. Errors as whirl_design_statics.
+/// Adds the sag to a line with these places. Errors as whirl_design_statics.
 whirl_status statics_line(const whirl_design *design, const char *couplings, const line_place *places,
                           whirl_shaft_line *out);
 
 // ---------------------------------------------------------------- between
-// What lies between the stations of shafts: how it follows them where nothing else is said of it.
+// Static shapes of shafts between their stations.
 
-/// So much of a station's displacement, along x or along y, is in a coordinate; of velocities as much.
+/// Share of a station's displacement, along x or along y, in a coordinate; the same for velocities.
 typedef struct between_term {
-    size_t row, column; ///< coordinates along x, those along y stand behind them; the station's is the column
-    double share;       ///< of their units
+    size_t row, column; ///< coordinates along x, each followed by that along y; the column is the station's
+    double share;       ///< share in their units
 } between_term;
 
-/// The state of shafts that give way statically between displacements of their stations (a shaft with a single one
-/// stays straight): tilts, nodes of meshes and coordinates of modes. Of an assembly that is finished but for its body's
-/// scales; made [mesh->shaft_count]. *terms is the caller's to free, NULL where there are none. WHIRL_BAD_INPUT where a
-/// shaft has no such state; WHIRL_NO_MEMORY.
+/// Finds the static shape of shafts as functions of their stations' displacements (a shaft with a single one stays
+/// straight): tilts, nodes of meshes and coordinates of modes. The assembly is finished except for its body's scales;
+/// made [mesh->shaft_count]. The caller frees *terms, NULL if there are none. WHIRL_BAD_INPUT if a shaft has no such
+/// shape; WHIRL_NO_MEMORY.
 whirl_status between_stations(const mesh *from, const assembly *of, const reduction *made, between_term **terms,
                               size_t *count);
 
 // ---------------------------------------------------------------- bow
-// Shafts that are bent and turn so.
+// Bent shafts.
 
-/// Adds the forces that turn with a shaft whose stations have a bow: those that bend a straight one so. WHIRL_BAD_INPUT
-/// where a station with a bow lies on no shaft of finite elements, a shaft has too few of them, another speed, flats or
-/// hysteresis.
+/// Adds the rotating forces that bend a straight shaft to the bow at its stations. WHIRL_BAD_INPUT if a station with a
+/// bow is on no shaft of finite elements, or if its shaft has too few of them, another speed, flats or hysteresis.
 whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *to);
 
 // ---------------------------------------------------------------- held
@@ -128,10 +128,10 @@ held_shaft held_find(const mesh *from, size_t shaft);
 /// 2 nodes + supports.
 size_t held_unknowns(const held_shaft *of);
 
-/// The stiffness of a piece, of a shaft with flats its mean; without that of its axial force.
+/// Computes the stiffness of a piece, of a shaft with flats its mean; and that of its axial force.
 void held_piece(const mesh_piece *own, matrix4 *stiffness, matrix4 *axial);
 
-/// Stiffness, and supports that displacements keep to: [K -C'; C 0], [unknowns][unknowns], zeros at first.
+/// Fills in stiffness, and constraints of the supports: [K -C'; C 0], [unknowns][unknowns], zeros at first.
 void held_fill(const held_shaft *of, bool axial, double *matrix);
 
 /// N/m [supports][supports]: the load of the first by raising the second by 1 m, by the stiffness of the shaft alone.

@@ -1,4 +1,4 @@
-// What the mesh of shafts adds to an assembly: inertia at nodes, then stiffness, coupling mass, gyroscopic moments and
+// Adds the mesh of shafts to an assembly: inertia at nodes, then stiffness, coupling mass, gyroscopic moments and
 // damping of the pieces between them.
 #include <math.h>
 
@@ -25,7 +25,7 @@ void mesh_inertia(const mesh *from, assembly *to) {
     }
 }
 
-/// A piece on its way into the assembly: its coordinates in both planes.
+/// A piece that is added to the assembly: its coordinates in both planes.
 typedef struct laying {
     const shaft_settings *shaft;
     assembly *to;
@@ -45,7 +45,7 @@ static void add_both(const laying *l, body_source of, body_rate rate, double fac
         add_block(l, (body_kind){of, rate, BODY_STEADY}, plane, plane, factor, matrix);
 }
 
-/// Forces of one plane by the other, against each other: what turns with the shaft drags forward.
+/// Adds forces of each plane by the other, with opposite signs: they drive forward whirl.
 static void add_across(const laying *l, body_source of, body_rate rate, double factor, const matrix4 *matrix) {
     const body_kind kind = {of, rate, BODY_STEADY};
     add_block(l, kind, 0, 1, factor, matrix);
@@ -94,8 +94,7 @@ static void add_stiffness(const laying *l, const mesh_piece *own, const piece_ma
     add_unequal(l, own->angle, &difference);
 }
 
-/// What the mass matrix has beside the inertia that stands at the nodes; damping in proportion to it, and gyroscopic
-/// moments.
+/// Adds the mass matrix without the inertia at the nodes; damping proportional to it, and gyroscopic moments.
 static void add_mass(const laying *l, const piece_matrices *matrices) {
     matrix4 mass = {{{0.0}}}, polar = {{{0.0}}};
     const bool lumped = l->shaft->lumped;

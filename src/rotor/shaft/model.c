@@ -1,4 +1,4 @@
-// What a design is made of: sections of its shafts, masses of its stations, sums of both, and its elements.
+// Parts of a design: sections of its shafts, masses of its stations, sums of both, and its elements.
 #include "whirl/engine/model.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static bool is_of_one(const material *one, const material *other) {
            one->density == other->density;
 }
 
-/// Whether a piece goes on as the one before it.
+/// Returns true if a piece continues the one before it.
 static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
     const shaft_piece *a = &one->piece, *b = &next->piece;
     return one->shaft == next->shaft && one->node[1] == next->node[0] && is_even(a) && is_even(b) &&
@@ -47,13 +47,13 @@ static void add_piece(const mesh *from, size_t index, whirl_model *out) {
     out->sections[out->section_count - 1].mass += mass;
 }
 
-/// What is left of a sum; nothing where that is rounding.
+/// Subtracts a part from a sum; a remainder within rounding is 0.
 static void take(double *of, double part) {
     const double left = *of - part;
     *of = fabs(left) > 1e-12 * part ? left : 0.0;
 }
 
-/// Masses of stations are those of the assembly less what the mesh brought to its nodes.
+/// Masses of stations: those of the assembly less the mesh's at its nodes.
 static void take_pieces(const building *b, whirl_model *out) {
     for (size_t n = 0; n < b->mesh.node_count; n++) {
         const size_t station = b->mesh.nodes[n].station;

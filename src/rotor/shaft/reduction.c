@@ -19,10 +19,10 @@ typedef struct blend {
 typedef struct reducing {
     const mesh *mesh;
     assembly *of;
-    bool *kept;             ///< [old degrees]
-    blend *old;             ///< [old degrees]
-    size_t degrees;         ///< of the new coordinates so far
-    double *inertia, *unit; ///< [old degrees] of these, as the assembly has them
+    bool *kept;             ///< [old degrees] coordinates that stay
+    blend *old;             ///< [old degrees] each in terms of the new ones
+    size_t degrees;         ///< number of the new coordinates so far
+    double *inertia, *unit; ///< [old degrees] inertia and unit of these, as the assembly has them
 } reducing;
 
 static bool blend_room(blend *b, size_t count) {
@@ -43,7 +43,7 @@ static void keep_pair(reducing *r, const assembly_station *at, axis along) {
     r->kept[at->coordinate[along + 1]] = true;
 }
 
-/// Whatever a kernel sees, with what stands across it.
+/// Keeps all coordinates that a kernel sees, and those across them.
 static void keep_ports(reducing *r, const element *elements, size_t count) {
     bool *seen = r->kept;
     for (size_t i = 0; i < count; i++)
@@ -57,7 +57,8 @@ static void keep_ports(reducing *r, const element *elements, size_t count) {
     }
 }
 
-/// The displacements of all stations; where a shaft has but one, its tilts, too, for it would turn about that freely.
+/// Keeps the displacements of all stations; for a shaft with a single one also its tilts, about which it would turn
+/// freely.
 static void keep_stations(reducing *r) {
     for (size_t shaft = 0; shaft < r->mesh->shaft_count; shaft++) {
         const assembly_station *first = NULL;
@@ -135,7 +136,7 @@ void reduction_matrices(const assembly *of, size_t count, const size_t *coordina
     }
 }
 
-/// The matrices of a plane, split into what is kept (b) and what is not (i).
+/// Matrices of a plane, split into kept (b) and eliminated (i) coordinates.
 typedef struct split {
     size_t n, kept, inner, modes;
     size_t *coordinate, *b, *i; ///< [n] of the assembly; [kept], [inner] places in [n]
@@ -177,7 +178,7 @@ static void take_inner(split *s) {
         }
 }
 
-/// Modes of what is not kept; Psi.
+/// Computes the modes of the eliminated coordinates, and Psi.
 static bool find_modes(split *s) {
     take_inner(s);
     if (!matrix_symmetric_modes(s->inner, s->k, s->m, s->squares, s->shapes)) return false;
@@ -187,7 +188,7 @@ static bool find_modes(split *s) {
     return matrix_solve(s->inner, s->k, s->kept, s->follow);
 }
 
-/// To a largest coordinate of one length scale; of a tilt that is the length by which its gyration moves.
+/// Scales a mode to a largest coordinate of one length scale; for a tilt, that at the radius of gyration.
 static void scale_mode(const assembly *of, const split *s, double *shape) {
     double largest = 0.0;
     for (size_t a = 0; a < s->inner; a++) {
@@ -197,7 +198,7 @@ static void scale_mode(const assembly *of, const split *s, double *shape) {
     for (size_t a = 0; a < s->inner; a++) shape[a] /= largest;
 }
 
-/// shape' (M_II Psi + M_IB) of one column.
+/// Computes shape' (M_II Psi + M_IB) of one column.
 static double mass_beside(const split *s, const double *psi, const double *shape, size_t column) {
     double sum = 0.0;
     for (size_t a = 0; a < s->inner; a++) {
@@ -218,7 +219,7 @@ static double modal_mass(const split *s, const double *shape) {
 /// The new coordinates of a shaft's modes, x and y of each; and its nodes in terms of these.
 static bool blend_nodes(reducing *r, split *s) {
     const size_t first = r->degrees;
-    double *psi = s->k; // of which nobody needs anything more
+    double *psi = s->k; // which is no longer needed
     memcpy(psi, s->follow, s->inner * s->kept * sizeof *psi);
     for (size_t k = 0; k < s->modes; k++) {
         double *shape = s->shapes + k * s->inner;
@@ -293,7 +294,8 @@ static void spread_over(const blend *row, const blend *column, double number, si
             out[row->of[a] * degrees + column->of[c]] += row->weight[a] * column->weight[c] * number;
 }
 
-/// What is left of sums that cancel: nothing beside the largest of its row and of its column.
+/// Returns true for the remainder of sums that cancel: negligible compared with the largest of its row and of its
+/// column.
 static bool is_rounding(double number, double row, double column) {
     return fabs(number) <= 2e-12 * sqrt(row * column);
 }
@@ -339,7 +341,7 @@ static void reduce_body(reducing *r, double *matrix, double *largest) {
     body_clear(&old);
 }
 
-/// The mass matrix beside the own inertia of what is kept; z has none.
+/// Transforms the mass matrix without the kept coordinates' own inertia; z has none.
 static void reduce_masses(reducing *r, double *matrix) {
     assembly *of = r->of;
     const size_t n = r->degrees, count = of->mass_count;
@@ -358,7 +360,7 @@ static void reduce_masses(reducing *r, double *matrix) {
         for (size_t j = i; j < kept; j++) assembly_inertance(of, i, j, 0.5 * (matrix[i * n + j] + matrix[j * n + i]));
 }
 
-/// A term of the acceleration of coordinates by their scales: inertia and unit before.
+/// Rescales terms of accelerations from the former inertia and unit.
 static void reduce_terms(reducing *r) {
     assembly *of = r->of;
     const size_t count = of->term_count;
@@ -429,7 +431,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     return status;
 }
 
-/// The old coordinates [old_degrees] by the new ones.
+/// Writes the old coordinates [old_degrees] in terms of the new ones.
 static whirl_status tell_blends(const reducing *r, size_t old_degrees, double **follow) {
     *follow = calloc(old_degrees * r->degrees + 1, sizeof **follow);
     if (!*follow) return no_memory();

@@ -1,4 +1,4 @@
-// What became of a design's shafts, and how far the reduced ones differ from their full models.
+// Summary of a design's shafts, and the error of their reduction.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +6,7 @@
 #include "building.h"
 #include "matrix.h"
 
-/// A plane of a shaft that floats freely, with what its stations bring.
+/// A plane of a free shaft, with its stations' inertia.
 typedef struct plane {
     size_t count;
     size_t *coordinate;
@@ -35,11 +35,11 @@ static bool find_squares(const plane *p) {
     return matrix_symmetric_modes(p->count, p->stiffness, p->mass, p->squares, p->mass + p->count * p->count);
 }
 
-/// Displacements of the stations [count of `station`, places among the coordinates] by unit forces on them, with a
-/// spring at each that is as stiff as the shaft is there, for it floats.
+/// Computes displacements of stations [count of `station`, places among the coordinates] by unit forces on them. The
+/// free shaft is held by a spring at each, as stiff as the shaft is there.
 static bool find_bend(const plane *p, size_t stations, const size_t *station, const double *spring, double *bend) {
     const size_t n = p->count;
-    double *k = p->mass; // of which nothing more is needed
+    double *k = p->mass; // which is no longer needed
     double *column = calloc(n * stations + 1, sizeof *column);
     if (!column) return false;
     memcpy(k, p->stiffness, n * n * sizeof *k);
@@ -54,7 +54,7 @@ static bool find_bend(const plane *p, size_t stations, const size_t *station, co
     return good;
 }
 
-/// Coordinates along x of a shaft's stations, and where they are among those of a plane.
+/// Lists coordinates along x of a shaft's stations, and their places among those of a plane.
 static size_t find_stations(const building *b, size_t shaft, const plane *p, size_t *place) {
     size_t count = 0;
     for (size_t s = 0; s < b->design->station_count; s++) {
@@ -65,7 +65,7 @@ static size_t find_stations(const building *b, size_t shaft, const plane *p, siz
     return count;
 }
 
-/// A plane as the assembly has it now: nodes, and modes where it is reduced.
+/// Takes a plane of the present assembly: nodes, and modes if it is reduced.
 static bool take_plane(const building *b, size_t shaft, const reduction *modes, plane *p, size_t stations,
                        const double *spring, size_t *place) {
     p->count = reduction_nodes(&b->mesh, &b->assembly, shaft, p->coordinate);
@@ -96,7 +96,8 @@ static void fill_summary(const building *b, size_t shaft, whirl_shaft_summary *o
     }
 }
 
-/// The worst of the first frequencies above those of a rigid body, and of the displacements by unit forces.
+/// Computes the largest errors of the first frequencies above the rigid body's, and of the displacements by unit
+/// forces.
 static void compare(const plane *full, const plane *now, size_t stations, whirl_shaft_summary *out) {
     enum { RIGID = 2, FIRST = 3 };
     double largest = 0.0, apart = 0.0;

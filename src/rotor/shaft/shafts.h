@@ -1,4 +1,4 @@
-/// Shafts of finite elements as they are written: materials, shafts, and the segments that these are made of.
+/// Shafts of finite elements in a design: materials, shafts, and their segments.
 #ifndef ROTOR_SHAFTS_H
 #define ROTOR_SHAFTS_H
 
@@ -15,7 +15,7 @@
 // (Friswell et al. 2010, sec. 5.4; Przemieniecki 1968): for a cylinder the element of Timoshenko beams with cubic
 // displacements, phi = 12 E I/(kappa G A L^2).
 
-/// How shear is counted: Cowper 1966 and Hutchinson 2001, for hollow circles; none: Bernoulli, Euler, Rayleigh.
+/// Shear coefficient: Cowper 1966 and Hutchinson 2001, for hollow circles; none: Bernoulli, Euler, Rayleigh.
 typedef enum shear_law { SHEAR_COWPER, SHEAR_HUTCHINSON, SHEAR_NONE } shear_law;
 
 /// Pa, Pa, kg/m3.
@@ -45,17 +45,18 @@ typedef struct piece_matrices {
     matrix4 stiffness[2];
     matrix4 axial;    ///< stiffness by the axial force
     matrix4 mass;     ///< consistent, with the rotary inertia
-    matrix4 polar;    ///< what the rate of rotation makes gyroscopic moments of
+    matrix4 polar;    ///< gyroscopic moments per rate of rotation
     double weight[4]; ///< force and moment of its weight on the ends, over gravity: kg, kg m
-    double lumped_mass[2], lumped_diametral[2], lumped_polar[2]; ///< of its ends: kg, kg m2
+    double lumped_mass[2], lumped_diametral[2], lumped_polar[2]; ///< lumped at its ends: kg, kg m2
 } piece_matrices;
 
 void piece_fill(const shaft_piece *piece, piece_matrices *out);
 
-/// Displacement `at` of its length from its left end, by one of each coordinate, in the plane of the larger stiffness.
+/// Computes the displacement at a share `at` of its length from its left end, by one of each coordinate, in the plane
+/// of the larger stiffness.
 void piece_shape(const shaft_piece *piece, double at, double moved[4]);
 
-/// Mass of the piece a metre, kg/m, and its smaller bending stiffness, N m2, `at` of its length from its left end.
+/// Returns mass per metre, kg/m, and smaller bending stiffness, N m2, at a share `at` of its length from its left end.
 double piece_line_mass(const shaft_piece *piece, double at);
 double piece_bending(const shaft_piece *piece, double at);
 
@@ -124,10 +125,10 @@ typedef struct shaft_settings {
 whirl_status material_from(const key_value *values, material *out);
 whirl_status shaft_settings_from(const key_value *values, shaft_settings *out);
 
-/// Those of a segment: its shaft's, but for what its own keys say.
+/// Returns the settings of a segment: its shaft's, overridden by its own keys.
 shaft_settings segment_settings_from(const key_value *values, const shaft_settings *shaft);
 
-/// The steel that shafts are of where nothing else is said.
+/// Default material of shafts.
 extern const material shaft_steel;
 
 #endif

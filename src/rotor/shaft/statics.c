@@ -1,4 +1,4 @@
-// What the weight of shafts does: they lie on bearings that hold them, each shaft for itself.
+// Static effects of the weight of shafts on bearings as supports, each shaft by itself.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,10 +8,10 @@
 #include "mesh.h"
 #include "words.h"
 
-/// m/s2. The effect of weight is solved with it and scaled to that of the design.
+/// m/s2. The effect of weight is solved for it and scaled to the design's.
 static const double standard_gravity = 9.80665;
 
-/// The line whose sag is asked for, and its places; NULL and NULL: none.
+/// The line whose sag is computed, and its places; NULL and NULL: none.
 typedef struct asked_line {
     const line_place *places;
     whirl_shaft_line *out;
@@ -21,10 +21,10 @@ typedef struct asked_line {
 typedef struct beam {
     const building *b;
     size_t shaft, nodes, supports, unknowns; ///< unknowns: 2 a node, then the load of every support
-    size_t first;                            ///< of its nodes in the mesh
+    size_t first;                            ///< first of its nodes in the mesh
     const size_t *support;                   ///< [supports] nodes, along the shaft
     double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
-    double solved;      ///< m/s2 with which the effect of the weight is solved: the standard gravity, or none
+    double solved;      ///< m/s2 for which the effect of the weight is solved: the standard gravity, or none
     double *matrix;     ///< [unknowns][unknowns]
     double *all;        ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
     asked_line line;
@@ -69,7 +69,7 @@ static bool solve(const beam *of) {
 
 // ---------------------------------------------------------------- within the shaft
 
-/// Bending moment and shear beside a node, from the end forces of the pieces on that side (which: 0 left, 1 right), by
+/// Bending moment and shear next to a node, from the end forces of the pieces on that side (which: 0 left, 1 right), by
 /// the weight or (`by` > 0) by raising a support. 0 at an end of the shaft.
 static void cut(const beam *of, size_t node, size_t which, size_t by, double *moment, double *shear) {
     const mesh *from = &of->b->mesh;
@@ -105,7 +105,7 @@ static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) 
 
 enum { MAX_COUPLINGS = 8 };
 
-/// Nodes of those of the listed stations that this shaft has; how many.
+/// Lists the nodes of those stations in the list that are on this shaft; returns how many.
 static size_t find_couplings(const beam *of, const char *list, size_t node[MAX_COUPLINGS]) {
     char name[WHIRL_NAME_SIZE];
     size_t count = 0;
@@ -118,7 +118,7 @@ static size_t find_couplings(const beam *of, const char *list, size_t node[MAX_C
     return count;
 }
 
-/// The least elevations [supports], 0 of the first two, with which nothing is carried at `count` couplings.
+/// Finds the least elevations [supports], 0 for the first two, with which `count` couplings carry nothing.
 static whirl_status align(const beam *of, size_t count, const size_t *node, double *elevation) {
     const size_t rows = 2 * count, free_ones = of->supports - 2;
     double *j = calloc(rows * (of->supports + rows + 2) + 1, sizeof *j), *square = j ? j + rows * of->supports : NULL;
@@ -148,7 +148,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
                              free_ones, count, count == 1 ? "" : "s");
 }
 
-/// Raises the supports: what the weight does is then what it does with them raised.
+/// Raises the supports: the weight's solution then includes their elevation.
 static void raise_supports(const beam *of, const double *elevation) {
     for (size_t s = 0; s < of->supports; s++)
         for (size_t i = 0; i < of->unknowns; i++) of->all[i] += elevation[s] * of->all[(1 + s) * of->unknowns + i];
@@ -156,7 +156,7 @@ static void raise_supports(const beam *of, const double *elevation) {
 
 // ---------------------------------------------------------------- bearings
 
-/// How many bearings stand on a station; *aside: one is shared with another shaft; *elevation: their mean.
+/// Counts the bearings at a station; *aside: one is shared with another shaft; *elevation: their mean.
 static size_t count_bearings(const beam *of, size_t at, bool *aside, double *elevation) {
     const building *b = of->b;
     size_t count = 0;
@@ -171,7 +171,7 @@ static size_t count_bearings(const beam *of, size_t at, bool *aside, double *ele
                                  other == GROUND ? NO_SHAFT : b->assembly.stations[other].shaft};
         const bool both = shafts[0] != NO_SHAFT && shafts[1] != NO_SHAFT && shafts[0] != shafts[1];
         *aside = *aside || (both && (place == at || other == at));
-        // Either end may be the one that stands still.
+        // Either end may be the fixed one.
         if (place != at && (other != at || shafts[0] != NO_SHAFT)) continue;
         const key_value *raised = building_value(own, "elevation");
         if (raised) *elevation += place == at ? raised->number : -raised->number;
@@ -183,7 +183,7 @@ static size_t count_bearings(const beam *of, size_t at, bool *aside, double *ele
 
 // ---------------------------------------------------------------- one shaft
 
-/// What rounding leaves of nothing is nothing: beside the weight of the shaft.
+/// Returns 0 for rounding errors, compared with the shaft's weight.
 static double rounded(double value, double beside) {
     return fabs(value) > 1e-12 * beside ? value : 0.0;
 }
@@ -194,7 +194,7 @@ static double weight_of(const beam *of) {
     return standard_gravity * mass;
 }
 
-/// What is solved times this is the machine's.
+/// Scale from the solution to the machine.
 static double scale_of(const beam *of) {
     return of->solved > 0.0 ? of->gravity / of->solved : 1.0;
 }
@@ -295,7 +295,7 @@ static whirl_status raise_aligned(const beam *of, const char *couplings, double 
     return status;
 }
 
-/// Takes the weight out of what is solved: bearings carry what their elevations alone bring.
+/// Removes the weight from the solution: bearings then carry what their elevations alone cause.
 static void take_weight(beam *of, double *elevation) {
     of->solved = 0.0;
     memset(of->all, 0, of->unknowns * sizeof *of->all);
@@ -312,7 +312,7 @@ static whirl_status fill_shaft(beam *of, const char *couplings, double *elevatio
     if (!weightless) raise_given(of, elevation);
     whirl_status status = raise_aligned(of, couplings, elevation);
     if (status.code != WHIRL_OK) return status;
-    // Masses are those that bearings would carry, did the shaft lie.
+    // Masses are those that bearings would carry if the shaft were horizontal.
     fill_masses(of, out);
     if (weightless) {
         take_weight(of, elevation);
@@ -373,7 +373,7 @@ static whirl_status fill(const building *b, const char *couplings, size_t *suppo
     return status;
 }
 
-/// Every name is a station of a shaft.
+/// Checks that every name is a station of a shaft.
 static whirl_status check_couplings(const building *b, const char *list) {
     char name[WHIRL_NAME_SIZE];
     while (name_list_next(&list, name)) {

@@ -1,4 +1,4 @@
-// The axial force that the weight of a machine that stands makes in its shafts of finite elements.
+// Axial force from the weight of a vertical machine in its shafts of finite elements.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,8 +65,8 @@ static void stretch_pull(mesh *in, size_t left, size_t layers, const double forc
             in->pieces[p].piece.axial[end] += force[end] / (double)layers;
 }
 
-/// Weighs the shaft from one of its ends up to the node that holds it: what lies beyond a place pulls there, or
-/// presses. step: 1 from its start, -1 from its end. Returns the mass that hangs on that node from this side, in kg.
+/// Weighs the shaft from one of its ends up to the node of its axial support: the weight beyond a place pulls or
+/// presses there. step: 1 from its start, -1 from its end. Returns the mass, in kg, that this side puts on that node.
 static double thrust_weigh(mesh *in, const assembly *from, size_t first, size_t held, int step, double force_by_mass) {
     double mass = 0.0;
     for (size_t node = first; node != held; node = step > 0 ? node + 1 : node - 1) {
@@ -93,7 +93,7 @@ static whirl_status thrust_add(building *b, const key_value *values) {
                           b->design->shafts[shaft.shaft].name);
     const double g = values[GRAVITY_ACCELERATION].number, down = values[GRAVITY_TOP].choice == 0 ? 1.0 : -1.0;
     const size_t last = shaft.first + shaft.nodes - 1;
-    // With its start at the top the shaft stands on the station between there and it, and hangs from it behind it.
+    // With its start at the top, the shaft stands on the support before it, and hangs from it behind it.
     out->mass = thrust_weigh(in, &b->assembly, shaft.first, node, 1, -down * g) +
                 thrust_weigh(in, &b->assembly, last, node, -1, down * g) +
                 b->assembly.stations[in->nodes[node].station].mass;

@@ -13,7 +13,7 @@ typedef struct section {
     double shear;           ///< shear factor; 0: nothing shears
 } section;
 
-/// What a circle keeps between two flats (integrals over the strip between them).
+/// Computes what is left of a circle between two flats (integrals over the strip between them).
 static void cut_flats(double outer, double flats, section *out) {
     const double radius = 0.5 * outer, fourth = radius * radius * radius * radius;
     const double s = flats < outer ? asin(flats / outer) : 0.5 * pi;
@@ -57,7 +57,7 @@ double piece_bending(const shaft_piece *piece, double at) {
 
 // ---------------------------------------------------------------- between the ends
 
-enum { NODES = 16 }; ///< of Gauss and Legendre's quadrature, exact up to degree 31
+enum { NODES = 16 }; ///< nodes of Gauss and Legendre's quadrature, exact up to degree 31
 
 static const double node[NODES] = {
     0.0052995325041750333, 0.02771248846338371, 0.067184398806084122, 0.12229779582249849,
@@ -70,13 +70,13 @@ static const double weight[NODES] = {
     0.094725305227534251, 0.091301707522461792, 0.084578259697501268, 0.074797994408288368,
     0.062314485627766938, 0.047579255841246393, 0.031126761969323947, 0.013576229705877048};
 
-/// How the piece gives way up to z: integrals from 0 to z over s, by the bending moment M = a + b s and the shear force
-/// -b.
+/// Compliance of the piece up to z: integrals from 0 to z over s, for the bending moment M = a + b s and the shear
+/// force -b.
 typedef struct compliance {
-    double turn[2];   ///< of 1/EI and s/EI: the slope
-    double bow[2];    ///< of (z - s)/EI and (z - s) s/EI: the displacement
-    double square;    ///< of s^2/EI
-    double slip;      ///< of 1/(kappa G A)
+    double turn[2];   ///< integrals of 1/EI and s/EI: the slope
+    double bow[2];    ///< integrals of (z - s)/EI and (z - s) s/EI: the displacement
+    double square;    ///< integral of s^2/EI
+    double slip;      ///< integral of 1/(kappa G A)
     double slip_rate; ///< 1/(kappa G A) at z
 } compliance;
 
@@ -102,7 +102,7 @@ static compliance compliance_to(const shaft_piece *piece, int plane, double z) {
     return c;
 }
 
-/// The moment M = a + b z that one of each coordinate calls forth.
+/// The moment M = a + b z caused by one of each coordinate.
 typedef struct moments {
     double a[4], b[4];
 } moments;
@@ -119,7 +119,7 @@ static moments moments_of(const compliance *whole, double length) {
     return m;
 }
 
-/// Twice the energy of one of coordinates i and j.
+/// Adds twice the energy of one of coordinates i and j.
 static void add_stiffness(const moments *m, const compliance *whole, matrix4 *out) {
     for (int i = 0; i < 4; i++)
         for (int j = 0; j < 4; j++)
@@ -128,7 +128,7 @@ static void add_stiffness(const moments *m, const compliance *whole, matrix4 *ou
                             m->b[i] * m->b[j] * (whole->square + whole->slip);
 }
 
-/// Displacement, slope of the sections and slope of the axis at z, of one of each coordinate.
+/// Computes displacement, slope of the sections and slope of the axis at z, for one of each coordinate.
 static void shapes_at(const moments *m, const compliance *to, double z, double moved[4], double turned[4],
                       double leant[4]) {
     for (int i = 0; i < 4; i++) {
@@ -143,7 +143,7 @@ static void add_outer(matrix4 *out, double factor, const double shape[4]) {
         for (int j = 0; j < 4; j++) out->at[i][j] += factor * shape[i] * shape[j];
 }
 
-/// What the slice of length `part` at z adds.
+/// Adds the slice of length `part` at z.
 static void add_slice(const shaft_piece *piece, const moments *m, double z, double part, piece_matrices *out) {
     double moved[4], turned[4], leant[4];
     const compliance to = compliance_to(piece, 0, z);

@@ -1,4 +1,4 @@
-// Blades that pass a casing: its keys and the numbers of its kernel.
+// Blades that rub on a casing: keys and the numbers of the kernel.
 #define KERNEL_FILE "elements/contacts/blade_rub_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 1
@@ -91,7 +91,7 @@ static whirl_status check_list(const key_value *values, int key) {
                       keys[key].name, blades);
 }
 
-/// Blades that are all alike come round n times a revolution.
+/// Equal blades repeat n times a revolution.
 static double rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
@@ -101,7 +101,7 @@ static double rounds(const element *own, size_t state) {
     return own->number[BLADE_RATE] * (alike ? blades_of(own) : 1);
 }
 
-/// Blades that pass a place of the casing.
+/// Returns the passing order of blades.
 static bool named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || blades_of(own) < 2) return false;
     *order = fabs(own->number[BLADE_RATE]) * blades_of(own);
@@ -160,7 +160,7 @@ static void curvature(const element *own, const element_place *at, size_t index,
     }
 }
 
-/// Each blade begins a contact of its own.
+/// Each blade's switch begins a contact.
 static bool touches(const element *own, size_t index) {
     (void)own, (void)index;
     return true;
@@ -175,7 +175,7 @@ static int takes_power(const element *own) {
     return own->law & BLADE_RUBS ? 1 : 0;
 }
 
-/// Where blades stand tells of contact, too.
+/// Contact also depends on the blades' position.
 static bool contact_damped(const element *own) {
     (void)own;
     return true;

@@ -7,7 +7,7 @@
 // with friction against the rotation, which the tips' speed is all but that of. theta - theta_0 is a state. The depths
 // are the switches.
 
-/// The depths of all blades.
+/// Computes the depths of all blades.
 static inline void KERNEL(switches)(const element *own, const kernel_view *view, const num *d, const num *w,
                                     const num *s, num *values) {
     const size_t stride = view->stride;
@@ -27,14 +27,14 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     }
 }
 
-/// The forces of all blades that touch along their normals, as a vector, and the sum of their sizes.
+/// Adds the normal forces of all touching blades, as a vector, and the sum of their sizes.
 VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view, bool powered, const num *d,
                                      const num *s, num *sum, num *all) {
     const size_t stride = view->stride;
     const vec *number = view->number;
     const vec c = number[BLADE_APART_COS * stride], sine = number[BLADE_APART_SIN * stride];
     const num none = n_set(0.0), least = n_set(0x1p-800), casing = n_of(number[BLADE_CASING * stride]);
-    num x, y, sum_x = none, sum_y = none, sizes = none; // of one's own: registers
+    num x, y, sum_x = none, sum_y = none, sizes = none; // own copies: registers
     n_sincos(n_add(s[0], n_of(number[BLADE_START * stride])), &y, &x);
     for (int j = 0; j < blades_of(own); j++) {
         const vec length = number[(size_t)(BLADE_LENGTHS + j) * stride];
@@ -45,7 +45,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
         const vec_mask touching = v_less(v_set(0.0), held);
         num push = n_scale(number[(size_t)(BLADE_STIFFNESSES + j) * stride], depth);
         if (powered && v_any(touching)) {
-            // On a side that is held the depth may be a little below zero: the law goes on as an odd function.
+            // On a fixed side the depth may be slightly negative: the law continues as an odd function.
             const num size = n_select(n_less(none, depth), depth, n_sub(none, depth));
             push = n_mul(push, n_pow(n_select(n_less(least, size), size, least), number[BLADE_POWER * stride]));
         }
@@ -62,7 +62,7 @@ VECTOR_INLINE void KERNEL(blades_by)(const element *own, const kernel_view *view
     *all = sizes;
 }
 
-/// A loop each, so that the one without a power has registers for its constants.
+/// Separate loops, so that the one without a power has registers for its constants.
 static inline void KERNEL(blades)(const element *own, const kernel_view *view, const num *d, const num *s, num *sum,
                                   num *all) {
     if (own->law & BLADE_POWERED)
@@ -83,7 +83,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// What friction does, two rows: of tips that move with the disc and around it.
+/// Effect of friction, two rows: of tips that move with the disc and around it.
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;

@@ -9,8 +9,8 @@
 
 enum { CONTACT_DEPTH, CONTACT_PUSH, CONTACT_SLIP, CONTACT_ARC };
 
-/// The law: lossy normal force; friction, whether it jumps where the slip reverses, and with bristles; part of a
-/// circle; a power of its own, not 3/2; a coefficient that falls with the slip.
+/// Bits of the law: lossy normal force; friction, with a jump where the slip reverses, or with bristles; part of a
+/// circle; a power other than 3/2; a coefficient that falls with the slip.
 enum {
     CONTACT_LOSSY = 1,
     CONTACT_SLIPS = 2,
@@ -145,7 +145,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [ARC_MIDDLE] = ANGLE_KEY("arc_middle", "", "arc", "position of the middle of the arc, from the x axis towards y"),
 };
 
-/// Which keys a choice needs, and which are of no use with it.
+/// Checks that a choice has the key that it needs, or lacks the one that it does not use.
 static whirl_status check_pair(const key_value *values, int key, bool needed, const char *choice) {
     if (needed && !values[key].given)
         return whirl_fail(WHIRL_BAD_INPUT, "has no %s, expected one: %s needs it", keys[key].name, choice);
@@ -155,7 +155,7 @@ static whirl_status check_pair(const key_value *values, int key, bool needed, co
     return whirl_ok();
 }
 
-/// Whether friction needs a radius; with one there is friction, if only of 0, so that a sweep may begin there.
+/// Returns true if friction needs a radius; a radius implies friction, possibly 0, so that a sweep may begin there.
 static bool rubs(const key_value *values) {
     return values[FRICTION].number > 0.0 || values[STATIC_FRICTION].given || values[VISCOUS].number > 0.0 ||
            values[FRICTION_LAW].choice != COULOMB;
@@ -241,7 +241,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// The switch's part that goes round with the place; its other part is linear.
+/// The radial part of the switch; its other part is linear.
 static radial_form form_of(const element *own, size_t index) {
     const double *number = own->number;
     if (index == CONTACT_DEPTH) return (radial_form){.by_r = 1.0};
@@ -281,7 +281,7 @@ static double contact_gap(const element *own) {
     return element_housing_stands(own) && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
 }
 
-/// The gap around the origin does not tell of contact.
+/// The gap around the origin does not decide contact.
 static int takes_power(const element *own) {
     return own->law & CONTACT_SLIPS ? 1 : 0;
 }
@@ -291,7 +291,7 @@ static bool contact_damped(const element *own) {
     return true;
 }
 
-/// The part of its speed with which an impact at v comes back: chi v (1 + e) = ln((1 + chi v)/(1 - chi v e)).
+/// Rebound speed of an impact at v over v: chi v (1 + e) = ln((1 + chi v)/(1 - chi v e)).
 static double comes_back(double share) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 60; i++) {

@@ -13,14 +13,14 @@
 //
 // Switches: d, 1 + chi d', the slip times r, and the arc; those that a law has not are 1.
 
-/// The distance from the middle; and 1 over it, 1 in the middle itself.
+/// Distance from the centre, and 1 over it (1 at the centre).
 static inline num KERNEL(distance)(const num *d, num *over) {
     const num r = n_sqrt(n_fma(d[0], d[0], n_mul(d[1], d[1]))), one = n_set(1.0);
     *over = n_div(one, n_select(n_less(n_set(0x1p-500), r), r, one));
     return r;
 }
 
-/// By which the normal force is larger where the depth grows.
+/// Factor of the normal force while the depth grows.
 static inline num KERNEL(push)(const element *own, const kernel_view *view, const num *d, const num *w, num over) {
     if (!(own->law & CONTACT_LOSSY)) return n_set(1.0);
     const num growth = n_mul(n_fma(d[0], w[0], n_mul(d[1], w[1])), over);
@@ -48,7 +48,7 @@ static inline void KERNEL(switches)(const element *own, const kernel_view *view,
     values[CONTACT_ARC] = KERNEL(in_arc)(own, view, d, r);
 }
 
-/// The normal force, where it touches, at the distance r.
+/// Normal force where it touches, at the distance r.
 static inline num KERNEL(normal)(const element *own, const kernel_view *view, const num *d, const num *w, num r,
                                  num over, vec_mask *touching) {
     const size_t stride = view->stride;
@@ -60,7 +60,7 @@ static inline num KERNEL(normal)(const element *own, const kernel_view *view, co
     held = v_min(held, sides ? sides[CONTACT_ARC * stride] : n_value(KERNEL(in_arc)(own, view, d, r)));
     *touching = v_less(v_set(0.0), held);
     if (!v_any(*touching)) return none;
-    // On a side that is held the depth may be a little below zero: the law goes on as an odd function.
+    // On a fixed side the depth may be slightly negative: the law continues as an odd function.
     const num size = n_select(n_less(none, depth), depth, n_sub(none, depth)), least = n_set(0x1p-800);
     const num power = own->law & CONTACT_POWERED
                           ? n_pow(n_select(n_less(least, size), size, least), number[CONTACT_POWER * stride])
@@ -69,7 +69,7 @@ static inline num KERNEL(normal)(const element *own, const kernel_view *view, co
     return n_select(*touching, n_mul(force, push), none);
 }
 
-/// The coefficient of friction where the speed counts.
+/// Speed-dependent coefficient of friction.
 static inline num KERNEL(level)(const element *own, const kernel_view *view, num slip) {
     const size_t stride = view->stride;
     const num kinetic = n_of(view->number[CONTACT_KINETIC * stride]);
@@ -79,7 +79,7 @@ static inline num KERNEL(level)(const element *own, const kernel_view *view, num
     return n_fma(n_of(view->number[CONTACT_EXCESS * stride]), excess, kinetic);
 }
 
-/// The coefficient of friction with its sign, and the slope of the bristles.
+/// Signed coefficient of friction, and the slope of the bristles.
 static inline num KERNEL(friction)(const element *own, const kernel_view *view, num slip, num z, vec side, num *rate) {
     const size_t stride = view->stride;
     const vec *number = view->number;
@@ -118,7 +118,7 @@ static inline void KERNEL(force)(const element *own, const kernel_view *view, co
 }
 
 #ifndef NUMBERS_DUAL
-/// What friction does under a normal force, two rows.
+/// Effect of friction under a normal force, two rows.
 static inline void KERNEL(rubbing)(const element *own, const kernel_view *view, vec normal, const vec *d, const vec *w,
                                    const vec *s, vec *out) {
     const size_t stride = view->stride;

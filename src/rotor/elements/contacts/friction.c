@@ -64,7 +64,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Sliding reverses; nothing touches.
+/// Sliding reverses; no contact begins.
 static bool touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;

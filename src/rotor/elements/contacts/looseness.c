@@ -56,7 +56,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [HELD_DAMPING] = DAMPING_KEY("held_damping", "c_3", "", "damping beyond the gap; absent: c_1"),
 };
 
-/// Length scales that no motion comes to: the gap of what is never held.
+/// A gap that no motion reaches, for seats without an upper stop.
 static const double NEVER = 0x1p300;
 
 static whirl_status build(const key_value *values, assembly *to, element *out) {
@@ -74,7 +74,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
         out->number[LOOSENESS_DAMPING + piece] = damping[piece]->number * to->length * to->clock;
     }
     out->number[LOOSENESS_GAP] = values[GAP].given ? values[GAP].number / to->length : NEVER;
-    // Dampings that are given may differ.
+    // Different dampings make the force jump.
     out->law = values[DAMPING].given || values[LOOSE_DAMPING].given || values[HELD_DAMPING].given;
     generic_scale(out, to, 1.0);
     return whirl_ok();

@@ -1,11 +1,11 @@
-// A rub: its passes over vectors, its keys and the numbers of its kernel.
+// A rub: its pass over vectors, its keys and the numbers of its kernel.
 #include "block.h"
 #include "contact_range.h"
 #include "registry.h"
 #include "rub_switch.h"
 #include "rub_tangent.h"
 
-/// What a rub adds to vector k and its perturbations.
+/// Adds a rub's forces to vector k and its perturbations.
 static void add(const element *own, const block *b, size_t k) {
     const vec *sides = sides_of(b, own), *number = numbers_of(b, own) + k, *q = b->q + k, *v = b->v + k;
     tangent_block tangent;
@@ -72,7 +72,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     out->station = values[AT].station[0];
     const whirl_status status = assembly_find_plane(to, out->station, out->port);
     if (status.code != WHIRL_OK) return status;
-    // A given damping of 0 counts, so that a sweep may begin there; but not with a stator that does nothing at all.
+    // A given damping of 0 counts, so that a sweep may begin there; but not for a stator without any force.
     const bool damped = values[DAMPING].given && (values[DAMPING].number > 0.0 || values[STIFFNESS].number > 0.0);
     const bool sharp = slip && !(values[SLIP_SPEED].number > 0.0);
     out->law = values[LAW].choice | (damped ? RUB_DAMPED : 0) | (sharp ? RUB_SHARP : 0);
@@ -102,7 +102,7 @@ static double contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
-/// With a radius it does even where its friction is 0, which it is not in all machines of a sweep.
+/// With a radius friction counts even if it is 0, which it is not in all machines of a sweep.
 static int takes_power(const element *own) {
     if (own->number[RUB_LEVER] != 0.0) return 1;
     return own->number[RUB_FRICTION] == 0.0 ? 0 : -1;

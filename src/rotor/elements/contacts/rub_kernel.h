@@ -44,7 +44,7 @@ static inline int rub_slips(const element *rub) {
 static inline int rub_damped(const element *rub) {
     return (rub->law & RUB_DAMPED) != 0;
 }
-/// Whether friction jumps where the slip reverses.
+/// Returns true if friction jumps where the slip reverses.
 static inline int rub_sharp(const element *rub) {
     return (rub->law & RUB_SHARP) != 0;
 }
@@ -59,8 +59,8 @@ static inline size_t rub_switch_count(const element *rub) {
 typedef struct rub_place {
     vec x, y, vx, vy;
     vec_mask touching;
-    vec r;    ///< displacement; 1 where nothing touches
-    vec push; ///< N/r; 0 where nothing touches
+    vec r;    ///< displacement; 1 without contact
+    vec push; ///< N/r; 0 without contact
 } rub_place;
 
 static inline vec_mask rub_touching(const element *rub, size_t stride, const vec *number, const vec *sides,
@@ -69,7 +69,8 @@ static inline vec_mask rub_touching(const element *rub, size_t stride, const vec
     return v_less(v_set(0.0), rub_damped(rub) ? v_min(sides[0], sides[stride]) : sides[0]);
 }
 
-/// Whether any lane is in contact; if so fills `place`. With sides N is what the law of contact says, even below zero.
+/// Returns true if any lane is in contact, and then fills `place`. With sides N follows the law of contact, even if
+/// negative.
 VECTOR_INLINE int rub_meet(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                            const vec *v, rub_place *place) {
     const size_t i = rub->port[0] * stride, j = rub->port[1] * stride;
@@ -99,7 +100,7 @@ static inline vec rub_slip(const rub_place *p, size_t stride, const vec *number)
     return v_add(number[RUB_SURFACE * stride], transverse);
 }
 
-/// The coefficient of friction with the sign that the law gives it.
+/// Coefficient of friction with the sign of the law.
 VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *number, const vec *sides,
                                const rub_place *p) {
     const vec f = number[RUB_FRICTION * stride];
@@ -108,7 +109,7 @@ VECTOR_INLINE vec rub_friction(const element *rub, size_t stride, const vec *num
     return v_mul(f, slip_sign(rub_slip(p, stride, number), number[RUB_SLIP_SPEED * stride]));
 }
 
-/// Adds the force; with `sides` of the switches the laws are held there, else the state decides.
+/// Adds the force; with `sides` of the switches the laws are fixed there, else the state decides.
 VECTOR_INLINE void rub_kernel(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                               const vec *v, vec *a) {
     const size_t i = rub->port[0] * stride, j = rub->port[1] * stride;
@@ -126,7 +127,7 @@ static inline vec rub_normal(const element *rub, size_t stride, const vec *numbe
     return v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
 }
 
-/// What friction does, two rows of `out`: not a number where it acts and the radius is not known.
+/// Effect of friction, two rows of `out`: NaN if it acts and the radius is unknown.
 static inline void rub_rubbing(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                vec *out) {
     const vec zero = v_set(0.0), lever = number[RUB_LEVER * stride], none = v_div(zero, zero);
@@ -135,7 +136,7 @@ static inline void rub_rubbing(const element *rub, size_t stride, const vec *num
     if (!rub_meet(rub, stride, number, NULL, q, v, &p)) return;
     const vec normal = v_mul(number[RUB_NEWTONS * stride], v_mul(p.push, p.r));
     const vec force = v_mul(normal, rub_friction(rub, stride, number, NULL, &p));
-    // A lane that does not touch has 0, whatever those beside it do.
+    // Lanes without contact get 0, independently of their neighbours.
     const vec unknown = v_select(v_less(zero, v_abs(force)), none, zero);
     const vec_mask known = v_less(zero, v_abs(lever));
     const vec torque = v_mul(force, v_mul(number[RUB_METRES * stride], lever));
@@ -144,8 +145,8 @@ static inline void rub_rubbing(const element *rub, size_t stride, const vec *num
     out[stride] = v_select(known, power, unknown);
 }
 
-/// The switching functions and, unless `rates` is NULL, their derivatives by time along (v, a). The slip is taken times
-/// r, which is smooth in the middle.
+/// Computes the switching functions and, unless `rates` is NULL, their time derivatives along (v, a). The slip is
+/// multiplied by r, which makes it smooth at the centre.
 static inline void rub_switches(const element *rub, size_t stride, const vec *number, const vec *q, const vec *v,
                                 const vec *a, vec *values, vec *rates) {
     const size_t i = rub->port[0] * stride, j = rub->port[1] * stride, slip = rub_slip_switch(rub) * stride;

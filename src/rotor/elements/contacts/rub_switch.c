@@ -12,7 +12,7 @@
 
 #include "rub_kernel.h"
 
-/// The normal and the radius; a normal of zero in the middle, where there is none.
+/// Normal and radius; the normal is zero at the centre.
 static double normal_at(const double *q, double n[2]) {
     const double r = fmax(sqrt(q[0] * q[0] + q[1] * q[1]), 0x1p-1022);
     n[0] = q[0] / r;
@@ -24,7 +24,7 @@ static double dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
-/// How the normal turns when the station moves by u.
+/// Change of the normal when the station moves by u.
 static void turn(const double n[2], double r, const double *u, double e[2]) {
     const double along = dot(n, u);
     for (int i = 0; i < 2; i++) e[i] = (u[i] - n[i] * along) / r;

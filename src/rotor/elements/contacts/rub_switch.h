@@ -1,4 +1,4 @@
-/// Derivatives of a rub's switching functions (rub_kernel.h), as element.h has them.
+/// Derivatives of a rub's switching functions (rub_kernel.h), for element.h.
 #ifndef ROTOR_RUB_SWITCH_H
 #define ROTOR_RUB_SWITCH_H
 

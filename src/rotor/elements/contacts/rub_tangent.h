@@ -9,7 +9,7 @@
 #include "elements/tangent.h"
 #include "rub_kernel.h"
 
-/// Derivatives of N/r, where it touches.
+/// Derivatives of N/r in contact.
 static inline void rub_push_tangent(const element *rub, size_t stride, const vec *number, const rub_place *p,
                                     vec by[4]) {
     const vec over = v_div(v_set(1.0), p->r), over_square = v_mul(over, over);
@@ -44,12 +44,12 @@ static inline void rub_friction_tangent(size_t stride, const vec *number, const 
     by[3] = v_mul(slope, p->x);
 }
 
-/// Whether any lane is in contact; if so fills `tangent`, zero in the lanes that are not.
+/// Returns true if any lane is in contact, and then fills `tangent`, zero in the other lanes.
 static inline int rub_tangent(const element *rub, size_t stride, const vec *number, const vec *sides, const vec *q,
                               const vec *v, tangent_block *tangent) {
     rub_place p;
     if (!rub_meet(rub, stride, number, sides, q, v, &p)) return 0;
-    // Pressed apart by damping is no contact either.
+    // Lanes that damping pulls apart are not in contact either.
     const vec_mask touching = sides ? p.touching : v_less(v_set(0.0), p.push);
     const vec zero = v_set(0.0), f = rub_friction(rub, stride, number, sides, &p);
     const vec along_x = v_fnma(f, p.y, p.x), along_y = v_fma(f, p.x, p.y);

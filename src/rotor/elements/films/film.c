@@ -7,7 +7,7 @@
 #include "registry.h"
 #include "whirl/engine/rotor.h"
 
-/// Phases of a film that the ground holds.
+/// Phases of a film on the ground.
 static inline void begin(const element *own, const block *b, size_t k, film_work *work, size_t at) {
     const vec *number = numbers_of(b, own) + k;
     film_begin(own, b->stride, number, number[FILM_TWICE * b->stride], b->q + k, b->v + k, work, at);
@@ -78,7 +78,7 @@ static oil oil_of(const key_value *values) {
     return (oil){&values[OIL]};
 }
 
-/// What the speeds of journal and housing make of a film, over the rotor's: their sum draws oil in, their difference
+/// Speeds that determine a film, over the rotor's: the sum of journal's and housing's draws oil in, their difference
 /// shears it.
 typedef struct turning {
     double wedge, shear;
@@ -104,7 +104,7 @@ static double reynolds_of(const key_value *values, double speed) {
     return oil_reynolds(&own, speed, sqrt(values[RADIUS].number * values[CLEARANCE].number));
 }
 
-/// The factors of a turbulent film; 1 of a laminar one.
+/// Factors of a turbulent film; 1 for a laminar one.
 static turbulent_factors factors_of(const key_value *values, double speed) {
     return turbulent_resistance((whirl_turbulence)values[TURBULENCE].choice, reynolds_of(values, speed));
 }
@@ -134,7 +134,7 @@ static whirl_status load_scale(const key_value *values, const assembly *to, doub
     return status;
 }
 
-/// What films of finite length, and those in housings that move, have besides.
+/// Sets the additional numbers of films of finite length, and of those in moving housings.
 static void build_finite(const key_value *values, const assembly *to, const turbulent_factors *by, element *out) {
     double *number = out->number;
     const double square = number[FILM_CLEARANCE_SQUARE], scale = assembly_force_scale(to, out->port[0]);
@@ -146,7 +146,7 @@ static void build_finite(const key_value *values, const assembly *to, const turb
     number[FILM_OVER_FOLD] = 1.0 / (square * FILM_FOLD);
     number[FILM_TURNS] = copysign(0.63661977236758134308, number[FILM_QUARTER]);
     if (out->law != FILM_OF_FINITE_LENGTH) return;
-    // With flows along and around divided by two factors it is a film of another length.
+    // Dividing axial and circumferential flow by two factors is equivalent to another length.
     number[FILM_LENGTH] = values[LENGTH].number / (2.0 * values[RADIUS].number) * sqrt(by->along / by->around);
     film_coefficients(number[FILM_LENGTH], number + FILM_COEFFICIENT);
 }
@@ -159,7 +159,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK && out->law && values[LOAD].given)
         status = whirl_fail(WHIRL_BAD_INPUT, "has law finite and load, expected viscosity, radius and length");
     if (status.code == WHIRL_OK) status = find_turning(values, to, &turns);
-    // Its kernels and scales are of a journal that moves in the plane.
+    // Its kernels and scales require a journal that moves in the plane.
     if (status.code == WHIRL_OK) status = assembly_find_plane(to, values[AT].station[0], out->port);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
@@ -178,15 +178,15 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Beyond the table.
+/// Doubts a ratio beyond the table.
 static void doubt_ratio(const doubt_teller *to, double ratio) {
     if (ratio < FILM_SHORTEST * (1.0 - 1e-9) || ratio > FILM_LONGEST * (1.0 + 1e-9))
         doubt_value(to, keys[LENGTH].name, "is %.3g times the diameter: the law is for %g to %g", ratio, FILM_SHORTEST,
                     FILM_LONGEST);
 }
 
-/// What factors of one Reynolds number make a force err by, in percent, against those of the local one: Ng and Pan's,
-/// of plain films of L/D 1/4 to 1 at an eccentricity ratio of .3, .5 and .8.
+/// Doubts the force's error, in percent, from factors of one Reynolds number instead of the local one: Ng and Pan's, of
+/// plain films of L/D 1/4 to 1 at an eccentricity ratio of .3, .5 and .8.
 static void doubt_factors(const doubt_teller *to, double reynolds) {
     static const double rows[][4] = {
         {500, 2, 4, 10}, {1000, 3, 7, 17}, {2000, 5, 12, 30}, {5000, 9, 20, 57}, {10000, 11, 26, 84}};

@@ -1,5 +1,5 @@
-// Films of finite length, and short ones in a housing that moves: what film.c makes where its own kernel, which is that
-// of the most frequent rotor, does not do.
+// Films of finite length, and short ones in a housing that moves: the variant to which film.c changes films that its
+// own fast kernel does not cover.
 #include "film_flow.h"
 #include "film_ratio.h"
 #include "film_tangent.h"
@@ -30,7 +30,7 @@ VECTOR_INLINE void push(const element *own, size_t stride, const vec *number, co
     }
 }
 
-/// The part of the divergence.
+/// Returns the film's part of the divergence.
 static vec trace_of(const element *own, const block *b, const vec *number, const tangent_block *tangent) {
     const vec *const rows[2] = {tangent->x, tangent->y};
     vec trace = v_set(0.0);
@@ -46,7 +46,7 @@ static vec trace_of(const element *own, const block *b, const vec *number, const
     return trace;
 }
 
-/// What they make of perturbations.
+/// Applies the derivatives to perturbations.
 static void push_tangent(const element *own, const block *b, size_t k, const vec *number,
                          const tangent_block *tangent) {
     for (size_t n = 1; n <= b->perturbations; n++) {
@@ -69,7 +69,7 @@ static void ratio_tangent(const film_state *f, const film_direction *d, const fi
     const vec P = v_mul(f->P, over_q), U = v_fma(f->x, f->A, v_mul(f->y, f->B));
     const vec by_p = v_mul(d->over_C, number[FILM_OVER_CLEARANCE * stride]);
     const vec by_b = v_mul(number[FILM_TURNS * stride], f->W_by_D), steep = v_mul(v_set(-2.0), d->g_q);
-    // Of U/C and of the angle, by x, y and the direction of (A, B); of q.
+    // Derivatives of U/C and of the angle, by x, y and the direction of (A, B); and of q.
     const vec p[3] = {v_mul(by_p, f->A), v_mul(by_p, f->B), v_sub(zero, v_mul(by_p, f->P))};
     const vec b[3] = {v_mul(by_b, v_fma(P, f->x, f->B)), v_mul(by_b, v_fms(P, f->y, f->A)), v_mul(by_b, U)};
     const vec g[3] = {v_mul(steep, f->x), v_mul(steep, f->y), zero};
@@ -91,12 +91,12 @@ static void ratio_tangent(const film_state *f, const film_direction *d, const fi
     }
 }
 
-/// Whether all lanes have the length that the structure's own machine has, and so its coefficients.
+/// Returns true if all lanes have the length of the structure's own machine, and so its coefficients.
 VECTOR_INLINE bool all_alike(const element *own, vec length) {
     return !v_any(v_less(v_set(0.0), v_abs(v_sub(length, v_set(own->number[FILM_LENGTH])))));
 }
 
-/// Makes the short film's force, and its derivatives where `tangent` is not NULL, those of one of finite length.
+/// Converts the short film's force, and its derivatives unless `tangent` is NULL, to those of a film of finite length.
 static void lengthen(const element *own, size_t stride, const vec *number, const film_state *f, vec force[2],
                      tangent_block *tangent) {
     const film_series lanes = {number + FILM_COEFFICIENT * stride, stride, NULL};
@@ -153,8 +153,7 @@ static double series(const double *terms, size_t n, double x) {
     return x * b1 - b2 + terms[0];
 }
 
-/// Beyond the table's lengths: of shorter films 1 - R goes with the square of L/D, of longer ones R with the inverse of
-/// that.
+/// Beyond the table's lengths: for shorter films 1 - R is proportional to (L/D)^2, for longer ones R to its inverse.
 void film_coefficients(double length, double *number) {
     const double r = length < FILM_SHORTEST ? FILM_SHORTEST : length > FILM_LONGEST ? FILM_LONGEST : length;
     const double s = r / (FILM_SHIFT + r), first = FILM_SHORTEST / (FILM_SHIFT + FILM_SHORTEST);

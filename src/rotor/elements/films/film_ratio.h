@@ -1,4 +1,4 @@
-/// What the force of a film of finite length has over that of a short one: both without negative pressures (Guembel's
+/// Ratio of the forces of a film of finite length and a short one: both without negative pressures (Guembel's
 /// condition), closed around the journal.
 ///
 /// With the quantities of film_kernel.h and a journal that turns counter-clockwise the force is (R + i I) (fx + i fy),
@@ -36,11 +36,11 @@ enum {
 /// The law of an element with these numbers.
 enum { FILM_OF_FINITE_LENGTH = 1 };
 
-/// What film.c makes of films that its own kernel is not for; and the coefficients for a ratio L/D.
+/// The variant of film.c for films that its own kernel does not cover; and the coefficients for a ratio L/D.
 extern const element_type film_finite_type;
 void film_coefficients(double length, double *number);
 
-/// The coefficients: of the lanes, `stride` apart; or, where all lanes have the same, those, which is faster.
+/// Source of coefficients: of the lanes, `stride` apart; or one set if all lanes have the same, which is faster.
 typedef struct film_series {
     const vec *lanes;
     size_t stride;
@@ -62,7 +62,7 @@ VECTOR_INLINE size_t film_row(int m) {
     return first;
 }
 
-/// R and I, and their derivatives by p and b where these are asked for.
+/// R and I, and their derivatives by p and b if requested.
 typedef struct film_ratio {
     vec real, imaginary, real_p, imaginary_p, real_b, imaginary_b;
 } film_ratio;
@@ -79,7 +79,7 @@ VECTOR_INLINE vec film_sum(const vec row[FILM_ROWS], int first, vec u, vec *slop
     return s;
 }
 
-/// All rows go side by side, so that no multiply-add waits for the one before it.
+/// Evaluates all rows side by side, so that no multiply-add waits for the one before it.
 VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool slopes) {
     vec row[FILM_ROWS], by_b[FILM_ROWS];
     VECTOR_WHOLE for (int m = 0; m < FILM_ROWS; m++) row[m] = by_b[m] = v_set(0.0);

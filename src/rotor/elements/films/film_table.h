@@ -1,4 +1,4 @@
-/// What films of finite length have over short ones (film_ratio.h), written by scripts/film-table.py.
+/// Coefficients of the ratio of finite to short films (film_ratio.h), written by scripts/film-table.py.
 #ifndef ROTOR_FILM_TABLE_H
 #define ROTOR_FILM_TABLE_H
 
@@ -248,7 +248,7 @@ static const double film_table[FILM_COEFFICIENTS][FILM_TERMS] = {
      0.000352836012065, -0.000624406764164, 0.000508234801421, -0.00122866201331, 0.000472587282596},
 };
 
-/// Of 1127 states at some L/D the largest error over the force, to e = .9 and from there to .95.
+/// Largest error over the force of 1127 states at some L/D, to e = .9 and from there to .95.
 enum { FILM_TRIED = 27 };
 static const double film_errors[FILM_TRIED][3] = {
     {0.1, 9.1e-05, 3.7e-04},    {0.1122, 1.0e-04, 4.1e-04}, {0.1259, 1.1e-04, 4.9e-04}, {0.1413, 1.3e-04, 5.5e-04},

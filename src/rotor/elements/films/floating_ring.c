@@ -90,7 +90,7 @@ static whirl_status find_sides(const key_value *values, ring_side *inner, ring_s
     return status;
 }
 
-/// What a film's drag is of the difference of speeds of its two sides, N m s.
+/// Drag of a film per difference of its sides' speeds, N m s.
 static double drag_of(const ring_side *of) {
     return 6.28318530717958647692 * of->viscosity * of->radius * of->radius * of->radius * of->length / of->clearance;
 }
@@ -113,7 +113,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[RING], to, out);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[RING], &values[FROM], to, &around);
     if (status.code != WHIRL_OK) return status;
-    // Places: of the journal and the ring; from these: of the ring and the housing.
+    // Places: of the journal and the ring; relative to these: of the ring and the housing.
     for (int a = 0; a < 2; a++) {
         out->port[4 + a] = out->port[2 + a];
         out->port[2 + a] = around.port[a];

@@ -1,33 +1,32 @@
-/// How fast a pad without inertia tilts: so that the moments about its pivot balance.
+/// Tilt rate of a pad without inertia, at which the moments about its pivot balance.
 ///
-/// With its tilt s held the film's (A, B) = p (c, d) + r (d, -c), where (c, d) lies along the pad at its pivot: p is
-/// what the journal makes of it, and s' = rate changes r alone, r = r_0 + 2 rate/speed. The moment
+/// At a fixed tilt s the film's (A, B) = p (c, d) + r (d, -c), where (c, d) lies along the pad at its pivot: p follows
+/// from the journal, and s' = rate changes r alone, r = r_0 + 2 rate/speed. The moment
 ///
 ///     M(rate) = spring s + damper rate + (c, d) f(p, r)
 ///
-/// grows with the rate, for films dissipate what is squeezed, and has one zero, which Newton's method finds between the
-/// rates that are known to be on either side of it. It begins where a pad without spring and damper has it, r = lean p
-/// with p > 0: its direction there depends on the place alone; else at rate 0. Lanes that have found theirs stay there:
-/// every lane does what it would do alone.
+/// grows with the rate, since films dissipate, and has one zero, which Newton's method finds within a bracket. It
+/// starts at the zero of a pad without spring and damper, r = lean p with p > 0, whose direction there depends on the
+/// place alone; else at rate 0. Lanes that have converged stay there: no lane depends on its neighbours.
 #ifndef ROTOR_PADS_BALANCE_H
 #define ROTOR_PADS_BALANCE_H
 
 #include "pads_look_up.h"
 
-/// All pads of a bearing look for theirs at the same time, a step of each in turn: no step waits for the one before it.
+/// State of the search. All pads of a bearing search at the same time, a step of each in turn, so that no step waits
+/// for the one before it.
 typedef struct pads_pivot {
     vec along[2]; ///< c, d
     vec p, r;     ///< r at rate 0
     vec twice;    ///< 2/speed
-    vec scale;    ///< of the film: f = scale V S
+    vec scale;    ///< scale of the film: f = scale V S
     vec held;     ///< spring s
     vec damper;   ///< above 0
     vec lean;     ///< about r/p of a pad that tilts freely
     pads_spot spot;
-    // The rate, and between what it lies; how far off the step is; the derivative of M by the rate; the force, and its
-    // derivative by the rate.
+    // Rate and its bracket; size of the last step; derivative of M by the rate; force, and its derivative by the rate.
     vec rate, low, high, steep, force[2], by_rate[2];
-    vec cell, rows[1][8]; ///< where alpha is, and the sums there
+    vec cell, rows[1][8]; ///< cell of alpha, and the sums there
     bool found;
 } pads_pivot;
 
@@ -57,8 +56,8 @@ VECTOR_INLINE vec pads_moment(pads_pivot *at, vec *V) {
     return v_fma(at->along[0], at->force[0], v_fma(at->along[1], at->force[1], held));
 }
 
-/// A step of Newton's method, or into the middle where that leaves what is known. A lane that has found its rate takes
-/// the same step again and again, and makes it where all have, or with the last step.
+/// Takes a step of Newton's method, or bisects if that leaves the bracket. A converged lane repeats the same step, and
+/// applies it when all lanes have converged, or with the last step.
 VECTOR_INLINE void pads_step(pads_pivot *at, bool last) {
     const vec zero = v_set(0.0), near = v_set(1e-7);
     vec V;
@@ -75,7 +74,7 @@ VECTOR_INLINE void pads_step(pads_pivot *at, bool last) {
         at->rate = v_select(moving, next, at->rate);
         return;
     }
-    // The rest of the way is linear.
+    // The rest is linear.
     at->rate = next;
     for (int n = 0; n < 2; n++) at->force[n] = v_fma(at->by_rate[n], move, at->force[n]);
 }

@@ -43,16 +43,15 @@ static inline void KERNEL(pads_place)(const kernel_view *view, const vec *pad, n
     *scale = n_mul(n_mul(n_mul(most, most), both), over);
 }
 
-/// What a pad sees of the journal, in its frame: its place, and (A, B) while the pad does not tilt further; of the
-/// place what pads_place makes of it; half of alpha; V times the scale, by which S becomes a force; the place in the
-/// table.
+/// The journal as a pad sees it, in its frame: place, and (A, B) at the present tilt; table coordinates of the place
+/// (pads_place); half of alpha; V times the scale, by which S becomes a force; the place in the table.
 typedef struct KERNEL(pads_view) {
     num x, y, a, b, t, w, scale;
     num half, size;
     pads_entry entry;
 } KERNEL(pads_view);
 
-/// Where it is in its table.
+/// Finds the place in the pad's table.
 static inline void KERNEL(pads_film_begin)(vec table, KERNEL(pads_view) * seen) {
     num V;
     KERNEL(pads_direction)(seen->a, seen->b, &V, &seen->half);
@@ -64,7 +63,7 @@ static inline void KERNEL(pads_film_begin)(vec table, KERNEL(pads_view) * seen) 
 #endif
 }
 
-/// The force of its film.
+/// Computes the film's force.
 static inline void KERNEL(pads_film_end)(const KERNEL(pads_view) * seen, num f[2]) {
 #ifdef NUMBERS_DUAL
     vec value[2], slope[2][3];
@@ -105,14 +104,14 @@ static inline void KERNEL(pads_see)(const kernel_view *view, const vec *pad, con
 }
 
 #ifdef KERNEL_FEWER_STATES
-/// The same while it tilts at a rate.
+/// Changes the view for a pad that tilts at a rate.
 static inline void KERNEL(pads_turn)(const kernel_view *view, const vec *pad, num rate, KERNEL(pads_view) * seen) {
     const vec twice = view->number[PADS_TWICE * view->stride];
     seen->a = n_add(seen->a, n_scale(v_mul(twice, pad[PAD_ALONG_Y * view->stride]), rate));
     seen->b = n_sub(seen->b, n_scale(v_mul(twice, pad[PAD_ALONG_X * view->stride]), rate));
 }
 
-/// All moments about the pivot but that of inertia.
+/// All moments about the pivot except that of inertia.
 static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, num tilt, num rate, const num f[2]) {
     const size_t stride = view->stride;
     const num held = n_add(n_scale(view->number[PADS_TILT_SPRING * stride], tilt),
@@ -121,7 +120,7 @@ static inline num KERNEL(pads_moments)(const kernel_view *view, const vec *pad, 
     return n_add(held, n_scale(view->number[PADS_TILT_FORCE * stride], film));
 }
 
-/// What pads_balance wants to know of one without.
+/// Prepares the balance (pads_balance.h) of a pad without inertia.
 static inline void KERNEL(pads_prepare)(const kernel_view *view, const vec *pad, const KERNEL(pads_view) * seen,
                                         num tilt, pads_pivot *out) {
     const size_t stride = view->stride;
@@ -139,7 +138,7 @@ static inline void KERNEL(pads_prepare)(const kernel_view *view, const vec *pad,
     pads_find(pad[PAD_TABLE * stride], n_value(seen->t), n_value(seen->w), false, &out->spot);
 }
 
-/// The force of such a pad, and the slope of its tilt. Their derivatives are those of an implicit function.
+/// Computes the force of such a pad, and the slope of its tilt, with derivatives of an implicit function.
 static inline num KERNEL(pads_found)(const kernel_view *view, const vec *pad, const pads_pivot *found,
                                      KERNEL(pads_view) * seen, num tilt, num f[2]) {
     num rate = n_of(found->rate);
@@ -162,7 +161,7 @@ static inline num KERNEL(pads_found)(const kernel_view *view, const vec *pad, co
 }
 
 #if PADS_YIELD
-/// The slopes of how far a pad has moved outwards, and of that rate.
+/// Computes the slopes of a pad's outward displacement, and of its rate.
 static inline void KERNEL(pads_yielding)(const kernel_view *view, const vec *pad, const num *yield, const num f[2],
                                          num *slope) {
     const size_t stride = view->stride;

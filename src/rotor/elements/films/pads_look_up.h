@@ -10,9 +10,9 @@
 
 enum { MAX_PADS = WHIRL_MAX_TILTING };
 
-/// Of the bearing: one over the pads' clearance in length scales; 2 over the speed of the shaft by tau, without its
-/// sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them, and of
-/// pads on pivots that yield the same along the radius.
+/// Numbers of the bearing: one over the pads' clearance in length scales; 2 over the speed of the shaft by tau, without
+/// its sign, which stands beside it; of the tilts by tau what the film's force, a spring and a damper make of them, and
+/// of pads on pivots that yield the same along the radius.
 enum {
     PADS_OVER_CLEARANCE,
     PADS_CLEARANCE_UNIT,
@@ -27,8 +27,8 @@ enum {
     PADS_FIRST
 };
 
-/// Of every pad, from PADS_FIRST on: its middle; by what the preload moves the journal and how the pad lies at its
-/// pivot, in the frame of the middle; of half the arc the cosine and one over the sine; the number of its table.
+/// Numbers of every pad, from PADS_FIRST on: its middle; the shift by the preload and the pad's direction at its pivot,
+/// in the frame of the middle; cosine and one over the sine of half the arc; the number of its table.
 enum {
     PAD_COSINE,
     PAD_SINE,
@@ -43,11 +43,11 @@ enum {
     PADS_NUMBERS = PADS_FIRST + MAX_PADS * PAD_NUMBERS
 };
 
-/// States of a bearing of pads that tilt, at most: of every pad the tilt and its rate, or of those without inertia the
-/// tilt alone; of those on pivots that yield then of every pad how far it has moved outwards, and that rate.
+/// Most states of a bearing of pads that tilt: tilt and rate of every pad, or the tilt alone without inertia; on
+/// yielding pivots then the outward displacement and its rate of every pad.
 enum { PADS_STATES = 2 * MAX_PADS, PADS_YIELDING_STATES = 2 * PADS_STATES };
 
-/// Whether its pads tilt without inertia.
+/// Returns true if its pads tilt without inertia.
 static inline bool pads_are_light(const element *own) {
     return own->states / (size_t)own->law % 2 == 1;
 }
@@ -69,8 +69,8 @@ VECTOR_INLINE void pads_spline_slopes(vec u, vec over_step, vec slope[4]) {
     slope[3] = v_mul(half, v_mul(u, u));
 }
 
-/// A place on an axis: the cell, where it is in it, and 1 over the step, 0 beyond the axis. Not a number counts as the
-/// first node.
+/// A place on an axis: the cell, the position in it, and 1 over the step, 0 beyond the axis. NaN counts as the first
+/// node.
 typedef struct pads_axis {
     vec cell, u, over_step;
 } pads_axis;
@@ -87,15 +87,15 @@ VECTOR_INLINE pads_axis pads_on_axis(vec at, double first, double step, int cell
 /// Sums over t and w: of the values and, if sloped, of the derivatives by t and by w.
 enum { PADS_VALUE, PADS_BY_T, PADS_BY_W, PADS_SUMS };
 
-/// Where the journal is in the table of a pad, whatever its direction: the rows of every lane's table and the number of
-/// the first one there, and for every sum the products of the splines along t and w, by which rows are weighed.
+/// The journal's place in a pad's table, for any direction: the rows of every lane's table and the number of the first
+/// one there, and for every sum the products of the splines along t and w that weigh the rows.
 typedef struct pads_spot {
     const double *rows[VECTOR_LANES];
     vec first;
     double weight[PADS_SUMS][4][4][VECTOR_LANES];
 } pads_spot;
 
-/// The tables of all lanes.
+/// Returns the tables of all lanes.
 VECTOR_INLINE void pads_tables(vec table, const pad_table *of[VECTOR_LANES]) {
     double id[VECTOR_LANES];
     memcpy(id, &table, sizeof id);
@@ -130,7 +130,7 @@ VECTOR_INLINE void pads_find(vec table, vec t, vec w, bool sloped, pads_spot *sp
     pads_products(along_t, slope, spot->weight[PADS_BY_W]);
 }
 
-/// `lean` of a table (pads/pad_tables.h) between its nodes, linear along both axes.
+/// Interpolates `lean` of a table (pads/pad_tables.h) between its nodes, linearly along both axes.
 VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     const pads_axis on_t = pads_on_axis(t, PAD_MIN_T, PAD_STEP_T, PAD_T_NODES - 1);
     const pads_axis on_w = pads_on_axis(w, -PAD_MAX_W, PAD_STEP_W, PAD_W_NODES - 1);
@@ -149,8 +149,8 @@ VECTOR_INLINE vec pads_lean(vec table, vec t, vec w) {
     return v_fma(on_t.u, v_sub(high, low), low);
 }
 
-/// Both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time, row by
-/// row: one is a vector of the widest lanes, two to eight of narrower ones.
+/// Sums both forces at four B-splines of alpha from its cell on, those of one spline side by side. A lane at a time,
+/// row by row: one row is a vector of the widest lanes, two to eight of narrower ones.
 VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec sums[][8]) {
     enum { PARTS = 8 / VECTOR_LANES };
     const int kinds = sloped ? PADS_SUMS : 1;
@@ -176,7 +176,7 @@ VECTOR_INLINE void pads_sum(const pads_spot *spot, vec cell, bool sloped, vec su
     for (int kind = 0; kind < kinds; kind++) v_transpose((const double(*)[8])all[kind], sums[kind]);
 }
 
-/// The two forces with weights of the four splines.
+/// Weighs the two forces with the four splines.
 VECTOR_INLINE void pads_weigh(const vec rows[8], const vec weight[4], vec force[2]) {
     for (int n = 0; n < 2; n++)
         force[n] = v_fma(weight[3], rows[6 + n],
@@ -197,8 +197,8 @@ VECTOR_INLINE void pads_polar(vec a, vec b, vec *V, vec *half, vec *over) {
     *half = v_half_angle(v_mul(a, part), v_mul(b, part));
 }
 
-/// Where all lanes are in the tables of a pad: what is known before a number of them is read. All pads of a bearing are
-/// found first, and read then, so that none waits for what it is to read.
+/// Places of all lanes in the tables of a pad, found before any number is read: all pads of a bearing are found first,
+/// so that no read waits for its address.
 typedef struct pads_entry {
     pads_spot spot;
     pads_axis alpha;
@@ -209,7 +209,7 @@ VECTOR_INLINE void pads_enter(vec table, vec t, vec w, vec half, bool sloped, pa
     pads_find(table, t, w, sloped, &entry->spot);
 }
 
-/// S of every lane.
+/// Reads S of every lane.
 static inline void pads_read(const pads_entry *entry, vec force[2]) {
     vec rows[1][8], weight[4];
     pads_sum(&entry->spot, entry->alpha.cell, false, rows);
@@ -217,7 +217,7 @@ static inline void pads_read(const pads_entry *entry, vec force[2]) {
     pads_weigh(rows[PADS_VALUE], weight, force);
 }
 
-/// The same, and its derivatives by t, w and half the angle alpha, which are 0 beyond the table.
+/// Reads S with its derivatives by t, w and half the angle alpha, which are 0 beyond the table.
 static inline void pads_read_sloped(const pads_entry *entry, vec force[2], vec slope[2][3]) {
     vec rows[3][8], weight[4], turned[4], by[3][2];
     pads_sum(&entry->spot, entry->alpha.cell, true, rows);

@@ -1,10 +1,10 @@
-/// Where pads rest before a journal that is held: their tilts, and how far they yield on their pivots. Included by the
+/// Equilibrium of pads before a journal at a given place: their tilts, and how far their pivots yield. Included by the
 /// scalar builds of tilting_pad.c and tilting_pad_yielding.c.
 ///
-/// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it stays where M
-/// goes from below 0 to above. Of several such tilts, as `whirl bearing` does (pads/pads.c), the first is taken where a
-/// film holds the pad, or that to which a pad with a spring goes from the tilt that it has. On a pivot that yields by u
-/// the thrust of the film is spring u besides, which grows with u.
+/// A pad at rest has the moment M(s) = spring s + (c, d) f of its tilt s, f the force of its film; it is stable where M
+/// changes from negative to positive. Of several such tilts the first one with a film is taken, as in `whirl bearing`
+/// (pads/pads.c), or for a pad with a spring the one to which it moves from its present tilt. On a pivot that yields by
+/// u the film's thrust equals spring u, which grows with u.
 #ifndef ROTOR_PADS_SETTLE_H
 #define ROTOR_PADS_SETTLE_H
 
@@ -14,23 +14,23 @@
 #include "bracket.h"
 #include "elements/films/pads_gap.h"
 
-/// A film whose force is below this share of mu omega R L (R/c)^2 holds no pad: tables err by more where none is.
+/// Films whose force is below this share of mu omega R L (R/c)^2 carry no pad: tables have larger errors.
 static const double pads_no_film = 1e-3;
 
-/// R delta/c, beyond which no tilt is looked for.
+/// R delta/c, limit of the search for tilts.
 static const double pads_widest = 20.0;
 
-/// A pad at rest before a journal that is held.
+/// A pad at rest before a journal at a given place.
 typedef struct pads_rest {
     const kernel_view *view;
     const double *pad;
     double journal[4];          ///< place, and velocity 0, in the pads' clearance, as the pads see them
-    double begin;               ///< the tilt that it is followed from; NaN: from none
-    double yield[2];            ///< how far its pivot has moved outwards, and 0
-    double tilt, film[2], size; ///< the tilt that was looked at last, its film's force, and how large that is
+    double begin;               ///< tilt from which it is followed; NaN: none
+    double yield[2];            ///< outward displacement of its pivot, and 0
+    double tilt, film[2], size; ///< the tilt evaluated last, its film's force, and the size of that
 } pads_rest;
 
-/// All moments about the pivot at a tilt.
+/// Sum of all moments about the pivot at a tilt.
 static double pads_moment_at(pads_rest *at, double tilt) {
     pads_view_plain seen;
     at->tilt = tilt;
@@ -41,7 +41,7 @@ static double pads_moment_at(pads_rest *at, double tilt) {
     return pads_moments_plain(at->view, at->pad, tilt, 0.0, at->film);
 }
 
-/// Whether nothing of the pad touches the journal at a tilt: (x, y) in the frame of its middle, as pads_place has it.
+/// Returns true if the pad does not touch the journal at a tilt: (x, y) in the frame of its middle, as in pads_place.
 static bool pads_are_free(const pads_rest *at, double tilt) {
     static const double least = 1e-4;
     pads_view_plain seen;
@@ -49,7 +49,7 @@ static bool pads_are_free(const pads_rest *at, double tilt) {
     return seen.x < 1.0 && pads_thinnest(at->pad, seen.x, seen.y) > least;
 }
 
-/// The tilts between which nothing touches; false where there are none.
+/// Finds the range of tilts without contact; false if it is empty.
 static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
     pads_view_plain seen;
     pads_see_plain(at->view, at->pad, at->journal, 0.0, at->yield, &seen);
@@ -63,8 +63,8 @@ static bool pads_free_tilts(const pads_rest *at, double ends[2]) {
     return true;
 }
 
-/// The first tilts side by side between which the moment goes from below 0 to above, where films hold the pad on both
-/// or, with `any`, wherever it does so; of no such tilts the one with the weakest film is left as at->tilt.
+/// Finds the first adjacent tilts between which the moment changes from negative to positive, with a film on both or,
+/// with `any`, without regard to films. at->tilt becomes the one with the weakest film if there are none.
 static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bracket *found) {
     enum { LOOKS = 32 };
     double last = 0.0, before = 0.0, weakest = INFINITY, best = ends[0], size = 0.0;
@@ -82,8 +82,8 @@ static bool pads_bracket_tilt(pads_rest *at, const double ends[2], bool any, bra
     return false;
 }
 
-/// The tilts side by side between which a pad rests that begins at at->begin and goes where its moment turns it. False
-/// where it goes until it touches.
+/// Finds the adjacent tilts between which a pad comes to rest that starts at at->begin and follows its moment. False if
+/// it reaches contact.
 static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found) {
     const double width = ends[1] - ends[0];
     double here = fmin(fmax(at->begin, ends[0]), ends[1]), moment = pads_moment_at(at, here), step = width / 4096.0;
@@ -100,9 +100,9 @@ static bool pads_follow_tilt(pads_rest *at, const double ends[2], bracket *found
     return true;
 }
 
-/// Where the tilt of the pad rests, as at->tilt with its film's force. A spring holds a pad at tilts without a film,
-/// too: such a pad is followed from where it is, so that its tilt does not jump while the journal moves. *idle: no film
-/// holds it there. False where it touches, however it tilts.
+/// Finds the pad's equilibrium tilt, at->tilt with its film's force. A spring holds a pad even without a film: such a
+/// pad is followed from its present tilt, so that this does not jump while the journal moves. *idle: no film carries it
+/// there. False if it touches at every tilt.
 static bool pads_settle_tilt(pads_rest *at, bool *idle) {
     double ends[2];
     bracket between;
@@ -122,7 +122,7 @@ static bool pads_settle_tilt(pads_rest *at, bool *idle) {
 }
 
 #if PADS_YIELD
-/// What pushes a pad that has moved outwards by u back inwards, where its tilt rests; without end below 0 where it
+/// Net inward force on a pad whose pivot is displaced outwards by u, at its equilibrium tilt; minus infinity if it
 /// touches.
 static double pads_back(pads_rest *at, double u, bool *idle) {
     at->yield[0] = u;
@@ -131,7 +131,7 @@ static double pads_back(pads_rest *at, double u, bool *idle) {
     return at->view->number[PADS_YIELD_SPRING] * u + at->view->number[PADS_YIELD_FORCE] * outwards;
 }
 
-/// Where the pad rests on a pivot that yields.
+/// Finds the pad's equilibrium on a yielding pivot.
 static bool pads_settle_pad(pads_rest *at, bool *idle) {
     double low = 0.0, high = 0.0, step = 1e-3;
     double back = pads_back(at, 0.0, idle), below = back, above = back;
@@ -161,7 +161,7 @@ static bool pads_settle_pad(pads_rest *at, bool *idle) {
 }
 #endif
 
-/// Where the states of a pad begin, in length scales: its tilt, and how far it has moved outwards.
+/// Index of a pad's first state: its tilt, and the outward displacement, in length scales.
 static size_t pads_tilt_state(const element *own, size_t pad) {
     return pads_are_light(own) ? pad : 2 * pad;
 }
@@ -169,7 +169,7 @@ static size_t pads_yield_state(const element *own, size_t pad) {
     return (pads_are_light(own) ? 1 : 2) * (size_t)own->law + 2 * pad;
 }
 
-/// Whether a pad that no film holds may stay at a tilt: there is no film and no spring there, either.
+/// Returns true if a pad without film may stay at a tilt: there is no film and no spring there, either.
 static bool pads_may_stay(const pads_rest *at, double tilt) {
     pads_rest there = *at;
     if (at->view->number[PADS_TILT_SPRING] != 0.0 || !pads_are_free(at, tilt)) return false;
@@ -196,8 +196,8 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
     return settled;
 }
 
-/// element_type.film: of pads that a film holds. Pads tilt out of the way, so that a wall is where the journal touches
-/// pivots; on those that yield there is none.
+/// element_type.film: for pads with a film. Pads tilt out of the way, so the wall is where the journal touches the
+/// pivots; yielding pivots have none.
 static void pads_film(const element *own, const double *q, const double *states, element_film *out) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double over = own->number[PADS_OVER_CLEARANCE], unit = own->number[PADS_CLEARANCE_UNIT];
@@ -214,7 +214,7 @@ static void pads_film(const element *own, const double *q, const double *states,
         pads_see_plain(&view, at.pad, at.journal, at.tilt, at.yield, &seen);
         out->held[p] = at.size > pads_no_film;
         if (out->held[p]) out->least = fmin(out->least, unit * pads_thinnest(at.pad, seen.x, seen.y));
-        // Along the radius of the pivot, where the pad's centre lies beyond by the preload.
+        // Along the pivot's radius, on which the pad's centre lies beyond by the preload.
         pads_in_frame(at.pad, at.journal, place);
         const double c = at.pad[PAD_ALONG_Y], s = -at.pad[PAD_ALONG_X],
                      beyond = hypot(at.pad[PAD_SHIFT_X], at.pad[PAD_SHIFT_Y]);

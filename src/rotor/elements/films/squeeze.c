@@ -8,7 +8,7 @@
 /// One over the clearance in length scales; the scale of the force in newtons.
 enum { SQUEEZE_OVER_CLEARANCE, SQUEEZE_STRENGTH, SQUEEZE_NUMBERS };
 
-/// What a law is made of; without them the short damper with half a film.
+/// Bits of the law; without them the short damper with half a film.
 enum { SQUEEZE_LONG = 1, SQUEEZE_FULL = 2 };
 
 #include "generic.h"
@@ -63,7 +63,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Of the long law, whose ends are sealed, any length will do.
+/// Doubts; the long law, with sealed ends, holds for any length.
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010

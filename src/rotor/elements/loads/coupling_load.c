@@ -1,4 +1,4 @@
-// What a flexible coupling does to the ends of two shafts that stand beside each other: reactions after Gibbons.
+// Reactions of a flexible coupling on the ends of two misaligned shafts, after Gibbons.
 #define KERNEL_FILE "elements/loads/coupling_load_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
@@ -86,8 +86,8 @@ static int fill_orders(const key_value *values, double phase, bool stands, doubl
     return (int)count - 1;
 }
 
-/// The moments bend the coupling and the shafts, and nothing else holds it: its forces are in balance with them, z from
-/// the driving to the driven shaft, where MX turns dy/dz and -MY turns dx/dz.
+/// Its forces balance the moments that bend coupling and shafts; z from the driving to the driven shaft, where MX turns
+/// dy/dz and -MY turns dx/dz.
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
     whirl_status status = check(values);
@@ -97,14 +97,14 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     const double way = copysign(1.0, to->turn);
     gibbons(values, way * values[TORQUE].number, force);
     out->law = fill_orders(values, way * values[PHASE].number, assembly_stands(to), out->number + REACTION_PARTS);
-    // The kernel's part goes to the second places against its sign.
+    // The kernel applies forces to the second places with opposite sign.
     const double on[KERNEL_PORTS] = {force[0], force[1], -force[3], force[2], force[0], force[1], force[5], -force[4]};
     generic_scale(out, to, 1.0);
     for (size_t port = 0; port < KERNEL_PORTS; port++) out->number[KERNEL_NUMBERS + port] *= on[port];
     return status;
 }
 
-/// The last of its parts, if that comes more than once a turn.
+/// Returns the last of its orders, if that exceeds 1.
 static bool named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || own->law < 2) return false;
     *order = own->law;

@@ -17,7 +17,7 @@ const element_kernels ISA(force_kernels) = GENERIC_KERNELS;
 
 enum { AT, AMPLITUDE, MOMENT, LAW, ANGLE, PHASE, RATIO, FREQUENCY, KEYPHASOR, KEY_COUNT };
 
-/// To which side each law turns.
+/// Sense of rotation of each law.
 static const double sides[] = {0.0, 1.0, -1.0};
 
 static const whirl_key keys[KEY_COUNT] = {
@@ -49,7 +49,7 @@ double harmonic_rounds(const element *own, size_t state) {
 void harmonic_force(element *out, const assembly *to, double size, double side, double angle, double phase,
                     double rate) {
     const double direction[2] = {cos(angle), sin(angle)}, across[2] = {-sin(angle), cos(angle)};
-    // Which way the shaft turns is no matter of how far the phase is: cos(phase + tau) = cos(-phase - tau).
+    // The sense of the shaft's rotation does not matter to the phase: cos(phase + tau) = cos(-phase - tau).
     phase = copysign(1.0, to->turn) * phase;
     // Along its direction cos(theta + phase); across, on the side to which it turns, sin(theta + phase).
     for (size_t a = 0; a < 2; a++) {
@@ -82,7 +82,7 @@ static bool named_order(const element *own, size_t index, double *order, const c
 static whirl_status find_ports(const key_value *values, const assembly *to, element *out) {
     const bool tilts = values[MOMENT].given;
     element_on(&values[AT], to, tilts ? AXIS_TILT_X : AXIS_X, out);
-    // A station that moves along one axis feels the part along it.
+    // A station that moves along one axis feels the component along it.
     return tilts ? assembly_find(to, out->station, AXIS_TILT_X, &out->port[0]) : whirl_ok();
 }
 

@@ -31,11 +31,11 @@ extern const element_kernels *const harmonic_kernels[VECTOR_ISAS];
 /// Turns of the phase in a revolution.
 double harmonic_rounds(const element *own, size_t state);
 
-/// Refuses a phase that turns too often in a revolution, where the machine is built to move (assembly.in_time). Studies
-/// at rest do not depend on phases. WHIRL_BAD_INPUT with a sentence.
+/// Rejects a phase that turns too often in a revolution, if the machine is built to move (assembly.in_time). Studies at
+/// rest do not depend on phases. WHIRL_BAD_INPUT with a sentence.
 whirl_status harmonic_check_rate(const assembly *to, double rate);
 
-/// What element_type.named_order tells but for the name: the phase's rate, where it turns faster than the shaft.
+/// Returns the order of element_type.named_order without name: the phase's rate, if it turns faster than the shaft.
 bool harmonic_order(const element *own, size_t index, double *order);
 
 /// Makes the element a force of `size` newtons on the ports out->port[0] and [1], with a phase that starts at `phase`

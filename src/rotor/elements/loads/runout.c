@@ -1,4 +1,4 @@
-// Runout: what probes see of a shaft that is not round or not of one metal there, over its motion. No force.
+// Runout: apparent motion that probes see on a shaft that is not round, or not of uniform metal. No force.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR

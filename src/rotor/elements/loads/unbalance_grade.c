@@ -1,4 +1,4 @@
-// The unbalance that a balance quality grade lets a rotor have, on two planes.
+// Residual unbalance of a balance quality grade, on two planes.
 #define KERNEL_FILE "elements/loads/unbalance_grade_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0
@@ -44,7 +44,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "share of the allowed unbalance that the rotor has"),
 };
 
-/// Mass and centre of the shaft that a station lies on: exact moments of weight that is spread over pieces.
+/// Mass and centre of a station's shaft: exact moments of weight that is spread over pieces.
 static void weigh(const assembly *of, size_t shaft, double *mass, double *centre) {
     double moment = 0.0;
     *mass = 0.0;

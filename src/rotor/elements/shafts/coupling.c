@@ -1,4 +1,4 @@
-// A flexible coupling: what joins the ends of two shafts in the plane across them and against their tilts.
+// A flexible coupling: stiffness and damping between the ends of two shafts, across them and against their tilts.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR
@@ -29,8 +29,8 @@ static const whirl_key keys[KEY_COUNT] = {
                              "direction in which the first shaft leans at t = 0, from the x axis towards y"),
 };
 
-/// What turns with the shafts: k e + c e', e' = i omega e, on the first place, and against it on the second. port[0],
-/// [1]: of the first place, [next] and on: of the second.
+/// Adds rotating forces of an offset e: k e + c e', e' = i omega e, on the first place, and the opposite on the second.
+/// port[0], [1]: of the first place, [next] and on: of the second.
 static void add_turning(assembly *to, const size_t *port, size_t next, double stiffness, double damping, double size,
                         double angle) {
     const double steady = stiffness * size, ahead = damping * size * to->speed, quarter = copysign(0.5 * pi, to->turn);
@@ -42,7 +42,7 @@ static void add_turning(assembly *to, const size_t *port, size_t next, double st
     }
 }
 
-/// That both shafts turn as the rotor does, where anything turns with them.
+/// Checks that both shafts turn with the rotor, if anything turns with them.
 static whirl_status check_turning(const key_value *values, const assembly *to) {
     if (values[KINK].number > 0.0 && !(values[TILT].number > 0.0) && !(values[TILT_DAMPING].number > 0.0))
         return whirl_fail(WHIRL_BAD_INPUT, "has a face_kink and no stiffness against tilts, expected tilt as well");

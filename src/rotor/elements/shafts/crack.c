@@ -77,7 +77,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Its weight alone decides where it is open: of a place that the ground holds.
+/// Range of the law, for a place held by the ground: its weight alone must decide whether the crack is open.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     double sag[KERNEL_AXES], swing[KERNEL_AXES];
     (void)own;

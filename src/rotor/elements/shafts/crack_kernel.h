@@ -8,7 +8,7 @@
 //
 //     -(M + H [cos 2theta   sin 2theta; sin 2theta   -cos 2theta]) d.
 
-/// How far the crack is open; own->law: terms of the square wave, or 0.
+/// Opening of the crack; own->law: terms of the square wave, or 0.
 static inline num KERNEL(crack_opening)(const element *own, const kernel_view *view) {
     const num half = n_set(0.5), cosine = n_of(view->number[CRACK_LOAD_COS * view->stride]);
     const num minus_sine = n_of(v_sub(v_set(0.0), view->number[CRACK_LOAD_SIN * view->stride]));

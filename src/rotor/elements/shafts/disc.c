@@ -1,4 +1,4 @@
-// A disc by its measures: what its mass and inertia add to a station.
+// A disc by its dimensions: adds its mass and inertia to a station.
 #include "registry.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR

@@ -1,4 +1,4 @@
-// A universal joint between two shafts at an angle that stands still: what it does to them twice a turn.
+// A universal joint between two shafts at a fixed angle, and its moments twice a turn.
 #define KERNEL_FILE "elements/shafts/joint_kernel.h"
 #define KERNEL_AXES 4
 #define KERNEL_STATES 0

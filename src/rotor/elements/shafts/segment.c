@@ -41,7 +41,7 @@ static const whirl_key keys[SEGMENT_KEYS] = {
                                              "as for shafts; absent: that of the shaft"),
 };
 
-/// The mesh has its mass and stiffness.
+/// Does nothing: the mesh has its mass and stiffness.
 static whirl_status build(const key_value *values, assembly *to, element *out) {
     (void)values, (void)to, (void)out;
     return whirl_ok();

@@ -3,7 +3,7 @@
 #include "registry.h"
 #include "shaft_kernel.h"
 
-/// All vectors of one shaft.
+/// Adds one shaft, all vectors.
 VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *number, shaft_end here,
                              shaft_end there) {
     const size_t stride = b->stride, vectors = b->vectors;
@@ -12,14 +12,14 @@ VECTOR_INLINE void add_shaft(int law, int grounded, const block *b, const vec *n
         shaft_add(law, grounded, false, cosine[k], sine[k], stride, k, number, &here, &there);
 }
 
-/// Of a state or a perturbation.
+/// Adds the shafts' forces for one vector: a state, or a perturbation of it.
 VECTOR_INLINE void add_shafts(const element *first, size_t count, block at, const vec *q, vec *a) {
     for (const element *own = first; own < first + count; own++) {
         const int grounded = own->port[2] == NO_COORDINATE;
         const size_t x = own->port[0] * at.stride, other = grounded ? x : own->port[2] * at.stride;
         const shaft_end here = {q + x, a + x}, there = {q + other, a + other};
         const vec *number = numbers_of(&at, own);
-        // Each of these loops has no choice in it.
+        // Each of these loops is free of branches.
         if (grounded)
             add_shaft(own->law, true, &at, number, here, there);
         else if (own->law == SHAFT_SIGNS_PAPER)
@@ -36,7 +36,7 @@ static void add(const element *first, size_t count, const block *b, const vec *q
         add_shafts(first, count, single(b), q, a);
 }
 
-/// What perturbation n of the shaft's phase adds.
+/// Adds the effect of perturbation n of the shaft's phase.
 static void add_turned(const element *own, const block *b, size_t n) {
     const int grounded = own->port[2] == NO_COORDINATE;
     const size_t x = own->port[0] * b->stride, other = grounded ? x : own->port[2] * b->stride;
@@ -77,7 +77,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y};
     key_value between = values[BETWEEN];
     size_t *station = between.station;
-    // The ground is the other end, else the station that comes first: how it is listed changes no bit.
+    // The other end is the ground, else the station listed first: the order of listing changes no bit.
     if (station[0] == GROUND ||
         (station[1] != GROUND && to->stations[station[1]].place < to->stations[station[0]].place)) {
         station[0] = values[BETWEEN].station[1];
@@ -85,7 +85,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     }
     whirl_status status = element_beside_none(&between, to);
     if (status.code == WHIRL_OK) status = element_between(&between, to, axes, 2, out);
-    // Its kernel turns, and takes both ends to move in the plane.
+    // Its kernel turns, and requires both ends to move in the plane.
     for (size_t end = 0; end < 2 && status.code == WHIRL_OK; end++)
         if (station[end] != GROUND) status = assembly_find_plane(to, station[end], out->port + 2 * end);
     if (status.code != WHIRL_OK) return status;

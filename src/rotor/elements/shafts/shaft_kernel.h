@@ -25,8 +25,8 @@ typedef struct shaft_end {
     vec *a;
 } shaft_end;
 
-/// Vector k; c and s: cos 2tau, sin 2tau. Linear, so that it takes perturbations too. turned: c and s are what these
-/// change by, and the mean stiffness stays.
+/// Adds the forces for vector k; c and s: cos 2tau, sin 2tau. Linear, so that it also serves perturbations. turned: c
+/// and s are their derivatives, and the mean stiffness is left out.
 VECTOR_INLINE void shaft_add(int law, int grounded, int turned, vec c, vec s, size_t stride, size_t k,
                              const vec *number, const shaft_end *here, const shaft_end *there) {
     const size_t y = stride + k;

@@ -1,5 +1,4 @@
-// A station: a lumped mass with damping to ground, the eccentricity of its centre of mass, and its inertia where it
-// tilts.
+// A station: a lumped mass with damping to ground, eccentricity, and inertia if it tilts.
 #include "element.h"
 
 #if VECTOR_ISA == VECTOR_SCALAR

@@ -1,6 +1,6 @@
-/// The station pass: damping, unbalance and constant pull; it writes the accelerations that the elements add to.
+/// The station pass: damping, unbalance and constant pull; it initializes the accelerations to which elements add.
 ///
-///     x'' = (U cos tau - W sin tau) + pull_x - d x',    y'' = (U sin tau + W cos tau) + pull_y - d y'
+/// x'' = (U cos tau - W sin tau) + pull_x - d x',    y'' = (U sin tau + W cos tau) + pull_y - d y'
 #ifndef ROTOR_STATION_KERNEL_H
 #define ROTOR_STATION_KERNEL_H
 
@@ -24,7 +24,7 @@ static inline void station_kernel(vec c, vec s, size_t stride, const vec *number
     a[stride] = v_fma(in_phase, s, v_fma(ahead, c, ay));
 }
 
-/// The same for a perturbation: only damping feels it.
+/// The same for a perturbation: only damping acts.
 static inline void station_tangent(size_t stride, const vec *number, const vec *v, vec *a) {
     const vec damping = v_sub(v_set(0.0), number[STATION_DAMPING * stride]);
     a[0] = v_mul(damping, v[0]);

@@ -1,6 +1,6 @@
 // A linear bearing or seal: eight coefficients between a station and the ground, or another station, and the inertia of
-// what moves in it; constant, or of the speed and the frequency of whirl by a table, for which in time a rational
-// function stands.
+// its fluid; constant, or a table over the speed and the frequency of whirl, which a rational function replaces in
+// time.
 #define KERNEL_FILE "elements/supports/bearing_kernel.h"
 #define KERNEL_AXES 2
 #define KERNEL_STATES 16 // two for each axis and pair
@@ -8,7 +8,7 @@
 #define KERNEL_NUMBERS BEARING_NUMBERS
 #define KERNEL_SWITCHES 0
 
-/// Of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
+/// Numbers of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
 /// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the
@@ -109,7 +109,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                "studies at another ratio have a warning"),
 };
 
-/// The block of one kind, by `add`, between two places.
+/// Adds the block of one kind, by `add`, between two places.
 static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, double), const size_t port[4],
                       const double matrix[2][2]) {
     const size_t *one = port, *other = port + 2;
@@ -122,7 +122,7 @@ static void add_block(assembly *to, void (*add)(assembly *, size_t, size_t, doub
         }
 }
 
-/// The same of the inertia, which is symmetric, and of which an entry stands for its mirror image as well.
+/// Adds the block of inertia, which is symmetric: an entry also stands for its mirror image.
 static void add_inertia(assembly *to, const size_t port[4], double xx, double xy, double yy) {
     const size_t *one = port, *other = port + 2;
     assembly_inerter(to, one[0], other[0], xx);
@@ -133,7 +133,7 @@ static void add_inertia(assembly *to, const size_t port[4], double xx, double xy
     assembly_inertance(to, one[1], other[0], -xy);
 }
 
-/// Two places or more of an axis of the tables, that rise.
+/// Checks that an axis of the tables has at least two places, which rise.
 static whirl_status check_axis(const key_value *along, const char *name) {
     if (!along->given) return whirl_ok();
     if (along->rows > 1) return whirl_fail(WHIRL_BAD_INPUT, "has lists of %s, expected a single list", name);
@@ -146,11 +146,11 @@ static whirl_status check_axis(const key_value *along, const char *name) {
     return whirl_ok();
 }
 
-/// The rotor's speed lies between those of the tables.
+/// Checks that the rotor's speed is within the tables.
 static whirl_status check_speed(const key_value *speeds, double speed) {
     if (!speeds->given) return whirl_ok();
     const double low = speeds->list[0], high = speeds->list[speeds->count - 1], rpm = 60.0 / 6.28318530717958647692;
-    // The ends of tables are rounded: 4000 rpm may lie beyond one by a part of 1e12.
+    // The ends of tables are rounded: 4000 rpm may be outside by a part of 1e12.
     static const double rounding = 1e-9;
     if (speed < low * (1.0 - rounding) || speed > high * (1.0 + rounding))
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -163,7 +163,7 @@ static double within(const key_value *along, double at) {
     return fmin(fmax(at, along->list[0]), along->list[along->count - 1]);
 }
 
-/// Lists that say a coefficient fit the axes: one over the only axis, or for every speed one over the frequencies.
+/// Checks that a coefficient's list fits the axes: along the only axis, or for every speed a row along the frequencies.
 static whirl_status check_shape(const key_value *values, int key) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
     const char *name = keys[key].name;
@@ -183,7 +183,7 @@ static whirl_status check_shape(const key_value *values, int key) {
     return whirl_ok();
 }
 
-/// The coefficient at the rotor's speed and a frequency of whirl: out of its list, or the same at all.
+/// Finds the coefficient at the rotor's speed and a frequency of whirl: from its list, or the constant.
 static whirl_status look_up(const key_value *values, int key, double speed, double frequency, double *out) {
     const key_value *value = &values[key], *speeds = &values[SPEEDS], *frequencies = &values[FREQUENCIES];
     double at_speeds[WHIRL_MAX_LIST] = {0.0};
@@ -202,7 +202,7 @@ static whirl_status look_up(const key_value *values, int key, double speed, doub
     return whirl_ok();
 }
 
-/// Row by row; of the inertia xx, xy, yy.
+/// Coefficients, row by row; of the inertia xx, xy, yy.
 typedef struct coefficients {
     double stiffness[2][2], damping[2][2], inertia[3];
 } coefficients;
@@ -219,7 +219,7 @@ static whirl_status look_up_all(const key_value *values, double speed, double fr
     return whirl_ok();
 }
 
-/// Whether a coefficient varies along the frequencies.
+/// Returns true if a coefficient varies along the frequencies.
 static bool whirls(const key_value *values) {
     const size_t columns = values[FREQUENCIES].count;
     bool varies = false;
@@ -229,7 +229,7 @@ static bool whirls(const key_value *values) {
     return varies;
 }
 
-/// The axes of the tables, and that the rotor is within them.
+/// Checks the axes of the tables, and that the rotor is within them.
 static whirl_status check_tables(const key_value *values, assembly *to) {
     const key_value *frequencies = &values[FREQUENCIES];
     bool varies = false;
@@ -249,7 +249,7 @@ static whirl_status check_tables(const key_value *values, assembly *to) {
     return assembly_frequencies(to, frequencies->count, frequencies->list);
 }
 
-/// Coefficients over speeds are looked up at the rotor's.
+/// Checks both ends: coefficients over speeds are looked up at the rotor's.
 static whirl_status check_ends(const key_value *values, const assembly *to) {
     for (int end = AT; end <= FROM && values[SPEEDS].given; end++) {
         const size_t station = values[end].given ? values[end].station[0] : GROUND;
@@ -262,7 +262,7 @@ static whirl_status check_ends(const key_value *values, const assembly *to) {
     return whirl_ok();
 }
 
-/// K e, e = (sideways, elevation), on the station, and against it on the housing.
+/// Adds K e, e = (sideways, elevation), on the station, and the opposite on the housing.
 static void add_offset(assembly *to, const size_t port[4], const double matrix[2][2], const double offset[2]) {
     for (size_t i = 0; i < 4; i++) {
         const double *row = matrix[i % 2], force = row[0] * offset[0] + row[1] * offset[1];
@@ -281,7 +281,7 @@ static void add_coefficients(const key_value *values, const coefficients *at, as
 
 // ---------------------------------------------------------------- in time
 
-/// The table as K - w^2 (M - mean M) + i w C.
+/// Samples the table as K - w^2 (M - mean M) + i w C.
 static whirl_status sample(const key_value *values, double speed, double frequency, const double inertia[3],
                            rational_sample *out) {
     coefficients at;
@@ -294,7 +294,7 @@ static whirl_status sample(const key_value *values, double speed, double frequen
     return status;
 }
 
-/// Over the frequencies.
+/// Computes the mean inertia over the frequencies.
 static whirl_status mean_inertia(const key_value *values, double speed, double mean[3]) {
     const key_value *frequencies = &values[FREQUENCIES];
     whirl_status status = whirl_ok();
@@ -316,7 +316,7 @@ static whirl_status sample_all(const key_value *values, double speed, double ine
     return status;
 }
 
-/// The part by which the function differs from the table, at its frequencies and half way between them.
+/// Computes the relative error of the function at the table's frequencies and half way between them.
 static whirl_status compare(const key_value *values, double speed, const rational_fit *fit, const double inertia[3],
                             double *number) {
     const key_value *frequencies = &values[FREQUENCIES];
@@ -339,13 +339,13 @@ static whirl_status compare(const key_value *values, double speed, const rationa
     return status;
 }
 
-/// As many pairs of poles as the table tells apart.
+/// Number of pairs of poles, at most what the table can determine.
 static size_t pair_count(const key_value *values) {
     const size_t wanted = (size_t)values[POLES].number / 2, most = values[FREQUENCIES].count / 2 - 1;
     return wanted < most ? wanted : most;
 }
 
-/// What the rotor's own motions ask of the table.
+/// Checks that the table reaches the rotor's own frequencies.
 static whirl_status check_top(const key_value *values, const assembly *to) {
     const key_value *frequencies = &values[FREQUENCIES];
     const double top = frequencies->list[frequencies->count - 1];
@@ -366,8 +366,8 @@ static whirl_status check_error(const key_value *values, size_t pairs, double er
         100.0 * error, worst, 2 * pairs, 100.0 * values[FIT_ERROR].number);
 }
 
-/// Poles are those of the table as a whole, of some of its speeds, so that the function is as smooth over the speed as
-/// the table; its numbers those of the machine's own speed.
+/// Finds the function. Poles are common to the whole table (some of its speeds), so that the function is as smooth over
+/// the speed as the table; its numbers are those of the machine's own speed.
 static whirl_status find_function(const key_value *values, double speed, double inertia[3], rational_fit *fit) {
     rational_sample samples[(size_t)RATIONAL_MAX_SETS * RATIONAL_MAX_SAMPLES];
     const key_value *frequencies = &values[FREQUENCIES], *speeds = &values[SPEEDS];
@@ -401,7 +401,7 @@ static whirl_status make_fit(const key_value *values, const assembly *to, coeffi
     return status;
 }
 
-/// Constant and slope are coefficients as any; pairs of poles have states of their own.
+/// Builds the function: constant and slope are ordinary coefficients; pairs of poles have states of their own.
 static whirl_status build_in_time(const key_value *values, assembly *to, element *out) {
     rational_fit fit;
     coefficients rest;
@@ -439,7 +439,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
     if (to->in_time && whirls(values)) return build_in_time(values, to, out);
-    // At a place of the table nothing is rounded.
+    // At a place of the table interpolation is exact.
     if (to->in_time && values[FREQUENCIES].given)
         status = look_up_all(values, to->speed, values[FREQUENCIES].list[0], &at);
     add_coefficients(values, &at, to, out);

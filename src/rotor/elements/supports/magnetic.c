@@ -8,7 +8,7 @@
 #define KERNEL_SWITCHES_BY_STATES
 #define KERNEL_SWITCHES_OF(own) ((own)->law & MAGNETIC_LINEAR ? 0 : KERNEL_SWITCHES)
 
-/// Of each axis, and there of each of both coils: its current above 0, and below the largest.
+/// Switches of each axis, and of each of its coils: its current above 0, and below the largest.
 enum { MAGNETIC_ABOVE, MAGNETIC_BELOW, MAGNETIC_LIMITS, MAGNETIC_AXIS_SWITCHES = 2 * MAGNETIC_LIMITS };
 
 /// The loop's transfer functions, of an order up to BLOCK_ORDER: b_0 ... then a_0 ...
@@ -160,7 +160,7 @@ static transfer lag(const key_value *bandwidth, const key_value *damping) {
     return (transfer){2, {square}, {square, 2.0 * damping->number * corner, 1.0}};
 }
 
-/// K_p + K_i/s + K_d s/(1 + s T_f), without the poles that it has no use for.
+/// K_p + K_i/s + K_d s/(1 + s T_f), without poles for zero gains.
 static transfer pid(const key_value *values) {
     const double p = values[PROPORTIONAL].number, i = values[INTEGRAL].number, d = values[DERIVATIVE].number;
     const double rate = values[DERIVATIVE_FILTER].given ? 1.0 / values[DERIVATIVE_FILTER].number : 0.0;
@@ -266,7 +266,7 @@ static whirl_status check_keys(const key_value *values) {
     return whirl_ok();
 }
 
-/// A current that no coil comes to.
+/// A current that no coil reaches.
 static const double NO_LIMIT = 0x1p300;
 
 /// mu_0, N/A2: 4 pi 1e-7 to nine digits.
@@ -278,7 +278,7 @@ static double strength(const key_value *values) {
     return values[CONSTANT].given ? values[CONSTANT].number : 0.25 * permeability * turns * turns * values[AREA].number;
 }
 
-/// 1 A in the unit of currents. A linear bearing without k_s has no current that is usual by a displacement.
+/// 1 A in the unit of currents. A linear bearing without k_s has no natural unit.
 static double ampere_of(const key_value *values, double length) {
     const double usual = 1e4; // A/m
     double by_place = values[BIAS].number / values[GAP].number;
@@ -341,8 +341,8 @@ static void loop(const element *own, const double *q, const double *states, size
     }
 }
 
-/// Of a loop whose last part lags, which the current is a state of: by which factor the current is that state, and how
-/// many states of the loop are before it; 0: it is none.
+/// For a loop whose last part lags, so that the current is a state: the current over that state, and the number of loop
+/// states before it; 0: it is no state.
 static double current_by_state(const element *own, size_t *before) {
     double factor = -1.0;
     *before = (size_t)loop_order(own);
@@ -356,19 +356,19 @@ static double current_by_state(const element *own, size_t *before) {
     return 0.0;
 }
 
-/// Coils come to their limits; nothing touches.
+/// Coils reach their limits; no contact begins.
 static bool touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;
 }
 
-/// Forces change their slope there.
+/// Forces only change their slope there.
 static bool jumps(const element *own) {
     (void)own;
     return false;
 }
 
-/// Currents of coils are limited, and so is the room between magnets.
+/// Ranges: coil currents, and the gap between magnets.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const double *number = own->number, bias = number[MAGNETIC_BIAS], ampere = number[MAGNETIC_AMPERE];
     size_t before;

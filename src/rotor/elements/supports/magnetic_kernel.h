@@ -34,14 +34,14 @@ VECTOR_INLINE void KERNEL(of_order)(const kernel_view *view, size_t part, int or
     }
 }
 
-/// The currents of the loops of `lines` axes at u, which they take the place of.
+/// Replaces the displacements u of `lines` axes by the currents of their loops.
 VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view, size_t lines, num *u, const num *s,
                                     num *slope) {
     const size_t apart = (size_t)loop_order(own);
     VECTOR_FOR (part, (size_t)LOOP_BLOCKS) {
         const int order = block_order(own, (int)part);
 #ifndef NUMBERS_DUAL
-        // Most are of these orders, known to the compiler.
+        // Common orders, known to the compiler.
         if (order == 0)
             KERNEL(of_order)(view, part, 0, lines, apart, u, s, slope);
         else if (order == 1)
@@ -57,7 +57,7 @@ VECTOR_INLINE void KERNEL(currents)(const element *own, const kernel_view *view,
     VECTOR_FOR (line, lines) u[line] = n_sub(n_set(0.0), u[line]);
 }
 
-/// Of a coil, within its limits; where sides [MAGNETIC_LIMITS] are held, as these have it.
+/// Limits a coil's current; with fixed sides [MAGNETIC_LIMITS], as these have it.
 static inline num KERNEL(limited)(const kernel_view *view, num current, const vec *sides) {
     const vec zero = v_set(0.0), most = view->number[MAGNETIC_MAX * view->stride];
     const vec above = sides ? sides[MAGNETIC_ABOVE * view->stride] : n_value(current);
@@ -66,7 +66,7 @@ static inline num KERNEL(limited)(const kernel_view *view, num current, const ve
     return n_select(v_less(zero, below), lifted, n_of(most));
 }
 
-/// The force along an axis.
+/// Force along an axis.
 static inline num KERNEL(pull)(const element *own, const kernel_view *view, num u, num current, const vec *sides) {
     const size_t stride = view->stride;
     const vec *number = view->number;
@@ -83,7 +83,7 @@ static inline num KERNEL(pull)(const element *own, const kernel_view *view, num 
     return n_scale(number[MAGNETIC_FORCE * stride], n_mul(square, n_mul(over, over)));
 }
 
-/// Places along both axes.
+/// Displacements along both axes.
 static inline void KERNEL(along_axes)(const kernel_view *view, const num *d, num *u) {
     const vec c = view->number[MAGNETIC_COS * view->stride], sine = view->number[MAGNETIC_SIN * view->stride];
     u[0] = n_add(n_scale(c, d[0]), n_scale(sine, d[1]));

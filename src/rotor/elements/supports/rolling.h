@@ -1,4 +1,4 @@
-/// Rolling bearings: what both compilations of their kernel share (rolling_bearing.c, rolling_dents.c).
+/// Rolling bearings: definitions shared by both compilations of their kernel (rolling_bearing.c, rolling_dents.c).
 #ifndef ROTOR_ROLLING_H
 #define ROTOR_ROLLING_H
 
@@ -35,7 +35,7 @@ enum {
     ROLLING_NUMBERS
 };
 
-/// Its law: how many rolling elements pass in a turn of the cage, and what else decides the structure.
+/// Law: number of rolling elements in the cage, and bits for other structure.
 enum { ROLLING_COUNT = 0xfff, ROLLING_LINE = 0x1000, ROLLING_OBLIQUE = 0x2000, ROLLING_BALL_DENT = 0x4000 };
 
 /// States: the angle of the cage; with dents those of the inner race, of the outer one and of a rolling element, too.

@@ -17,7 +17,7 @@ const element_kernels ISA(rolling_bearing_kernels) = GENERIC_KERNELS;
 #include <math.h>
 #include <stdio.h>
 
-/// Those from CONTACT_ANGLE on are of balls alone. The keys of a dent: its depth, width and place; a ball's has none.
+/// Keys; from CONTACT_ANGLE on only balls have them. The keys of a dent: its depth, width and place; a ball's has none.
 enum {
     AT,
     FROM,
@@ -56,7 +56,7 @@ enum {
     DENT_KEYS(place, symbol), ANGLE_KEY(place "_dent_angle", "", place "_dent",                                        \
                                         "position of its middle at t = 0, from the x axis towards y")
 
-/// Keys of a bearing of `many` of `one`, whose force goes with the power of the approach that the unit has.
+/// Keys of a bearing of `many` of `one`, whose force is proportional to a power of the approach, as in the unit.
 #define ROLLING_KEYS(one, many, unit, cited)                                                                           \
     [AT] = STATION_KEY("at", REQUIRED, "station that it carries"),                                                     \
     [FROM] = STATION_KEY("from", OPTIONAL, "station of the housing; absent: the ground"),                              \
@@ -101,14 +101,14 @@ static const whirl_key roller_keys[CONTACT_ANGLE] = {
                  "Palmgren 1959; Harris 2001, ch. 6"),
 };
 
-/// Speeds of both races over the rotor's. A housing that is no station of a shaft stands.
+/// Speeds of both races over the rotor's. A housing that is no station of a shaft is fixed.
 static void find_races(const key_value *values, const assembly *to, double races[2]) {
     const assembly_station *housing = values[FROM].given ? &to->stations[values[FROM].station[0]] : NULL;
     races[0] = to->stations[values[AT].station[0]].ratio;
     races[1] = housing && housing->shaft != NO_SHAFT ? housing->ratio : 0.0;
 }
 
-/// Of its balls that roll: the mean of both races' velocities over the mean of their radii.
+/// Ratio of the cage, for balls that roll: the mean of both races' velocities over the mean of their radii.
 static whirl_status cage_ratio(const key_value *values, const double races[2], double *ratio) {
     const bool radii = values[INNER].given && values[OUTER].given;
     const double inner = values[INNER].number, outer = values[OUTER].number;
@@ -130,8 +130,8 @@ static whirl_status cage_ratio(const key_value *values, const double races[2], d
     return whirl_ok();
 }
 
-/// By tau, the cage's being found. A ball rolls on the inner race, whose share of the sum of both radii is that by
-/// which the cage follows it; 0 where that tells none.
+/// Sets rates by tau from the cage's. A ball rolls on the inner race, whose share of the sum of both radii is that by
+/// which the cage follows it; 0 if it is unknown.
 static void set_rates(const key_value *values, const double races[2], double cage, double obliquity, double *number) {
     const double radii = values[INNER].number / (values[INNER].number + values[OUTER].number);
     const double share = values[CAGE].given ? (cage - races[1]) / (races[0] - races[1]) : radii;
@@ -146,10 +146,10 @@ static void set_rates(const key_value *values, const double races[2], double cag
 
 /// Lengths in metres, the shaft in the middle of the row.
 typedef struct oblique {
-    double centres, radial, axial; ///< of the centres of both grooves: A; along the radius and the axis, loaded
+    double centres, radial, axial; ///< distance of both grooves' centres: A; along the radius and the axis, loaded
 } oblique;
 
-/// By how much balls are pressed in along their contacts.
+/// Compression of balls along their contacts.
 static double approach(const oblique *o) {
     return hypot(o->radial, o->axial) - o->centres;
 }
@@ -224,7 +224,7 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
     whirl_status status = whirl_ok();
     for (size_t which = 0; which < DENTS && status.code == WHIRL_OK; which++) {
         status = set_dent(values, keys, which, length, out->number);
-        *dented = *dented || values[dent_keys[which]].given; // one of depth 0 as well: a sweep may begin there
+        *dented = *dented || values[dent_keys[which]].given; // also for depth 0: a sweep may begin there
     }
     if (status.code != WHIRL_OK || !*dented) return status;
     if (values[ROWS].number > 1.0)
@@ -241,14 +241,14 @@ static whirl_status set_dents(const key_value *values, const whirl_key *keys, do
 
 // ---------------------------------------------------------------- the element
 
-/// Turns of a state in a revolution, after which the forces come back: balls without dents are alike.
+/// Rounds of a state per revolution after which the forces repeat: balls without dents are equal.
 static double rounds_of(const element *own, size_t state) {
     const bool alike = state == 0 && !(own->law & ROLLING_BALL_DENT);
     return (alike ? own->law & ROLLING_COUNT : 1) * own->number[ROLLING_RATES + state];
 }
 
-/// Of the cage, of a ball about its own axis, and of balls past a place of each race and past a load that stands, where
-/// the outer race does not.
+/// Orders of the cage, of a ball about its own axis, of balls past a place of each race and, with a fixed outer race,
+/// past a fixed load.
 static bool named_order(const element *own, size_t index, double *order, const char **name) {
     static const char *const names[] = {"FTF", "BSF", "BPFO", "BPFI", "BPF"};
     const double *speeds = own->number + ROLLING_SPEEDS, cage = own->number[ROLLING_RATES];
@@ -273,7 +273,7 @@ static void note(const element *own, double length, double clock, char *text, si
         used += (size_t)snprintf(text + used, size - used, "%s%s %.4gX", i ? ", " : "", name, order);
 }
 
-/// How far the rolling element under the load is pressed in.
+/// Compression of the rolling element under the load.
 static double depth_at(const element *own, double radius) {
     const double *number = own->number;
     const double reach = radius + number[ROLLING_RADIAL];
@@ -281,7 +281,7 @@ static double depth_at(const element *own, double radius) {
                                       : radius - number[ROLLING_GAP];
 }
 
-/// The pressure goes with the load to the power 1/3, of rollers 1/2.
+/// The pressure is proportional to the load to the power 1/3, for rollers 1/2.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool line = own->law & ROLLING_LINE;
     const double most = line ? HERTZ_MAX_ROLLER : HERTZ_MAX_BALL, yield = own->number[ROLLING_YIELD];
@@ -342,7 +342,7 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
 static const element_type dented_balls = BALL_TYPE(DENTED_STATES, dented_kernels, NULL);
 static const element_type dented_rollers = ROLLER_TYPE(DENTED_STATES, dented_kernels, NULL);
 
-/// In metres. Grooves follow from the distance of their centres.
+/// Compression at which it yields, m. Grooves follow from the distance of their centres.
 static double yield_depth(const key_value *values, bool line) {
     const double race = values[INNER].number, diameter = values[OUTER].number - race,
                  stiffness = values[STIFFNESS].number;
@@ -352,7 +352,7 @@ static double yield_depth(const key_value *values, bool line) {
                 : pow(hertz_ball_load(diameter, race, groove) / stiffness, 2.0 / 3.0);
 }
 
-/// Of one kind, by its table of keys and its law.
+/// Builds one kind, by its table of keys and its law.
 static whirl_status build(const key_value *values, const whirl_key *keys, int law, assembly *to, element *out) {
     const bool staggered = values[STAGGERED].choice == 0, line = law & ROLLING_LINE;
     const double rows = values[ROWS].number, balls = values[COUNT].number * (staggered ? rows : 1.0);

@@ -15,7 +15,7 @@
 // those that do not fit the revolution.
 
 #ifdef ROLLING_DENTED
-/// What dent `which` takes, at the angle from its middle whose cosine and sine are x and y.
+/// Depth of dent `which` at the angle from its middle whose cosine and sine are x and y.
 static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y) {
     const vec *number = view->number;
     const size_t stride = view->stride;
@@ -26,7 +26,7 @@ static inline num KERNEL(dent)(const kernel_view *view, int which, num x, num y)
     return n_select(n_less(edge, x), n_scale(half, n_add(n_set(1.0), cosine)), n_set(0.0));
 }
 
-/// The same of both races under a ball at the angle of x and y; `at` are the cosines and sines of their dents.
+/// Depth of both races' dents under a ball at the angle of x and y; `at` are the cosines and sines of their dents.
 static inline num KERNEL(race_dents)(const kernel_view *view, const num *at, num x, num y) {
     num taken = n_set(0.0);
     for (int race = DENT_INNER; race <= DENT_OUTER; race++) {
@@ -43,7 +43,7 @@ static inline void KERNEL(find_dents)(const kernel_view *view, const num *s, num
     }
 }
 
-/// The same of the ball itself, at its own angle: on both races.
+/// Depth of the ball's own dent, at its own angle, on both races.
 static inline num KERNEL(ball_dent)(const kernel_view *view, num angle) {
     const num zero = n_set(0.0);
     num x, y;
@@ -53,7 +53,7 @@ static inline num KERNEL(ball_dent)(const kernel_view *view, num angle) {
 }
 #endif
 
-/// How far a ball is pressed in with the shaft at r along it, and what part of its push acts along the radius.
+/// Compression of a ball with the shaft at r along it, and the part of its push that acts along the radius.
 static inline num KERNEL(oblique)(const kernel_view *view, num r, num *lever) {
     const vec *number = view->number;
     const size_t stride = view->stride;

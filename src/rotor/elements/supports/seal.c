@@ -17,7 +17,7 @@ enum {
     SEAL_NUMBERS
 };
 
-/// Its law: whether its coefficients follow from its geometry, and which powers keys name.
+/// Bits of the law: coefficients follow from geometry; which powers are given by keys.
 enum { SEAL_BLACK = 1, SEAL_GROWS = 2, SEAL_SLOWS = 4 };
 
 #include "generic.h"
@@ -94,7 +94,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                "Black, Allaire, Barrett 1981; Childs 1983"),
 };
 
-/// The middle of the seal: as given, or by its geometry.
+/// Coefficients at the centre: as given, or from its geometry.
 static black_coefficients middle_of(const key_value *values, double speed) {
     const double density = values[DENSITY].number;
     const double viscosity = values[KINEMATIC].given ? values[KINEMATIC].number * density : values[VISCOSITY].number;
@@ -108,7 +108,7 @@ static black_coefficients middle_of(const key_value *values, double speed) {
                                 .ratio = values[RATIO].number};
 }
 
-/// The keys of the other law are not there, and those of its own are.
+/// Checks that the keys of its law are given, and none of the other law.
 static whirl_status check_law(const key_value *values) {
     const bool black = values[LAW].choice;
     for (int k = STIFFNESS; k <= RATIO; k++)
@@ -155,7 +155,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Of Blasius' friction of smooth walls, and of a seal in which fluid flows around the shaft as well.
+/// Doubts Blasius' friction of smooth walls, and the neglect of circumferential flow.
 static void doubt_black(const key_value *values, double speed, const doubt_teller *to) {
     const double least = 3000.0, most = 1e5, reynolds = middle_of(values, speed).reynolds;
     const double share = values[LENGTH].number / (2.0 * values[RADIUS].number), longest = 0.5 * (1.0 + 1e-9);
@@ -170,7 +170,7 @@ static void doubt_black(const key_value *values, double speed, const doubt_telle
                     share);
 }
 
-/// Beyond what was measured (theory.md, "Annular seal").
+/// Doubts values beyond measurements (theory.md, "Annular seal").
 static void doubt(const key_value *values, double speed, const doubt_teller *to) {
     static const struct {
         int key;
@@ -183,7 +183,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     if (values[LAW].choice) doubt_black(values, speed, to);
 }
 
-/// Of a seal by its geometry: in the turning fluid, and on the station in the middle.
+/// Describes a seal given by its geometry: in the rotating fluid, and for a centred station.
 static void note(const element *own, double length, double clock, char *text, size_t size) {
     const double *number = own->number, turn = number[SEAL_RATIO] * clock;
     const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
@@ -199,7 +199,7 @@ static double bearing_clearance(const element *own) {
     return 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
 }
 
-/// Coefficients of the middle hold to about half the clearance: Childs 1993.
+/// Coefficients of the centre hold to about half the clearance: Childs 1993.
 static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool grows = own->number[SEAL_GROWTH] > 0.0;
     const char *const limit =

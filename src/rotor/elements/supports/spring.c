@@ -52,7 +52,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-/// Where damping is given the force jumps as the play ends.
+/// With damping the force jumps as the play ends.
 static bool jumps(const element *own) {
     return own->law != 0;
 }
