@@ -8,7 +8,7 @@
 /// Axial support of a vertical shaft.
 typedef struct shaft_thrust {
     bool held;         ///< false: none, the shaft is horizontal
-    size_t station;    ///< of the design
+    size_t station;    ///< index in the design
     double mass, load; ///< kg and N, of the shaft with all that is on it
 } shaft_thrust;
 
