@@ -20,14 +20,14 @@ declare -A below=(
     [rotor]="system.h ensemble.h rotor.h model.h line.h bearing.h film_tables.h"
     [integrate]="system.h ensemble.h integrate.h"
     [linear]="system.h integrate.h linear.h"
-    [orbit]="system.h ensemble.h integrate.h linear.h orbit.h torus.h"
-    [analyze]="system.h ensemble.h integrate.h linear.h orbit.h record.h analyze.h signals.h balance.h"
+    [orbit]="system.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h branch.h torus.h torus_branch.h"
+    [analyze]="system.h ensemble.h integrate.h linear.h orbit.h stable_orbits.h record.h analyze.h spectrum.h response_peaks.h signals.h balance.h"
     [study]="film_tables.h bearing.h bearing_table.h system.h ensemble.h integrate.h linear.h orbit.h analyze.h result.h handles.h study.h sensitivity.h verify.h shown.h"
     [case]="system.h ensemble.h rotor.h model.h line.h bearing.h bearing_table.h integrate.h linear.h analyze.h result.h study.h case.h claims.h job.h balance.h"
     [user]="system.h integrate.h analyze.h result.h handles.h study.h case.h job.h user_system.h"
     [store]="system.h integrate.h analyze.h result.h handles.h study.h journal.h shown.h"
     [import]="system.h rotor.h case.h import.h"
-    [report]="bearing.h bearing_table.h line.h linear.h system.h integrate.h analyze.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h"
+    [report]="bearing.h bearing_table.h line.h linear.h system.h integrate.h analyze.h spectrum.h response_peaks.h result.h handles.h study.h verify.h case.h model.h claims.h job.h report.h figure.h findings.h shown.h balance.h"
 )
 for folder in src/*/; do
     layer=$(basename "$folder")

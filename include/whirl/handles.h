@@ -29,8 +29,6 @@ typedef struct whirl_table whirl_table;
 /// Storage for finished points outside of a run (whirl/engine/study.h, whirl/engine/journal.h).
 typedef struct whirl_keeper whirl_keeper;
 
-// ---------------------------------------------------------------- results
-
 /// Reads a result file. WHIRL_BAD_INPUT with a sentence for a file of another kind.
 whirl_status whirl_result_read(const char *path, whirl_result **result);
 
@@ -105,8 +103,6 @@ double whirl_result_shown_amplitude(const whirl_result *result, char *name, size
 
 /// Returns the unit of frequencies in Hz, and writes its name; 0 and "" for orders of the running speed.
 double whirl_result_shown_frequency(const whirl_result *result, char *name, size_t size);
-
-// ---------------------------------------------------------------- tables
 
 /// Returns the table of that name, or NULL.
 const whirl_table *whirl_result_table(const whirl_result *result, const char *name);

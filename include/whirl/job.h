@@ -18,8 +18,6 @@
 extern "C" {
 #endif
 
-// ---------------------------------------------------------------- cases
-
 /// A parsed case. Only whirl_case_set, whirl_case_spend and whirl_case_refine change it; afterwards threads may share
 /// it.
 typedef struct whirl_case whirl_case;
@@ -52,8 +50,6 @@ whirl_status whirl_case_outline(const whirl_case *object, whirl_result **outline
 
 /// Frees a case; accepts NULL.
 void whirl_case_free(whirl_case *object);
-
-// ---------------------------------------------------------------- jobs
 
 /// A run of a case's study: its options, and the request to stop.
 typedef struct whirl_job whirl_job;

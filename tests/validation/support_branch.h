@@ -2,6 +2,7 @@
 #ifndef SUPPORT_BRANCH_H
 #define SUPPORT_BRANCH_H
 
+#include "whirl/engine/branch.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/orbit.h"
 

@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "whirl/engine/torus.h"
+#include "whirl/engine/torus_branch.h"
 
 /// dx/dt of a model.
 typedef void (*slope_fn)(const void *model, double t, const double *x, double *slope);

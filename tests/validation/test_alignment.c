@@ -14,6 +14,7 @@
 #include "support_study.h"
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/case.h"
+#include "whirl/engine/response_peaks.h"
 #include "whirl/engine/rotor.h"
 
 enum { SIZE = 4096 };

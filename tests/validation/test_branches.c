@@ -11,6 +11,7 @@
 
 #include "support_branch.h"
 #include "support_check.h"
+#include "whirl/engine/stable_orbits.h"
 
 static const double pi = 3.14159265358979323846;
 

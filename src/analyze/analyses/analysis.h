@@ -3,6 +3,7 @@
 #define ANALYZE_ANALYSIS_H
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/spectrum.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/stable_orbits.h"
 
 /// Margin around the motion's box within which an attractor counts as near, over the size of the box.
 static const double margin = 0.1;

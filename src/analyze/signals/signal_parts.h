@@ -4,6 +4,7 @@
 
 #include "whirl/engine/analyze.h"
 #include "whirl/engine/balance.h"
+#include "whirl/engine/spectrum.h"
 #include "whirl/signals.h"
 
 #include <complex.h>

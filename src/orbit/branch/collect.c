@@ -6,6 +6,7 @@
 
 #include "follower.h"
 #include "whirl/engine/ensemble.h"
+#include "whirl/engine/stable_orbits.h"
 
 whirl_collect_options whirl_collect_default(const double *low, const double *high) {
     return (whirl_collect_options){.orbit = whirl_orbit_default(),

@@ -5,6 +5,7 @@
 #include "curve.h"
 #include "equations.h"
 #include "shooting.h"
+#include "whirl/engine/branch.h"
 #include "whirl/engine/orbit.h"
 
 /// A point of the continuation.

@@ -3,6 +3,7 @@
 #define ORBIT_EQUATIONS_H
 
 #include "shooting.h"
+#include "whirl/engine/branch.h"
 
 /// Unknowns: the coordinates of every node that do not turn, [segments][kept]; the period, if the orbit's is free; the
 /// parameter, if machines form a family. Equations: as many as nodes have coordinates, and for a free period the phase

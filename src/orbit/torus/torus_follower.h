@@ -3,9 +3,10 @@
 #define ORBIT_TORUS_FOLLOWER_H
 
 #include "curve.h"
+#include "whirl/engine/branch.h"
 #include "whirl/engine/ensemble.h"
 #include "whirl/engine/integrate.h"
-#include "whirl/engine/torus.h"
+#include "whirl/engine/torus_branch.h"
 #include "whirl/status.h"
 
 #include <stddef.h>

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "figure_kinds.h"
+#include "whirl/engine/response_peaks.h"
 
 /// Returns true if a point is in the diagram.
 static bool stands(const whirl_table *table, size_t point) {

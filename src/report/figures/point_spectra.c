@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "figure_kinds.h"
+#include "whirl/engine/spectrum.h"
 
 enum {
     MAX_BINS = 2500, ///< bins in a drawn spectrum; more are grouped, by the largest of each group (peak hold)

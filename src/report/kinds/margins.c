@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/response_peaks.h"
 #include "words.h"
 
 bool margin_running(const whirl_table *table, double *low, double *high) {

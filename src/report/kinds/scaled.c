@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/response_peaks.h"
 
 /// Returns true if any station has a clearance.
 static bool has_clearances(const whirl_result *result, const whirl_table *table) {

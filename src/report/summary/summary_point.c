@@ -5,6 +5,7 @@
 #include "quantities.h"
 #include "report_parts.h"
 #include "summary.h"
+#include "whirl/engine/spectrum.h"
 
 static void print_rubs(FILE *out, const whirl_shown_units *units, const whirl_table *table, size_t point) {
     const whirl_result *result = units->result;

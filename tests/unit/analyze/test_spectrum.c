@@ -11,6 +11,7 @@
 
 #include "near.h"
 #include "whirl/engine/analyze.h"
+#include "whirl/engine/spectrum.h"
 
 static const double two_pi = 6.283185307179586476925;
 
