@@ -13,8 +13,8 @@
 #include "limit.h"
 #include "output.h"
 #include "whirl/engine/figure.h"
-#include "whirl/engine/film_tables.h"
 #include "whirl/engine/report.h"
+#include "whirl/internal/film_tables.h"
 
 typedef struct check_arguments {
     case_arguments given; ///< its settings; the cases are argv from `first` on

@@ -10,7 +10,7 @@
 
 #include "command.h"
 #include "output.h"
-#include "whirl/engine/input.h"
+#include "whirl/internal/input.h"
 
 enum { HEAD_SIZE = 4096 };
 

@@ -6,6 +6,7 @@
 
 #include "files.h"
 #include "output.h"
+#include "whirl/internal/import.h"
 
 typedef struct import_arguments {
     const char *rotor, *output;

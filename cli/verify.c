@@ -9,6 +9,7 @@
 
 #include "case_arguments.h"
 #include "console.h"
+#include "whirl/internal/verify.h"
 
 enum { SAMPLE = 9, MAX_POINTS = 10000, MAX_REVOLUTIONS = 1000000, NAME_SIZE = 64 };
 

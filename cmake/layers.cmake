@@ -31,7 +31,7 @@ function(whirl_layer name)
   else()
     add_library(whirl_${name} OBJECT ${sources})
     target_include_directories(whirl_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include
-                               PRIVATE ${base} ${rooms})
+                               PRIVATE ${PROJECT_SOURCE_DIR}/src/include ${base} ${rooms})
     foreach(library ${LAYER_LIBRARIES})
       target_link_libraries(whirl_${name} PRIVATE ${library})
     endforeach()
@@ -80,7 +80,7 @@ function(whirl_link_layer program layer)
   whirl_rooms(${PROJECT_SOURCE_DIR}/src/base base)
   whirl_rooms(${PROJECT_SOURCE_DIR}/src/${layer} rooms)
   target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR}/include ${PROJECT_BINARY_DIR}/include
-                             ${base} ${rooms})
+                             ${PROJECT_SOURCE_DIR}/src/include ${base} ${rooms})
 endfunction()
 
 # libwhirl, shared and static, of all layers.

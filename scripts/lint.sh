@@ -19,5 +19,5 @@ checks=(--quiet --enable=warning,performance,portability --inline-suppr --error-
 mapfile -t c < <(printf '%s\n' "${units[@]}" | grep -E '^(cli|src|examples)/.*\.c$')
 mapfile -t cc < <(printf '%s\n' "${units[@]}" | grep -E '\.cc$')
 [ ${#c[@]} -eq 0 ] || cppcheck "${checks[@]}" --std=c11 --language=c --suppressions-list=scripts/cppcheck-suppressions.txt \
-    "-DISA(name)=name" "-DEVERY_ISA(address, name)={0}" -I include -I "$build/include" -j "$(nproc)" "${c[@]}"
+    "-DISA(name)=name" "-DEVERY_ISA(address, name)={0}" -I include -I src/include -I "$build/include" -j "$(nproc)" "${c[@]}"
 [ ${#cc[@]} -eq 0 ] || cppcheck "${checks[@]}" --std=c++17 --language=c++ "${cc[@]}"

@@ -12,7 +12,7 @@ fail() {
     failures=$((failures + 1))
 }
 
-# ---- which public headers a layer may use: its own and those below it
+# ---- which shared headers (include/whirl, src/include) a layer may use: its own and those below it
 
 base="status.h descriptor.h stop.h version.h watched.h" # everyone's
 declare -A below=(
@@ -31,13 +31,14 @@ declare -A below=(
 )
 for folder in src/*/; do
     layer=$(basename "$folder")
+    [ "$layer" != include ] || continue # headers that layers and the command share
     [ -n "${below[$layer]+known}" ] || { fail "src/$layer is no layer that this test knows"; continue; }
     while IFS=: read -r file header; do
         case " $base ${below[$layer]} " in
         *" $header "*) ;;
         *) fail "$file includes the public header $header, which is not below $layer" ;;
         esac
-    done < <(grep -roE '#include "whirl/[a-z_/]+\.h"' "$folder" | sed -E 's,#include "whirl/(engine/)?([^"]*)",\2,')
+    done < <(grep -roE '#include "whirl/[a-z_/]+\.h"' "$folder" | sed -E 's,#include "whirl/(engine/|internal/)?([^"]*)",\2,')
     declare -A seen=()
     for header in src/base/*.h src/base/*/*.h "$folder"*.h "$folder"*/*.h; do
         case $header in */kernels/* | */elements/*) ;; *) seen[${header##*/}]=yes ;; esac # these are of other rooms
@@ -165,7 +166,7 @@ done < <(awk '
     }
     /^$/ { commented = 0 }
     { depth += gsub(/\{/, "{") - gsub(/\}/, "}"); if (depth < 0 || /extern "C"/) depth = 0 }
-' include/whirl/*.h include/whirl/engine/*.h cmake/version.h.in)
+' include/whirl/*.h include/whirl/engine/*.h src/include/whirl/internal/*.h cmake/version.h.in)
 
 if [ -n "$library" ] && [ -e "$library" ]; then
     exported=$(nm -D --defined-only --without-symbol-versions "$library" | awk '$2 != "A" {print $3}')

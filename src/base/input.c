@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "whirl/engine/input.h"
+#include "whirl/internal/input.h"
 
 /// Closes the file and notes why.
 static bool input_fail(input_file *in, int error, const char *reason) {

@@ -4,8 +4,8 @@
 
 #include "settings.h"
 #include "whirl/engine/line.h"
-#include "whirl/engine/model.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/internal/model.h"
 
 /// Parts that have names.
 typedef struct named_list {

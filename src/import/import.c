@@ -1,5 +1,5 @@
 // A file of another program in, a case out.
-#include "whirl/engine/import.h"
+#include "whirl/internal/import.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "report_parts.h"
-#include "whirl/engine/verify.h"
+#include "whirl/internal/verify.h"
 #include "whirl/version.h"
 
 static json_t *run_object(bool *well, const whirl_integrate_options *options, const whirl_verify_run *run) {

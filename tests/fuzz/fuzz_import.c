@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "whirl/engine/case.h"
-#include "whirl/engine/import.h"
+#include "whirl/internal/import.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

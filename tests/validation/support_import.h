@@ -3,8 +3,8 @@
 #define SUPPORT_IMPORT_H
 
 #include "whirl/engine/case.h"
-#include "whirl/engine/import.h"
 #include "whirl/engine/linear.h"
+#include "whirl/internal/import.h"
 
 /// `text` with every `from` replaced by `to`; at least one is there. Frees it.
 char *replace_all(char *text, const char *from, const char *to);

@@ -143,7 +143,7 @@ double whirl_result_clock(const whirl_result *result);
 /// Returns the element of that phase ("force at disc"), "" for the shaft; borrowed.
 const char *whirl_result_keyphasor(const whirl_result *result);
 
-/// Returns the fact "film tables": the film tables of machines of the study, as whirl_film_tables_text, from up to 64
+/// Returns the fact "film tables": the film tables of machines of the study (number and checksum), from up to 64
 /// points spread over it; "" if there are none. Borrowed.
 const char *whirl_result_film_tables(const whirl_result *result);
 

@@ -7,8 +7,8 @@
 #include "report_parts.h"
 #include "whirl/engine/case.h"
 #include "whirl/engine/line.h"
-#include "whirl/engine/model.h"
 #include "whirl/engine/result.h"
+#include "whirl/internal/model.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,7 +6,7 @@
 
 #include "figure_kinds.h"
 #include "shown_kinds.h"
-#include "whirl/engine/model.h"
+#include "whirl/internal/model.h"
 
 // ---------------------------------------------------------------- drawing
 

@@ -10,7 +10,7 @@
 #include "report_parts.h"
 #include "shown_kinds.h"
 #include "whirl/engine/case.h"
-#include "whirl/engine/model.h"
+#include "whirl/internal/model.h"
 
 // ---------------------------------------------------------------- summary
 

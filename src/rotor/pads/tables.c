@@ -10,7 +10,7 @@
 #include "first_error.h"
 #include "lock.h"
 #include "memory.h"
-#include "whirl/engine/film_tables.h"
+#include "whirl/internal/film_tables.h"
 
 enum { MAX_TABLES = WHIRL_MAX_FILM_TABLES };
 

@@ -1,5 +1,5 @@
 // Parts of a design: sections of its shafts, masses of its stations, sums of both, and its elements.
-#include "whirl/engine/model.h"
+#include "whirl/internal/model.h"
 
 #include <math.h>
 #include <stdlib.h>

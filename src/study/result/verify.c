@@ -1,5 +1,5 @@
 // Verification: computes the points of a study by two methods at three tolerances each, and compares them.
-#include "whirl/engine/verify.h"
+#include "whirl/internal/verify.h"
 
 #include <math.h>
 #include <omp.h>

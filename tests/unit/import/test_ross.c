@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "whirl/engine/case.h"
-#include "whirl/engine/import.h"
+#include "whirl/internal/import.h"
 
 /// Two elements, a disc in the middle, a bearing with a table and one on a support.
 static const char good[] = "ross_version = \"2.3.0\"\n"

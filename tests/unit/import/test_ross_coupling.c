@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "whirl/engine/case.h"
-#include "whirl/engine/import.h"
+#include "whirl/internal/import.h"
 
 #define STEEL "{name = \"Steel\", rho = 7810.0, E = 211e9, G_s = 81.2e9}\n"
 #define PIECE(n, length) "[ShaftElement_" #n "]\nL = " #length "\nidl = 0\nodl = 0.05\nn = " #n "\nmaterial = " STEEL

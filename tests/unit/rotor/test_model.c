@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "whirl/engine/model.h"
+#include "whirl/internal/model.h"
 
 #define SETTINGS(...) (whirl_setting[]){__VA_ARGS__}, sizeof(whirl_setting[]){__VA_ARGS__} / sizeof(whirl_setting)
 

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 #include "follower.h"
-#include "whirl/engine/verify.h"
+#include "whirl/internal/verify.h"
 
 enum { SLOW, STIFF, POINTS };
 static const double rates[POINTS] = {8, 100};

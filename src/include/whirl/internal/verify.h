@@ -7,9 +7,9 @@
 #include <stdio.h>
 
 #include "whirl/engine/analyze.h"
-#include "whirl/engine/film_tables.h"
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/study.h"
+#include "whirl/internal/film_tables.h"
 #include "whirl/status.h"
 
 #ifdef __cplusplus
