@@ -258,7 +258,7 @@ typedef struct whirl_trace {
     const whirl_system *system; ///< its machine
     whirl_branch_point point;   ///< the orbit there, and its kind
     size_t branch;              ///< number of its branch, from 1 in the order in which they were found
-    /// number of the branch from which that one begins; 0: it begins at a settled motion or an equilibrium
+    /// Number of the branch from which that one begins; 0: it begins at a settled motion or an equilibrium.
     size_t parent;
     double end; ///< whirl_branch_end at the last point of the branch, else NaN
 } whirl_trace;

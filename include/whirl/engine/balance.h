@@ -38,7 +38,7 @@ typedef struct whirl_balance_plane {
     double radius;              ///< m, of the weights; 0: not given
     double limit;               ///< largest unbalance of its weight, kg m; infinite: any
     int holes;                  ///< number of evenly spaced holes; 0: any angle
-    /// rad, of hole 1, with the rotation; the others follow in the direction in which the file counts angles
+    /// rad, of hole 1, with the rotation; the others follow in the direction in which the file counts angles.
     double first_hole;
     char station[WHIRL_NAME_SIZE]; ///< its station in the model
     double position;               ///< m along the rotor; NaN: not given
@@ -87,7 +87,7 @@ typedef struct whirl_balance_coefficient {
 typedef struct whirl_balance {
     char title[256]; ///< in one line
     char units[64];  ///< units in which numbers are shown (whirl/engine/shown.h), or ""
-    /// sense in which the file counts angles on the rotor (against the rotation), and phases (leading)
+    /// Sense in which the file counts angles on the rotor (against the rotation), and phases (leading).
     bool against, leads;
     char counted[8];                                  ///< kind of its amplitudes: "0-p", "p-p", "rms"; "" not given
     size_t plane_count, trial_count, vibration_count; ///< lengths of the following arrays
@@ -98,7 +98,7 @@ typedef struct whirl_balance {
     whirl_balance_vibration *slow_rolls;     ///< [slow_roll_count] readings of the runout; subtracted from the others
     size_t coefficient_count;                ///< number of coefficients; 0: to be determined
     whirl_balance_coefficient *coefficients; ///< [coefficient_count]
-    /// kg, mm/s, rad/s for the permissible residual unbalance of ISO 21940-11; 0: not given
+    /// kg, mm/s, rad/s for the permissible residual unbalance of ISO 21940-11; 0: not given.
     double mass, grade, service_speed;
     char model[256];    ///< path of a case, from the folder of the file; "": none
     bool by_model;      ///< influence coefficients come from the model instead of the runs
@@ -129,7 +129,7 @@ typedef struct whirl_balance_model {
     double load[WHIRL_MAX_PLANES];                   ///< N on that bearing at rest; NaN: not known
     double position[WHIRL_MAX_PLANES];               ///< m, of planes along their shaft; NaN: on no shaft
     double natural[WHIRL_MAX_PLANES];                ///< rad/s, of the modes that have no shape in the file
-    /// shapes of these: excitation by weights in the planes, at most 1
+    /// Shapes of these: excitation by weights in the planes, at most 1.
     double shape[WHIRL_MAX_PLANES][WHIRL_MAX_PLANES][2];
 } whirl_balance_model;
 

@@ -47,7 +47,7 @@ typedef struct whirl_pads {
     bool gumbel;
     int fineness; ///< volumes of the finest grid around a full circle, a multiple of 16; 0: 960
     bool halved;  ///< half as many volumes in both directions, to estimate the error
-    /// turbulence of the films, by the local Reynolds number, `reynolds` times the thickness
+    /// Turbulence of the films, by the local Reynolds number, `reynolds` times the thickness.
     whirl_turbulence turbulence;
     double reynolds; ///< density Omega R c/mu
     double supply;   ///< pressure in the grooves before and after every pad, over 6 mu Omega (R/c)^2; fixed pads only
@@ -65,7 +65,7 @@ typedef struct whirl_pads_state {
     double tilt[WHIRL_MAX_PADS];   ///< R delta/c of every pad, above 0 with the rotation; 0 for fixed pads
     double yield[WHIRL_MAX_PADS];  ///< outward displacement of every pad on its pivot under its load
     double thrust[WHIRL_MAX_PADS]; ///< force of the film on every pad, outwards along the radius of its pivot
-    /// moment on every pad about its pivot, over R: the force along the pad; 0 for tilting pads
+    /// Moment on every pad about its pivot, over R: the force along the pad; 0 for tilting pads.
     double moment[WHIRL_MAX_PADS];
     bool loaded[WHIRL_MAX_PADS]; ///< true if a film carries the pad; otherwise its tilt is reported as 0
     double thinnest;             ///< least film thickness of loaded pads

@@ -125,7 +125,7 @@ typedef struct whirl_figure {
 typedef struct whirl_figure_options {
     const char *units;  ///< units as in whirl_result_shown_units; NULL: those of the result
     const char *panels; ///< "x,exponent": only these; NULL: all
-    /// "x", "y" or "xy": axes that are logarithmic if all their numbers are above 0; NULL: the figure's default
+    /// "x", "y" or "xy": axes that are logarithmic if all their numbers are above 0; NULL: the figure's default.
     const char *log;
 } whirl_figure_options;
 

@@ -120,7 +120,7 @@ typedef struct whirl_step_quality {
 
 /// Outcomes of the search for the orbit of a settled motion.
 typedef enum whirl_orbit_search {
-    /// no search: the motion does not return, it would cost too much, or there is no Jacobian
+    /// No search: the motion does not return, it would cost too much, or there is no Jacobian.
     WHIRL_ORBIT_UNSOUGHT = 0,
     WHIRL_ORBIT_STABLE,    ///< the motion is on the orbit, and all multipliers are inside the unit circle
     WHIRL_ORBIT_UNSTABLE,  ///< a multiplier is on the unit circle or beyond it
@@ -146,10 +146,10 @@ typedef struct whirl_record_orbit {
 
 /// The equilibrium at which a motion rests.
 typedef struct whirl_record_rest {
-    /// true if the motion stays within 1e-5 of the state's size of it; else the other members are meaningless
+    /// True if the motion stays within 1e-5 of the state's size of it; else the other members are meaningless.
     bool found;
-    /// largest distance of the record from it, over the state's size: its largest coordinate, or the resolution of the
-    /// steps over 1e-5
+    /// Largest distance of the record from it, over the state's size: its largest coordinate, or the resolution of the
+    /// steps over 1e-5.
     double distance;
     double growth; ///< exponent, per revolution, of the mode about it that decays most slowly or grows
     double order;  ///< order of that mode's frequency, 0 if it does not oscillate

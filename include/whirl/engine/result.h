@@ -41,12 +41,12 @@ struct whirl_table {
     char name[WHIRL_NAME_SIZE];      ///< "sweep", "modes_worn": name in results
     whirl_role role;                 ///< role of its points in the study
     char parameter[WHIRL_NAME_SIZE]; ///< the varied parameter, or ""
-    /// the second parameter of a map, whose points have its value in the field "map/second"
+    /// The second parameter of a map, whose points have its value in the field "map/second".
     char second[WHIRL_NAME_SIZE];
     size_t row;                  ///< points of a row of a map, along the parameter, by whirl_table_slot; else 0
     char third[WHIRL_NAME_SIZE]; ///< the third parameter of a map, from plane to plane (field "map/third"), or ""
     size_t plane;                ///< points of a plane of the map, row by row; else 0
-    /// starts for each parameter value; the table has all values with the first start, then with the next; or 0
+    /// Starts for each parameter value; the table has all values with the first start, then with the next; or 0.
     size_t starts;
     /// Most rounds of starts from the ends of neighbours' motions (whirl_batch.neighbours), and number of parameter
     /// values of the study. These points have the slots of further starts, of which any may be missing. Both 0: no such

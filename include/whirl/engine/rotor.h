@@ -172,8 +172,8 @@ typedef struct whirl_shaft_summary {
     double highest;             ///< rad/s of the highest mode kept; 0 if none is
     size_t compared;            ///< natural frequencies of the free shaft compared with the full model, at most three
     double frequency_error;     ///< largest error of these, relative to the full model
-    /// largest error of a station's displacement by a force at a station, over the largest displacement in the full
-    /// model; each station is on a spring as stiff as the shaft there
+    /// Largest error of a station's displacement by a force at a station, over the largest displacement in the full
+    /// model; each station is on a spring as stiff as the shaft there.
     double flexibility_error;
 } whirl_shaft_summary;
 

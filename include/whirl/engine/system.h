@@ -247,7 +247,7 @@ typedef struct whirl_station_statics {
     double shear[2];   ///< N, just left and just right of the station: sum of all forces on the shaft to the left
     double load;       ///< N, of the shaft on the bearings here
     /// kg, that load over the acceleration of gravity across the shafts; if there is none, the load of the same shaft
-    /// lying
+    /// lying.
     double carried;
     double bearings;    ///< number of bearings here
     double mass[2];     ///< kg of the shaft and its masses to the left and to the right, without the station's own
@@ -263,7 +263,7 @@ typedef struct whirl_machine {
     const double *start;          ///< [system->dimension]
     void *owner;                  ///< owner of the system and the start
     void (*release)(void *owner); ///< frees them; may be NULL
-    /// rad/s: rate of the system's time (whirl_rotor_clock), and speed of the shaft; for machines at rest
+    /// rad/s: rate of the system's time (whirl_rotor_clock), and speed of the shaft; for machines at rest.
     double clock, speed;
     double length;         ///< m of one unit of displacement
     double cross_coupling; ///< N/m, sum over all stages

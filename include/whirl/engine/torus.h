@@ -61,7 +61,7 @@ typedef struct whirl_torus {
     /// are left out; the torus is stable if all are below 0.
     size_t exponent_count;
     double *exponents; ///< [exponent_count] natural logarithms per revolution, falling
-    /// [exponent_count] from the two halves of a walk along the curve, and from the curve's error
+    /// [exponent_count] from the two halves of a walk along the curve, and from the curve's error.
     double *exponent_errors;
     /// Mean over the torus of the integral of the divergence, per revolution: the sum of all exponents, including those
     /// too small for doubles (NaN as in whirl_orbit).
@@ -98,7 +98,7 @@ typedef struct whirl_torus_view {
     double *low, *high;            ///< [dimension] bounds of the motion
     /// [revolutions][dimension] bounds of the closed curve of the sections at the beginning of each of its revolutions.
     double *section_low, *section_high;
-    /// [dimension] frequency and amplitude of the strongest line, as from whirl_torus_line
+    /// [dimension] frequency and amplitude of the strongest line, as from whirl_torus_line.
     double *frequency, *amplitude;
 } whirl_torus_view;
 

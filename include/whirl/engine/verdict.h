@@ -79,14 +79,14 @@ typedef struct whirl_verdict {
     int later_period;            ///< k of P-k of that copy, else 0
     // evidence
     whirl_estimate exponent; ///< largest Lyapunov exponent per revolution
-    /// all perturbations were followed, but the sum of their growth is wrong: all exponents are invalid
+    /// All perturbations were followed, but the sum of their growth is wrong: all exponents are invalid.
     bool exponents_failed;
     double recurrence; ///< smallest over k of the largest return distance |z(n+k) - z(n)|, over the size of the motion
     int recurrence_period; ///< that k (the smallest k below the tolerance, if there is one)
     int longest_period;    ///< longest period searched: 128 if three of them were watched, else fewer
-    /// return distance in the last quarter of the watched revolutions over that in the first: below 1 it settles
+    /// Return distance in the last quarter of the watched revolutions over that in the first: below 1 it settles.
     double recurrence_trend;
-    /// decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low in chaos
+    /// Decimal digits to which weighted Birkhoff averages over two halves agree: high on tori, low in chaos.
     double regularity;
     double chaos;    ///< K of the 0-1 test, near 1 in chaos, near 0 for regular motion; NaN for P-k
     int neighbours;  ///< quasi-periodic motion: median revolutions between visits of neighbours on a curve, else 0
@@ -102,7 +102,7 @@ typedef struct whirl_verdict {
     double revolutions; ///< revolutions integrated
     double swelling;    ///< growth rate of the section between halves of the watched revolutions, per revolution
     bool sought;        ///< chaotic motion: true if coexisting attractors were searched
-    /// coexisting attractor: k of a stable P-k, WHIRL_REFUGE_AT_REST for a stable equilibrium; 0: none found
+    /// Coexisting attractor: k of a stable P-k, WHIRL_REFUGE_AT_REST for a stable equilibrium; 0: none found.
     int refuge;
     double survived; ///< chaotic motion: total revolutions of its perturbed copies (whirl_record_survival)
     int ended;       ///< number of these copies that ended
@@ -110,8 +110,8 @@ typedef struct whirl_verdict {
     /// motion that settles on P-1, with its error; NaN if the section follows none.
     whirl_estimate settling;
     bool settles; ///< P-1: far from settled, recognized by `settling`
-    /// undetermined or slowly observed quasi-periodic motion: order of the main line at no whole order; NaN if none is
-    /// clear
+    /// Undetermined or slowly observed quasi-periodic motion: order of the main line at no whole order; NaN if none is
+    /// clear.
     double line;
     double line_share;                ///< amplitude of that line over the size of the motion
     double line_trend;                ///< growth rate of that amplitude, per revolution

@@ -30,8 +30,8 @@ typedef struct whirl_verify_options {
 typedef struct whirl_verify_run {
     /// Largest difference of a coordinate from the reference at that revolution, in the state's units; NaN: diverged.
     double difference;
-    /// largest distance of a point of the section from the nearest one of the reference, in coordinates of the
-    /// stations, if both motions have the same period; else NaN
+    /// Largest distance of a point of the section from the nearest one of the reference, in coordinates of the
+    /// stations, if both motions have the same period; else NaN.
     double section;
     whirl_verdict verdict; ///< with the exponent's error increased by its difference from the method's next tolerance
 } whirl_verify_run;
