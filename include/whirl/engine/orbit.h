@@ -68,10 +68,11 @@ typedef struct whirl_orbit {
     /// no divergence or the motion slides along a switch; for equilibria the sum of eigenvalues. Small multipliers
     /// agree with it.
     double volume;
-    size_t
-        unstable; ///< number of multipliers outside the unit circle, without the one for shifts; of growing eigenvalues
-    double *low;  ///< [dimension] bounds of every coordinate
-    double *high; ///< [dimension]
+    /// Number of multipliers outside the unit circle, without the one for shifts; of an equilibrium growing
+    /// eigenvalues.
+    size_t unstable;
+    double *low;          ///< [dimension] bounds of every coordinate
+    double *high;         ///< [dimension]
     size_t touch_count;   ///< number of touches
     whirl_touch *touches; ///< [touch_count] of the switching functions at which contacts begin
 } whirl_orbit;

@@ -108,7 +108,7 @@ void whirl_design_bearings(whirl_design *design, whirl_bearings what, double sti
 typedef enum whirl_drag {
     WHIRL_DRAG_ALL,    ///< all of them
     WHIRL_DRAG_STAGES, ///< stages only
-    WHIRL_DRAG_AT      ///< the seals at one station, no stages
+    WHIRL_DRAG_AT      ///< the seals and impellers at one station, no stages
 } whirl_drag;
 
 /// Chooses seals and impellers; `station` is the index for WHIRL_DRAG_AT, `stages` a factor of the cross couplings of
