@@ -163,7 +163,7 @@ typedef struct whirl_progress {
     whirl_stage stage;                ///< the present stage
     int round;                        ///< round of refinement, or of starts from neighbours, from 1; else 0
     size_t points_done, points_total; ///< points; the total grows while a map is refined, like that of revolutions
-    double revolutions_done, revolutions_total; ///< those at n times the steps of the study count n times
+    double revolutions_done, revolutions_total; ///< revolutions; n times the study's steps count n times
     double revolutions_recalled;                ///< revolutions done that a keeper had from an earlier run
     double seconds;                             ///< seconds since the start
 } whirl_progress;

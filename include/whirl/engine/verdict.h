@@ -82,7 +82,7 @@ typedef struct whirl_verdict {
     /// All perturbations were followed, but the sum of their growth is wrong: all exponents are invalid.
     bool exponents_failed;
     double recurrence; ///< smallest over k of the largest return distance |z(n+k) - z(n)|, over the size of the motion
-    int recurrence_period; ///< that k (the smallest k below the tolerance, if there is one)
+    int recurrence_period; ///< the k of it (the smallest k below the tolerance, if there is one)
     int longest_period;    ///< longest period searched: 128 if three of them were watched, else fewer
     /// Return distance in the last quarter of the watched revolutions over that in the first: below 1 it settles.
     double recurrence_trend;

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "shown_kinds.h"
-#include "whirl/engine/model.h"
+#include "whirl/internal/model.h"
 
 #define TWO_PI 6.283185307179586476925
 static const double pi = 0.5 * TWO_PI;

@@ -59,7 +59,7 @@ typedef struct whirl_model_element {
     size_t station[2];     ///< one or both WHIRL_MODEL_NONE for ends on the ground
     size_t value_count;
     const whirl_model_value *values; ///< [value_count] in the order of its keys
-    double viscosity;                ///< of its oil, Pa s, at the temperature given for the film; NaN without oil
+    double viscosity;       ///< viscosity of its oil, Pa s, at the temperature given for the film; NaN without oil
     const whirl_pads *pads; ///< pads of a bearing, pivots at their angles in the machine, from x to y; NULL: none
 } whirl_model_element;
 
@@ -75,8 +75,8 @@ typedef struct whirl_model {
     whirl_model_mass *stations;    ///< [station_count]
     whirl_model_total *shafts;     ///< [shaft_count]
     whirl_model_element *elements; ///< [element_count] without segments, in the order of the design
-    whirl_model_value *values;     ///< of all elements
-    whirl_pads *pads;              ///< of all elements
+    whirl_model_value *values;     ///< memory of the values of all elements
+    whirl_pads *pads;              ///< memory of the pads of all elements
     bool stands;                   ///< weight acts along the shafts
     bool rises;                    ///< positions along standing shafts are counted upwards
 } whirl_model;
