@@ -140,7 +140,8 @@ export class DocumentView {
     const told = found.length > 0 ? [card(FOUND, [], statements)] : [];
     const figures = part.figures.map((figure) => figureCard(figure, (station) => this.listener.station(station)));
     // A drawing comes before what was found of it.
-    const cards = machine ? [...figures, ...told] : [...told, ...part.sheets.map(sheetCard), ...figures];
+    const sheets = part.sheets.map(sheetCard);
+    const cards = machine ? [...figures, ...told, ...sheets] : [...told, ...sheets, ...figures];
     this.root.classList.toggle('of-machine', machine);
     this.root.replaceChildren(...cards);
     const goals = cards.map((each) => {

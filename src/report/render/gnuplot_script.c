@@ -71,13 +71,20 @@ static const char *columns_of(const whirl_series *series) {
     }
 }
 
+/// Returns true for a point that breaks a line or an area.
+static bool is_break(const whirl_series *series, size_t k) {
+    return (series->shape == WHIRL_LINE || series->shape == WHIRL_AREA) && (isnan(series->x[k]) || isnan(series->y[k]));
+}
+
 static void write_series(FILE *data, const whirl_panel *panel, const whirl_series *series) {
+    bool open = false; // the line goes on: an empty line breaks it, two of them would end the block
     for (size_t k = 0; k < series->count; k++) {
-        const bool open = isnan(series->x[k]) || isnan(series->y[k]);
-        if (open && (series->shape == WHIRL_LINE || series->shape == WHIRL_AREA)) {
-            fputc('\n', data);
+        if (is_break(series, k)) {
+            if (open) fputc('\n', data);
+            open = false;
             continue;
         }
+        open = true;
         put_number(data, place(&panel->x, series->x[k]), false);
         put_number(data, place(&panel->y, series->y[k]), !series->y_to && !series->x_to && !series->values);
         if (series->x_to) put_number(data, place(&panel->x, series->x_to[k]), false);
@@ -86,9 +93,12 @@ static void write_series(FILE *data, const whirl_panel *panel, const whirl_serie
     }
 }
 
-/// Returns true if a series has a data block. Texts are in the script; an empty series has none.
+/// Returns true if a series has a data block. Texts are in the script; a series that is empty, or has nothing but
+/// breaks, has none: gnuplot would not count it.
 static bool has_block(const whirl_series *series) {
-    return series->count > 0 && series->shape != WHIRL_TEXTS;
+    size_t k = 0;
+    while (k < series->count && is_break(series, k)) k++;
+    return k < series->count && series->shape != WHIRL_TEXTS;
 }
 
 void gnuplot_write_data(FILE *data, const whirl_figure *figure) {
