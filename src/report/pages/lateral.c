@@ -205,69 +205,91 @@ static void write_chapter(const page *to, size_t index) {
 
 // ---------------------------------------------------------------- machine and model
 
-/// Writes the stations. Masses are those besides the shaft; `model` NULL: unknown.
-static void write_stations(const page *to, const whirl_result *result, const whirl_model *model) {
+/// Writes a heading of numbers with the unit of a quantity.
+static void write_heading(const page *to, const char *text, const whirl_unit *unit) {
+    fputs("<th class=\"number\">", to->stream);
+    html_printf(to->stream, "%s (%s)", text, unit->name);
+    fputs("</th>", to->stream);
+}
+
+/// Writes the stations of result number `r`. Masses are those besides the shaft; `model` NULL: unknown.
+static void write_stations(const page *to, size_t r, const whirl_model *model) {
+    const whirl_result *result = to->results[r];
+    const whirl_unit *const units = to->units[r].of;
+    const whirl_unit *const mass = &units[WHIRL_QUANTITY_MASS], *const inertia = &units[WHIRL_QUANTITY_INERTIA];
     html_table(to->stream, "Stations", "");
-    fputs("<thead><tr><th>station</th><th class=\"number\">position along its shaft (m)</th>"
-          "<th class=\"number\">mass besides the shaft (kg)</th><th class=\"number\">polar inertia (kg m2)</th>"
-          "<th class=\"number\">diametral inertia (kg m2)</th></tr></thead>\n<tbody>\n",
-          to->stream);
+    fputs("<thead><tr><th>station</th>", to->stream);
+    write_heading(to, "position along its shaft", &units[WHIRL_QUANTITY_POSITION]);
+    write_heading(to, "mass besides the shaft", mass);
+    write_heading(to, "polar inertia", inertia);
+    write_heading(to, "diametral inertia", inertia);
+    fputs("</tr></thead>\n<tbody>\n", to->stream);
     for (size_t s = 0; s < result->station_count; s++) {
         const whirl_probe *station = &result->stations[s];
         fputs("<tr><th>", to->stream);
         html_text(to->stream, station->name);
         fputs("</th>", to->stream);
         if (station->shaft > 0)
-            fprintf(to->stream, "<td class=\"number\">%.6g</td>", station->position);
+            html_number(to->stream, station->position / units[WHIRL_QUANTITY_POSITION].size);
         else
             fputs("<td>on no shaft of finite elements</td>", to->stream);
         const bool known = model && s < model->station_count;
         const whirl_model_mass own =
             known ? model->stations[s] : (whirl_model_mass){.mass = NAN, .polar = NAN, .diametral = NAN};
-        html_number(to->stream, own.mass);
-        html_number(to->stream, own.polar);
-        html_number(to->stream, own.diametral);
+        html_number(to->stream, own.mass / mass->size);
+        html_number(to->stream, own.polar / inertia->size);
+        html_number(to->stream, own.diametral / inertia->size);
         fputs("</tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);
 }
 
-/// "105", or "105 to 120" of a taper, in mm.
-static void write_diameter(const page *to, const double ends[2]) {
+/// Writes "105", or "105 to 120" for a taper.
+static void write_diameter(const page *to, const whirl_unit *unit, const double ends[2]) {
     fprintf(to->stream,
             ends[0] == ends[1] ? "<td class=\"number\">%.6g</td>" : "<td class=\"number\">%.6g to %.6g</td>",
-            1e3 * ends[0], 1e3 * ends[1]);
+            ends[0] / unit->size, ends[1] / unit->size);
 }
 
-static void write_sections(const page *to, const whirl_model *model, const whirl_shaft_summary *shafts) {
+static void write_sections(const page *to, size_t r, const whirl_model *model, const whirl_shaft_summary *shafts) {
+    const whirl_unit *const units = to->units[r].of, *const mass = &units[WHIRL_QUANTITY_MASS];
+    const whirl_unit *const along = &units[WHIRL_QUANTITY_POSITION], *const across = &units[WHIRL_QUANTITY_DIAMETER];
     html_table(to->stream, "Sections of the shafts", "");
-    fputs("<thead><tr><th>shaft</th><th class=\"number\">from (m)</th><th class=\"number\">to (m)</th>"
-          "<th class=\"number\">length (mm)</th><th class=\"number\">outer diameter (mm)</th>"
-          "<th class=\"number\">inner diameter (mm)</th><th class=\"number\">mass (kg)</th></tr></thead>\n<tbody>\n",
-          to->stream);
+    fputs("<thead><tr><th>shaft</th>", to->stream);
+    write_heading(to, "from", along);
+    write_heading(to, "to", along);
+    write_heading(to, "length", across);
+    write_heading(to, "outer diameter", across);
+    write_heading(to, "inner diameter", across);
+    write_heading(to, "mass", mass);
+    fputs("</tr></thead>\n<tbody>\n", to->stream);
     for (const whirl_model_section *own = model->sections; own < model->sections + model->section_count; own++) {
         fputs("<tr><th>", to->stream);
         html_text(to->stream, shafts[own->shaft].name);
         fputs("</th>", to->stream);
-        html_number(to->stream, own->from);
-        html_number(to->stream, own->to);
-        html_number(to->stream, 1e3 * (own->to - own->from));
-        write_diameter(to, own->outer);
-        write_diameter(to, own->inner);
-        html_number(to->stream, own->mass);
+        html_number(to->stream, own->from / along->size);
+        html_number(to->stream, own->to / along->size);
+        html_number(to->stream, (own->to - own->from) / across->size);
+        write_diameter(to, across, own->outer);
+        write_diameter(to, across, own->inner);
+        html_number(to->stream, own->mass / mass->size);
         fputs("</tr>\n", to->stream);
     }
     fputs("</tbody></table></div>\n", to->stream);
 }
 
-static void write_shafts(const page *to, const whirl_case *machine, const whirl_model *model) {
+static void write_shafts(const page *to, size_t r, const whirl_model *model) {
+    const whirl_case *const machine = to->machines[r];
+    const whirl_unit *const mass = &to->units[r].of[WHIRL_QUANTITY_MASS];
+    const whirl_unit *const along = &to->units[r].of[WHIRL_QUANTITY_POSITION];
     whirl_shaft_summary shafts[WHIRL_MAX_SHAFTS];
     size_t count = 0;
     if (!machine || whirl_case_shafts(machine, shafts, &count).code != WHIRL_OK) return;
     for (const whirl_shaft_summary *shaft = shafts; shaft < shafts + count; shaft++) {
         fputs("<p>", to->stream);
-        html_printf(to->stream, "Shaft %s: %.6g m, %.6g kg, %zu finite elements (Timoshenko) between %zu nodes",
-                    shaft->name, shaft->length, shaft->mass, shaft->elements, shaft->nodes);
+        html_printf(to->stream, "Shaft %s: %.6g %s, %.6g %s, %zu finite elements (Timoshenko) between %zu nodes",
+                    shaft->name, shaft->length / along->size, along->name, shaft->mass / mass->size, mass->name,
+                    shaft->elements, shaft->nodes);
         if (shaft->reduced)
             html_printf(to->stream,
                         ", reduced to its stations and %zu of %zu modes a plane: reduction error %.1g (free-free "
@@ -275,10 +297,11 @@ static void write_shafts(const page *to, const whirl_case *machine, const whirl_
                         shaft->modes, shaft->all_modes, shaft->frequency_error, shaft->flexibility_error);
         const whirl_model_total *all = model->shafts ? &model->shafts[shaft - shafts] : NULL;
         if (all)
-            html_printf(to->stream, ". With what is on it %.6g kg, centre of mass at %.6g m", all->mass, all->centre);
+            html_printf(to->stream, ". With what is on it %.6g %s, centre of mass at %.6g %s", all->mass / mass->size,
+                        mass->name, all->centre / along->size, along->name);
         fputs(".</p>\n", to->stream);
     }
-    if (count > 0 && model->section_count > 0) write_sections(to, model, shafts);
+    if (count > 0 && model->section_count > 0) write_sections(to, r, model, shafts);
 }
 
 static void write_machine(const page *to) {
@@ -299,8 +322,8 @@ static void write_machine(const page *to) {
         html_weight(to->stream, result);
         whirl_model model = {0};
         const bool known = machine && whirl_case_model(machine, &model).code == WHIRL_OK;
-        write_shafts(to, machine, &model);
-        write_stations(to, result, known ? &model : NULL);
+        write_shafts(to, r, &model);
+        write_stations(to, r, known ? &model : NULL);
         whirl_model_free(&model);
         page_parameters(to, r);
     }
