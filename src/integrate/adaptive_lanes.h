@@ -43,11 +43,11 @@ typedef struct lane_rows {
 typedef struct lane_queue {
     size_t next, count;
     const size_t *order;         ///< [count] the lanes, those that are observed first
-    size_t observed;             ///< how many these are
-    size_t slot_lane[MAX_SLOTS]; ///< who is in a slot; NO_LANE
+    size_t observed;             ///< number of observed lanes
+    size_t slot_lane[MAX_SLOTS]; ///< lane in every slot; NO_LANE
 } lane_queue;
 
-/// What the steps of dop853 work on.
+/// Workspace of the steps of dop853.
 typedef struct dop853_work {
     dop853_sums sums;
     double *k[DOP853_SLOPES]; ///< [rates] slopes: rows that follow one another
@@ -55,7 +55,7 @@ typedef struct dop853_work {
     double *divergence;       ///< [DOP853_STAGES + 1] where the slopes were taken
 } dop853_work;
 
-/// What the steps of rodas5p work on (kernels/rodas5p_lanes.c).
+/// Workspace of the steps of rodas5p (kernels/rodas5p_lanes.c).
 typedef struct rodas5p_work {
     double *u_q[RODAS5P_STAGES], *u_v[RODAS5P_STAGES]; ///< [degrees], [rates] increments of the stages
     sparsity *sparsity;
@@ -63,7 +63,7 @@ typedef struct rodas5p_work {
     double *by;                    ///< [1 + perturbations][rates] slope, Jacobian in such sums of columns
     double *matrix;                ///< [rates][rates] rows, decomposed
     double *pivot;                 ///< [rates] reciprocals
-    double *doubtful;              ///< 1 where a pivot says nothing good
+    double *doubtful;              ///< 1 if a pivot is too small
     double *shift;                 ///< 1/(gamma h)
     double *rate;                  ///< [rates] derivative of the slope by time alone
     double *right_q;               ///< [degrees] workspace
@@ -74,13 +74,13 @@ typedef struct rodas5p_work {
 /// Arrays are [...][stride vectors] of slots.
 typedef struct adaptive_lanes {
     const struct lanes_method *method;
-    const void *model;              ///< whose structure all lanes have
-    const lanes_instance *instance; ///< that structure has loops of its own for such groups; NULL: not
+    const void *model;              ///< machine whose structure all lanes have
+    const lanes_instance *instance; ///< its structure, if that has loops of its own for such groups; NULL: not
     lanes_flow *flow;
     lanes_switches *switches;
     lanes_forcing *forcing_at;
-    void (*depends)(const void *model, bool *table); ///< as whirl_lanes has it; NULL: all by all
-    const whirl_stop *stop;                          ///< as the options have it
+    void (*depends)(const void *model, bool *table); ///< as in whirl_lanes; NULL: all depend on all
+    const whirl_stop *stop;                          ///< stop of the options
     size_t stride, slots;                            ///< vectors, and slots in them
     size_t degrees;
     size_t rates;     ///< velocities, and states of first order after them: the rows of every v and slope
@@ -88,37 +88,37 @@ typedef struct adaptive_lanes {
     size_t number_count, forcing_count, switch_count;
     size_t group_count;
     const size_t *groups; ///< coordinates whose sizes are measured together
-    const size_t *mates;  ///< of one slot, [rates]: the next state whose size is measured with that one's; NULL: none
+    const size_t *mates;  ///< [rates] for one slot: the next state whose size is measured with this one's; NULL: none
     bool modulated;       ///< accelerations depend on the forcing in other ways than in proportion
     bool slides;          ///< motions can slide along a switch
-    size_t followed;      ///< perturbations that there is room for: states, slopes and stages are [1 + followed][...]
-    size_t tangents;      ///< that go along in this revolution
+    size_t followed;      ///< most perturbations
+    size_t tangents;      ///< perturbations carried in this revolution
     double period, rtol, atol, limit;
     // One machine a lane.
     double *numbers, *q, *v;
     double *ended; ///< whirl_motion; lanes that have ended are not carried on
-    // Of the revolution.
-    double *from, *until;           ///< the part of it that is carried over
+    // State of the revolution.
+    double *from, *until;           ///< its part that is carried
     double *starting;               ///< 1 where it begins
     double *attempts;               ///< steps tried
     double *t, *h;                  ///< time, and length of step to try next
     double *running;                ///< 1 until its revolution is over
     double *before;                 ///< (error of the step before)^(1/16)
     double *rejected;               ///< 1 after a step that was rejected
-    double *sides, *held, *sliding; ///< [switch_count] as a stepper has them
+    double *sides, *held, *sliding; ///< [switch_count] as in a stepper
     double *alone;                  ///< 1 while the motion slides along a switch: its steps are taken by the stepper
     double *switchings;
     double *landing;       ///< 1 + the switch that the step is to end at, 0: none
-    double *whole, *tries; ///< the step within which it is, and steps taken to find it
+    double *whole, *tries; ///< length of the step that contains the switch, and steps tried to find it
     double *value, *rate;  ///< [switch_count] switching functions and their derivatives at t
     double *slope;         ///< [rates] slopes of v at t
-    double *divergence;    ///< at t, where perturbations go along
+    double *divergence;    ///< at t, if perturbations are carried
     double *volume;        ///< its integral
-    // Of the step.
+    // State of the step.
     double *length, *lengths;     ///< tried; [degrees] the same for every degree
     double *error;                ///< square of the error, in tolerances
     double *size;                 ///< largest coordinate
-    double *special;              ///< 1 where the step needs to be looked at
+    double *special;              ///< 1 if the step needs special treatment
     double *fresh;                ///< 1 where slope and switches at t must be taken anew
     double *stage_q, *stage_v;    ///< [degrees], [rates]
     double *end_q, *end_v;        ///< [degrees], [rates] the state at its end
@@ -130,13 +130,13 @@ typedef struct adaptive_lanes {
     double *time, *forcing;       ///< workspace; [forcing_count]
     dop853_work dop853;
     rodas5p_work rodas5p;
-    // What is observed: the step taken, as polynomials.
+    // Observation: the step taken, as polynomials.
     bool observing;
     double *watched;                ///< 1 where the lane is observed
     double *begin, *taken;          ///< its beginning and length; 0: none was taken
     double *dense[1 + DENSE];       ///< [dimension] its first state, then the method's polynomials: rows in a line
-    double *instant, *seen, *theta; ///< number of the next instant, 1 where it lies in the step, and its place there
-    int instants;                   ///< of a revolution
+    double *instant, *seen, *theta; ///< number of the next instant, 1 if it lies in the step, and its place there
+    int instants;                   ///< instants of a revolution
     lanes_observe observe;
     size_t sample_stride; ///< instants from one sample to the next, 0: no samples
     double *samples;      ///< [sample_room][dimension][lane_count]
@@ -144,18 +144,18 @@ typedef struct adaptive_lanes {
     // The ensemble that is served.
     size_t lane_count;
     const double *parts;                 ///< [lane_count][2] from where to where lanes go; NULL: the whole period
-    const whirl_system *const *machines; ///< [lane_count] NULL: nobody is there
-    lane_rows exchanged[MAX_LANE_ROWS];  ///< what goes with a lane into its slot and back
+    const whirl_system *const *machines; ///< [lane_count] NULL: empty lane
+    lane_rows exchanged[MAX_LANE_ROWS];  ///< rows that are exchanged between a lane and its slot
     size_t exchanged_count;
     lane_queue *queue;
-    stepper *stepper;               ///< for slots that are looked at one by one; the ensemble's
-    whirl_perturbations *alongside; ///< of such a slot
+    stepper *stepper;               ///< for slots with special steps; the ensemble's
+    whirl_perturbations *alongside; ///< perturbations of such a slot
     double *block;                  ///< all arrays
 } adaptive_lanes;
 
 typedef void adaptive_lanes_revolve(const adaptive_lanes *lanes);
 
-/// What a stepper asks of a method's kernel, for a workspace of one slot.
+/// Functions of a method's kernel for a stepper, with a workspace of one slot.
 typedef struct one_slot {
     void (*begin)(const adaptive_lanes *slot);            ///< the length of the first step, by the slope
     void (*try_step)(const adaptive_lanes *slot);         ///< from (t, v): end, slope there and error
@@ -163,7 +163,7 @@ typedef struct one_slot {
     /// The state, in stage_v, at which slope `number` of the step tried was taken; of rodas5p one after the other.
     void (*take_stage)(const adaptive_lanes *slot, int number);
     void (*solve)(const adaptive_lanes *slot, double *x); ///< (1/(gamma h) - J)^-1 x in place; NULL: explicit
-    /// Whether the step is taken; else it is special, or to be tried with the length h.
+    /// Returns true if the step is accepted; else it is special, or to be tried with the length h.
     bool (*judge)(const adaptive_lanes *slot);
 } one_slot;
 
@@ -171,17 +171,17 @@ extern const one_slot dop853_slot, rodas5p_slot;
 
 /// An adaptive method in lanes.
 typedef struct lanes_method {
-    /// One for every instruction set of vector.h; NULL where it is not built.
+    /// One function for every instruction set of vector.h; NULL if it is not built.
     adaptive_lanes_revolve *const *revolves;
     const one_slot *one;
     bool implicit; ///< solves equations: looks for the zeros of its matrix first
-    /// Tries the step of a stepper's state for the perturbations that go along; gives the norm of their estimated error
-    /// over the tolerance.
+    /// Tries the step of a stepper's state for its perturbations; returns the norm of their estimated error over the
+    /// tolerance.
     double (*try_varied)(stepper *c);
     int dense;                     ///< polynomials of the interpolant
     size_t (*group)(size_t rates); ///< vectors: enough to hide each other's latency, few enough for the first cache
-    /// Sets where its own arrays are in a block of rows from `block` on, and those of the step that it has a place for;
-    /// gives how many rows that are. NULL: measures.
+    /// Places its own arrays in a block of rows from `block` on, and those of the step that it owns; returns the number
+    /// of rows. NULL: only measures.
     size_t (*lay_out)(adaptive_lanes *lanes, double *block);
     void (*prepare)(adaptive_lanes *lanes); ///< writes what is constant into its arrays
 } lanes_method;
@@ -189,31 +189,31 @@ typedef struct lanes_method {
 FOR_EVERY_ISA(adaptive_lanes_revolve, dop853_lanes);
 FOR_EVERY_ISA(adaptive_lanes_revolve, rodas5p_lanes);
 
-/// A row of the block; of one that is measured NULL.
+/// Returns a row of the block; NULL while measuring.
 static inline double *lanes_row(const adaptive_lanes *lanes, double *block, size_t row) {
     return block ? block + row * lanes->slots : NULL;
 }
 
-/// A workspace of that shape, whose arrays are to be made; NULL where there is no memory.
+/// Makes a workspace of that shape with its arrays. NULL without memory.
 adaptive_lanes *adaptive_lanes_make(const adaptive_lanes *shape);
 
-/// A workspace for systems of that structure with that instruction set, for so many lanes (0: many) with so many
-/// perturbations; the ensemble is set for every revolution. NULL where there is no memory.
+/// Makes a workspace for systems of that structure with that instruction set, for so many lanes (0: many) with so many
+/// perturbations; the ensemble is set for every revolution. NULL without memory.
 adaptive_lanes *adaptive_lanes_new(const lanes_method *own, const whirl_system *system,
                                    const whirl_integrate_options *options, const isa *set, size_t lane_count,
                                    size_t followed);
 
-/// Room for the samples of a revolution; false where there is no memory.
+/// Allocates the samples of a revolution; false without memory.
 bool adaptive_lanes_make_room(adaptive_lanes *lanes, size_t samples, size_t lane_count);
 void adaptive_lanes_free(adaptive_lanes *lanes);
 
-/// Takes lanes that are through out of their slots and fills free ones. True where revolutions begin.
+/// Removes finished lanes from their slots and fills free ones. Returns true if revolutions begin.
 bool adaptive_fill(const adaptive_lanes *lanes);
 
-/// Looks at the step of a slot near a switch, or at its end.
+/// Treats the step of a slot near a switch, or at its end.
 void adaptive_special(const adaptive_lanes *lanes, size_t slot);
 
-/// The sides of a slot whose revolution begins on or near a switch.
+/// Finds the sides of a slot whose revolution begins on or near a switch.
 void adaptive_find_sides(const adaptive_lanes *lanes, size_t slot);
 
 #endif

@@ -1,4 +1,4 @@
-// Lanes and slots: who is carried, and who waits.
+// Assigns lanes to slots.
 #include "adaptive_lanes.h"
 
 /// Puts a lane into a slot, or back.

@@ -93,7 +93,7 @@ static void take_polynomials(const adaptive_lanes *lanes, size_t slot) {
     }
 }
 
-/// Takes the step with care.
+/// Takes the step by a stepper.
 static void step_alone(const adaptive_lanes *lanes, size_t slot) {
     const bool observed = lanes->observing && lanes->watched[slot] > 0.5;
     stepper *c = lanes->stepper;
@@ -151,7 +151,7 @@ static bool is_clear(const cubic *c) {
     return least > (c->degree == 3 ? 0.5 * margin + jump : margin);
 }
 
-/// Whether it falls from above zero to below all along.
+/// Returns true if it falls monotonically from positive to negative.
 static bool falls(const cubic *c) {
     for (int i = 0; i < c->degree; i++)
         if (!(c->b[i + 1] < c->b[i])) return false;
@@ -171,7 +171,7 @@ static double zero_of(const cubic *c) {
     return high;
 }
 
-/// Where the switches let the step tried be taken, or where the first of them is passed.
+/// Result of a step with respect to switches: clear of them, the first one it passes, or in doubt.
 typedef enum passage { PASSAGE_CLEAR, PASSAGE_FALLS, PASSAGE_DOUBTFUL } passage;
 
 static passage find_passage(const adaptive_lanes *lanes, size_t slot, size_t except, size_t *which, double *theta) {
@@ -191,7 +191,7 @@ static passage find_passage(const adaptive_lanes *lanes, size_t slot, size_t exc
     return found;
 }
 
-/// Beyond switch `which`, which the state is on, or along it.
+/// Chooses the side of switch `which`, on which the state is, or slides along it.
 static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) {
     give_state(lanes, slot);
     give_sides(lanes, slot);
@@ -200,7 +200,7 @@ static void choose_side(const adaptive_lanes *lanes, size_t slot, size_t which) 
     take_sides(lanes, slot);
 }
 
-/// Goes on at the end of the step tried, on the other side of switch `which`.
+/// Continues at the end of the step tried, on the other side of switch `which`.
 static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     copy(lanes, lanes->q, lanes->end_q, lanes->degrees, slot);
     copy(lanes, lanes->v, lanes->end_v, lanes->rates, slot);
@@ -217,7 +217,7 @@ static void cross(const adaptive_lanes *lanes, size_t slot, size_t which) {
     if (!(lanes->t[slot] < lanes->until[slot])) lanes->running[slot] = 0.0;
 }
 
-/// With perturbations the stepper lands, which carries them over the switch.
+/// Begins to land on a switch; with perturbations the stepper does it and carries them across.
 static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     size_t which = 0;
     double theta;
@@ -231,7 +231,7 @@ static void begin_landing(const adaptive_lanes *lanes, size_t slot) {
     lanes->length[slot] *= theta;
 }
 
-/// A step that was tried to end at a switch: near enough, or nearer by Newton's method.
+/// Handles a step that was to end at a switch: accepts it if it is near enough, else moves nearer by Newton's method.
 static void go_on_landing(const adaptive_lanes *lanes, size_t slot) {
     const size_t which = (size_t)lanes->landing[slot] - 1;
     const double value = *at(lanes, lanes->end_value, which, slot), rate = *at(lanes, lanes->end_rate, which, slot);

@@ -17,28 +17,29 @@
 rk4_lanes_revolve *const rk4_lanes_revolves[VECTOR_ISAS] = EVERY_ISA(, rk4_lanes);
 
 struct whirl_ensemble {
-    const whirl_system *system; ///< of the first machine: the structure
+    const whirl_system *system; ///< first machine, which has the structure
     const isa *isa;
     size_t lane_count, contact_count;
-    size_t row_count; ///< of the block
+    size_t row_count; ///< rows of the block
     double limit;
     rk4_lanes lanes;
     adaptive_lanes *adaptive;  ///< NULL for rk4
     stepper *stepper;          ///< for steps near switches; NULL: not needed
-    whirl_perturbations along; ///< of that one
+    whirl_perturbations along; ///< perturbations of the stepper
     double *room, *parts;      ///< its workspace; [lane_count][2] parts of the period that lanes go over; NULL: none
     alone_lanes *alone;        ///< lanes that integrators carry; NULL: kernels do
     double *ended;             ///< [lane] whirl_motion
-    const double *shown;       ///< [dimension] states that coordinates are asked of: a sample's; NULL: the present ones
-    const whirl_system **machines; ///< [lane_count] who is where; NULL: nobody
-    whirl_perturbations **beside;  ///< [lane_count] that go along in the next revolution; NULL: none
+    const double
+        *shown; ///< [dimension] states that whirl_ensemble_coordinate returns: a sample's; NULL: the present ones
+    const whirl_system **machines; ///< [lane_count] machine of every lane; NULL: empty
+    whirl_perturbations **beside;  ///< [lane_count] perturbations carried in the next revolution; NULL: none
     size_t *contact_probe;
     size_t *order;           ///< [lane_count] in which lanes go their own way
     double *state;           ///< [dimension] workspace
     double *forcing, *block; ///< block: all arrays of lanes, aligned to 64 bytes
 };
 
-/// Whether normal forces tell of contacts, and not the gap alone.
+/// Returns true if contact is decided by normal forces, not by the gap alone.
 static bool by_force(const whirl_ensemble *e) {
     return e->alone || e->lanes.observe.by_force;
 }
@@ -49,7 +50,7 @@ bool whirl_ensemble_takes(const whirl_system *system, const whirl_integrate_opti
     return strcmp(options->method, "rk4") == 0 && !(options->located && system->lanes->slides);
 }
 
-/// Beyond this their memory is out of all proportion: it grows with the square of the dimension, and with the lanes.
+/// Most perturbations: memory grows with the square of the dimension, and with the lanes.
 enum { MAX_PERTURBATIONS = 256 };
 
 bool whirl_ensemble_follows(const whirl_system *system, const whirl_integrate_options *options) {
@@ -138,7 +139,7 @@ static void tabulate(whirl_ensemble *e) {
                         e->forcing + (size_t)i * system->forcing_count);
 }
 
-/// What all lanes have, whoever carries them: all coordinates count as rates where integrators do.
+/// Fills in what all lanes have; integrators treat all coordinates as rates.
 static void fill_shape(whirl_ensemble *e) {
     const whirl_system *system = e->system;
     rk4_lanes *lanes = &e->lanes;
@@ -149,7 +150,7 @@ static void fill_shape(whirl_ensemble *e) {
     lanes->observe.contact_count = e->contact_count = system->contact_count;
 }
 
-/// The logarithms of all products of lengths, which begin afresh.
+/// Takes the logarithms of all products of lengths, which begin afresh.
 static void note_lengths(const rk4_lanes *lanes) {
     for (size_t i = 0; i < lanes->perturbations * lanes->lane_count; i++) {
         lanes->growth[i] += log(lanes->lengths[i]);
@@ -176,7 +177,7 @@ static void fill_lanes(whirl_ensemble *e, const whirl_integrate_options *options
     if (system->lanes->damped || system->lanes->rubs) lanes->observe.contacts = system->lanes->contacts[e->isa->number];
 }
 
-/// An adaptive method, with the stepper that looks at lanes near switches, and what both need for perturbations.
+/// Attaches an adaptive method, its stepper for lanes near switches, and the memory of both for perturbations.
 static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const whirl_integrate_options *options,
                             size_t lanes) {
     const size_t most = e->lanes.perturbations, n = e->system->dimension;
@@ -193,7 +194,7 @@ static bool attach_adaptive(whirl_ensemble *e, const lanes_method *own, const wh
     return true;
 }
 
-/// What methods need that locate contacts.
+/// Attaches what methods that locate contacts need.
 static bool attach_location(whirl_ensemble *e, const whirl_integrate_options *options, size_t lanes) {
     const whirl_system *system = e->system;
     lanes_located *located = &e->lanes.located;
@@ -226,13 +227,13 @@ static size_t fast_vectors(const whirl_ensemble *e) {
     return choices[i];
 }
 
-/// Lanes that go their own way: several for a slot, so that few slots are idle while the last of them finish.
+/// Number of lanes with times of their own: several for a slot, so that few slots are idle while the last ones finish.
 static size_t fast_lanes(const whirl_ensemble *e) {
     enum { ROUNDS = 8 };
     return e->adaptive ? e->adaptive->slots * ROUNDS : fast_vectors(e) * e->isa->lanes;
 }
 
-/// The last of an ensemble whose engine is there.
+/// Completes an ensemble that has an engine.
 static whirl_status finish(whirl_ensemble *e, size_t lanes, whirl_ensemble **out) {
     e->lanes.stride = (lanes + e->isa->lanes - 1) / e->isa->lanes;
     e->lanes.lane_count = e->lane_count = e->lanes.stride * e->isa->lanes;
@@ -492,8 +493,8 @@ void whirl_ensemble_move(whirl_ensemble *e, size_t from, size_t to) {
     whirl_ensemble_unload(e, from);
 }
 
-/// What goes with a lane into its slot: the machine and its state; of a motion that is observed what was seen of it,
-/// too.
+/// Lists the rows that are exchanged between a lane and its slot: machine and state; for observed motions also their
+/// observations.
 static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     const lanes_observe *own = &lanes->observe, *theirs = &e->lanes.observe;
     const size_t dimension = lanes->dimension, probes = own->probe_count, contacts = own->contact_count;
@@ -519,7 +520,7 @@ static void fill_exchange(const whirl_ensemble *e, adaptive_lanes *lanes) {
     memcpy(lanes->exchanged, rows, sizeof rows);
 }
 
-/// Gives samples [samples][dimension][lane_count] of a revolution to who watches it.
+/// Hands samples [samples][dimension][lane_count] of a revolution to the observer.
 static void hand_out(whirl_ensemble *e, const double *samples, size_t count, const whirl_ensemble_observe *observe) {
     for (size_t i = 0; i < count; i++) {
         e->shown = samples + i * e->system->dimension * e->lane_count;
@@ -533,7 +534,7 @@ static void revolve_alone(whirl_ensemble *e, size_t count, const whirl_ensemble_
     hand_out(e, e->alone->samples, samples, observe);
 }
 
-/// Puts the perturbations that go along into their lanes; whether there are any.
+/// Puts perturbations into their lanes; returns true if there are any.
 static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     bool any = false;
@@ -552,7 +553,7 @@ static bool begin_perturbations(whirl_ensemble *e, size_t count) {
     return any;
 }
 
-/// And takes them out.
+/// Takes perturbations out of their lanes.
 static void end_perturbations(whirl_ensemble *e, size_t count) {
     const rk4_lanes *lanes = &e->lanes;
     const size_t degrees = lanes->degrees, rates = lanes->rates;
@@ -570,8 +571,7 @@ static void end_perturbations(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Lanes go in their order, but those that are observed first: while they have slots steps cost more. How many these
-/// are.
+/// Orders lanes, observed ones first, since steps cost more while these have slots. Returns how many are observed.
 static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const bool *which = observe ? observe->lanes : NULL;
     size_t observed = 0;
@@ -582,7 +582,7 @@ static size_t put_in_order(whirl_ensemble *e, size_t count, const whirl_ensemble
     return observed;
 }
 
-/// A revolution in which every lane goes its own way; samples are handed out when all are through.
+/// Carries a revolution with a time of its own in every lane; samples are handed out when all are finished.
 static void revolve_adaptive(whirl_ensemble *e, size_t count, const whirl_ensemble_observe *observe) {
     const size_t wanted = observe && observe->stride > 0 ? (size_t)e->adaptive->instants / observe->stride : 0;
     const size_t samples = adaptive_lanes_make_room(e->adaptive, wanted, e->lane_count) ? wanted : 0;
@@ -617,7 +617,7 @@ static void wrap(whirl_ensemble *e, size_t count) {
     }
 }
 
-/// Whether perturbations that go along stay orthonormal, and their growth is wanted.
+/// Returns true if perturbations stay orthonormal and their growth is requested.
 static bool are_measured(const whirl_ensemble *e, size_t count) {
     bool any = false;
     for (size_t lane = 0; lane < count; lane++) any = any || (e->beside[lane] && e->beside[lane]->growth);
@@ -660,7 +660,7 @@ static void get(const double *array, const whirl_ensemble *e, size_t rows, size_
     for (size_t i = 0; out && i < rows; i++) out[i] = array[i * e->lane_count + lane];
 }
 
-/// Whether the gap of contact c is closed.
+/// Returns true if the gap of contact c is closed.
 static bool is_closed(const whirl_ensemble *e, size_t c, size_t lane) {
     const whirl_probe *probe = &e->lanes.observe.probes[e->contact_probe[c]];
     const double x = whirl_ensemble_coordinate(e, probe->x)[lane], y = whirl_ensemble_coordinate(e, probe->y)[lane];
@@ -683,7 +683,7 @@ static void note_contacts(const whirl_ensemble *e, size_t lane) {
     }
 }
 
-/// A force that grows with the displacement alone is largest at the largest radius.
+/// Computes the largest force of contacts that depend on displacement alone: at the largest radius.
 static void largest_forces(const whirl_ensemble *e, size_t lane, double *force) {
     const lanes_observe *w = &e->lanes.observe;
     memset(e->state, 0, e->system->dimension * sizeof *e->state);

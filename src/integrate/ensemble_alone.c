@@ -55,12 +55,12 @@ typedef struct watched_lane {
     size_t samples; ///< for which there is room
 } watched_lane;
 
-/// The lane's number in a row of an array.
+/// Returns the lane's number in a row of an array.
 static double *number_in(const watched_lane *w, double *array, size_t row) {
     return &array[row * w->lanes->lane_count + w->lane];
 }
 
-/// What was seen of the lane.
+/// Returns the observations of the lane.
 static whirl_ensemble_seen seen_in(const watched_lane *w) {
     const lanes_observe *o = w->lanes->watched;
 #define SEEN(array, ...) .array = number_in(w, o->array, 0),
@@ -85,7 +85,7 @@ static void observe(void *context, double t, const double *x) {
 
 // ---------------------------------------------------------------- revolutions
 
-/// Room for the samples of a revolution, not a number where lanes end on the way; how many there is room for.
+/// Allocates the samples of a revolution, NaN for lanes that end on the way; returns how many fit.
 static size_t make_room(alone_lanes *alone, size_t samples) {
     const size_t numbers = alone->dimension * alone->lane_count;
     if (samples > alone->sample_room) {

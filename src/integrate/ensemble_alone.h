@@ -9,14 +9,14 @@ typedef struct alone_lanes {
     whirl_integrate_options options;
     size_t followed; ///< perturbations for which there is room
     size_t dimension, lane_count;
-    whirl_integrator **integrator; ///< [lane_count] NULL: nobody is there
+    whirl_integrator **integrator; ///< [lane_count] NULL: empty lane
     double *state;                 ///< [dimension] workspace
     double *samples;               ///< [sample_room][dimension][lane_count]
     size_t sample_room;
     // The ensemble that is served.
     double *x, *ended;             ///< [dimension][lane_count]; [lane_count] whirl_motion
     const whirl_system **machines; ///< [lane_count]
-    whirl_perturbations **beside;  ///< [lane_count] that go along in the next revolution; NULL: none
+    whirl_perturbations **beside;  ///< [lane_count] perturbations carried in the next revolution; NULL: none
     const lanes_observe *watched;
 } alone_lanes;
 
@@ -31,7 +31,7 @@ whirl_status alone_lanes_load(const alone_lanes *alone, size_t lane, const whirl
 /// Moves the integrator of a lane to another one that has none.
 void alone_lanes_move(const alone_lanes *alone, size_t from, size_t to);
 
-/// A revolution of the lanes 0 to count - 1; gives how many samples of it there are.
+/// Carries the lanes 0 to count - 1 over a revolution; returns the number of its samples.
 size_t alone_lanes_revolve(alone_lanes *alone, size_t count, const whirl_ensemble_observe *observe);
 
 #endif

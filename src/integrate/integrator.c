@@ -78,7 +78,7 @@ whirl_status check_options(const whirl_system *system, const whirl_integrate_opt
     return whirl_members_check(whirl_integrate_members(), options);
 }
 
-/// Makes room for so many perturbations.
+/// Allocates the workspace of so many perturbations.
 static whirl_status make_room(whirl_integrator *integrator, size_t most) {
     const size_t rows = integrator->method->rows * (1 + most) + SPARE_ROWS;
     double *slopes = realloc(integrator->slopes, rows * integrator->system->dimension * sizeof *slopes);

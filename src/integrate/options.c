@@ -1,4 +1,4 @@
-// The options of integration as they describe themselves.
+// Descriptors of the options of integration.
 #include <math.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-/// What is seen of one motion, instant after instant.
+/// Observation of one motion, instant after instant.
 #ifndef INTEGRATE_WATCH_H
 #define INTEGRATE_WATCH_H
 
@@ -6,12 +6,12 @@
 
 #include "whirl/engine/ensemble.h"
 
-/// What a fold begins with.
+/// Initial value of a fold.
 static inline double fold_none(whirl_fold fold) {
     return fold == WHIRL_LARGEST ? -(double)INFINITY : fold == WHIRL_SMALLEST ? (double)INFINITY : 0.0;
 }
 
-/// What is made of one in the end; `share`: 1 over the number of instants.
+/// Final value of a fold; `share`: 1 over the number of instants.
 static inline double fold_end(whirl_fold fold, bool square, double folded, double share) {
     const double value = fold == WHIRL_MEAN ? folded * share : folded;
     return square ? sqrt(value) : value;

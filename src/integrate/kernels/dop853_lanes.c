@@ -6,7 +6,7 @@
 /// Vectors in the sums of slopes at a time: two, or all of a structure with loops of its own.
 enum { SUMMED_TOGETHER = 2, MAX_TOGETHER = 4 };
 
-/// Where the rows of a set begin: the state's, set 0, or a perturbation's.
+/// First rows of a set: the state's, set 0, or a perturbation's.
 typedef struct set_place {
     size_t q, v;
 } set_place;
@@ -80,7 +80,7 @@ static void enter_stage(const adaptive_lanes *lanes, int number, vec *q, vec *v)
     }
 }
 
-/// Where the divergence is noted when slope `number` is taken.
+/// Memory for the divergence of slope `number`.
 static inline double *divergence_of(const adaptive_lanes *lanes, int number) {
     return lanes->dop853.divergence + (size_t)number * lanes->slots;
 }
@@ -181,8 +181,8 @@ static inline vec square_length(const adaptive_lanes *lanes, set_place set, size
     return sum;
 }
 
-/// What a perturbation may err by, over rtol of its length: on a motion of some size its error follows that of the
-/// state, whose steps are left as they are then; one that is next to nothing would let steps be of any length.
+/// Tolerance of a perturbation over rtol of its length: with a motion of some size its error follows that of the state,
+/// whose steps are then unchanged; a negligible motion would allow any step.
 enum { LOOSER = 100 };
 
 /// The square of the error of a perturbation over its tolerance. Equations of perturbations are linear: they know no
@@ -210,7 +210,7 @@ static vec error_of_perturbation(const adaptive_lanes *lanes, set_place set, siz
     return v_div(v_mul(v_mul(h, h), v_mul(square5, square5)), v_max(some, v_set(0x1p-960)));
 }
 
-/// Perturbations are as sure as the state. Where they have no error that is a number the state decides.
+/// Includes the errors of perturbations, which are as exact as the state. If they are NaN the state decides.
 static void take_errors_of_perturbations(const adaptive_lanes *lanes, vec *q5, vec *v5, vec *q3, vec *v3) {
     for (size_t n = 1; n <= lanes->tangents; n++) {
         const set_place set = place_of_set(lanes, n);
@@ -261,7 +261,7 @@ VECTOR_INLINE void add_angle(const adaptive_lanes *lanes, double c, size_t k) {
     forcing[SIN_2TAU * apart] = v_mul(v_add(x, x), y);
 }
 
-/// Where slope `number` is taken: for the result, and for the others.
+/// State of slope `number`: the step's end for the result, else the stage.
 static inline vec *place_of(const adaptive_lanes *lanes, int number) {
     return number == DOP853_STAGES ? VECTORS(end_q) : VECTORS(stage_q);
 }

@@ -13,7 +13,7 @@
          d < (to); d += run)                                                                                           \
         for (size_t i = d * (lanes)->stride, last = i + run * (lanes)->vectors; i < last; i++) body
 
-/// Of every degree of freedom; of states of first order, which follow the velocities.
+/// Loops over every degree of freedom; over states of first order, which follow the velocities.
 #define FOR_ALL(lanes, body) FOR_ROWS(lanes, 0, (lanes)->degrees, body)
 #define FOR_STATES(lanes, body) FOR_ROWS(lanes, (lanes)->degrees, (lanes)->rates, body)
 
@@ -86,8 +86,8 @@ static void take_step(const rk4_lanes *lanes, const double *forcing) {
     if (lanes->perturbations > 0) add_divergence(lanes);
 }
 
-/// Whether velocities are looked at after step n: their bounds, by which distances are scaled, are not wanted to the
-/// last digit, and cost as much as all else that is observed.
+/// Returns true if velocities are observed after step n: their bounds, which scale distances, need not be exact, and
+/// cost as much as all else that is observed.
 static inline bool looks_at_speeds(const rk4_lanes *lanes, int n) {
     return n % 4 == 0 || n == lanes->steps;
 }
@@ -120,7 +120,7 @@ static void observe_probes(const rk4_lanes *lanes, bool speeds) {
         }
 }
 
-/// What friction did.
+/// Observes the effect of friction.
 static void observe_friction(const rk4_lanes *lanes) {
     const lanes_observe *w = &lanes->observe;
     for (size_t c = 0; c < w->contact_count; c++)
@@ -159,7 +159,7 @@ static vec_mask touches(const rk4_lanes *lanes, size_t c, size_t k) {
     return v_less(v_mul(gap, gap), v_fma(x, x, v_mul(y, y)));
 }
 
-/// A step later.
+/// Counts contact after a step.
 static inline void count_contact(vec_mask touching, vec *before, vec *share, vec *number) {
     const vec one = v_set(1.0);
     watch_contact(v_select(touching, one, v_set(0.0)), one, one, before, share, number);
@@ -187,7 +187,7 @@ static void begin_step(const rk4_lanes *lanes) {
     if (locates(lanes)) keep_beginning(lanes);
 }
 
-/// All that is done at the end of step n.
+/// Ends step n: locates switches, observes, takes samples.
 static void end_step(const rk4_lanes *lanes, int n) {
     if (locates(lanes)) locate(lanes, n);
     if (lanes->lengths && lanes->perturbations > 0) make_orthonormal(lanes, n + 1);

@@ -5,11 +5,11 @@
 
 #include "vector.h"
 
-/// What a step works on, out of memory; k are the slopes of v. Before the fourth slope is taken, the sum of the second
-/// and third goes where the second is, and the fourth comes to where the third was.
+/// Workspace of a step; k are the slopes of v. Before the fourth slope is taken, the sum of the second and third goes
+/// where the second is, and the fourth comes to where the third was.
 typedef struct scheme {
     vec *q, *v, *k1, *k2, *k3, *stage_q, *stage_v;
-    vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< of the step's length
+    vec whole, half, sixth, quarter_square, half_square, sixth_square; ///< fractions of the step's length
 } scheme;
 
 static inline scheme scheme_of(double h) {

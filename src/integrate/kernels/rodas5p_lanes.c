@@ -38,8 +38,8 @@ static void take_jacobian(const adaptive_lanes *lanes, vectors of) {
     lanes->flow(&view);
 }
 
-/// Where a derivative of the forcing by time looks, and with what weights: the difference of order 4 (of a harmonic of
-/// order 4 to 1e-12, rounding 1e-12).
+/// Places and weights of the forcing's time derivative: the difference of order 4 (for a harmonic of order 4 exact to
+/// 1e-12, rounding 1e-12).
 static const struct {
     double offset, weight;
 } beside[] = {{0x1p-11, 0x1p11 * 8.0 / 12.0},
@@ -236,7 +236,7 @@ VECTOR_INLINE vec add_increments(int number, const vec *u, size_t apart, vec x, 
     return x;
 }
 
-/// Where the slope of stage `number` is taken, and what the increments before it add to its equations, in right_q and
+/// Computes the state of stage `number`'s slope, and what the increments before it add to its equations, in right_q and
 /// u_v; the slopes of positions are the velocities of the stage.
 VECTOR_INLINE void enter_stage(const adaptive_lanes *lanes, vectors of, int number) {
     const rodas5p_work *own = &lanes->rodas5p;

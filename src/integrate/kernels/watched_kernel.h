@@ -1,4 +1,4 @@
-/// What an instant adds to all that is watched (whirl/engine/watched.h), written once over the vector type.
+/// Adds an instant to all that is watched (whirl/engine/watched.h), written once over the vector type.
 #ifndef INTEGRATE_WATCHED_KERNEL_H
 #define INTEGRATE_WATCHED_KERNEL_H
 
@@ -18,7 +18,7 @@ VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y,
         x = v_mul(x, v_set(probe->units[0])), y = v_mul(y, v_set(probe->units[1]));
         vx = v_mul(vx, v_set(probe->units[2])), vy = v_mul(vy, v_set(probe->units[3]));
     }
-    // As whirl_probe_sees has it.
+    // The same as whirl_probe_sees.
     if (probe->x == probe->y && probe->along_y) x = vx = v_set(0.0);
     if (probe->x == probe->y && !probe->along_y) y = vy = v_set(0.0);
     const vec square = v_fma(x, x, v_mul(y, y)), way = v_set(probe->clockwise ? -1.0 : 1.0);
@@ -29,7 +29,7 @@ VECTOR_INLINE watched_instant watched_at(const whirl_probe *probe, vec x, vec y,
                              .backward = {v_select(v_less(turning, v_set(0.0)), v_set(1.0), v_set(0.0))}};
 }
 
-/// What was so far, with the value of one instant more.
+/// Folds the value of one more instant.
 VECTOR_INLINE vec watched_with(whirl_fold fold, vec value, vec so_far) {
     return fold == WHIRL_LARGEST    ? v_max(value, so_far)
            : fold == WHIRL_SMALLEST ? v_min(value, so_far)
@@ -43,7 +43,7 @@ VECTOR_INLINE void watch_contact(vec now, vec part, vec per, vec *before, vec *s
     *before = now;
 }
 
-/// What the friction of a contact did at an instant.
+/// Adds the effect of a contact's friction at an instant.
 VECTOR_INLINE void watch_friction(vec torque, vec power, vec *sum, vec *most, vec *powers) {
     *sum = v_add(*sum, torque);
     *most = v_max(v_abs(torque), *most);

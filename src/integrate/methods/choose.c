@@ -1,8 +1,6 @@
-// Which method suits a machine: what method "auto" rests on.
-//
-// dop853 takes as many steps as its tolerance asks for, or as many as keep it stable where the machine is stiff: these
-// follow from the eigenvalues of the Jacobian and the method's own stability function. Where they would crawl, the work
-// of revolutions by rodas5p is counted.
+// Chooses the method for a machine: what method "auto" rests on.  dop853 takes as many steps as its tolerance asks for,
+// or as many as keep it stable where the machine is stiff: these follow from the eigenvalues of the Jacobian and the
+// method's own stability function. Where they would crawl, the work of revolutions by rodas5p is counted.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +37,7 @@ static whirl_status start(const whirl_system *system, const whirl_integrate_opti
     return status;
 }
 
-/// What a probe that has taken all its steps has come to of its last revolution, from 0 to 1; 1 where it has not.
+/// Share, from 0 to 1, of its last revolution that a probe has completed when its steps ran out; 1 if they did not.
 static double part_done(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
     return c->tried < integrator->most_steps ? 1.0 : fmin(c->t / integrator->system->period, 1.0);

@@ -21,14 +21,13 @@
 
 enum { MAX_STEPS_A_CALL = 100000, SHORTEST_TOUCH = 256 };
 
-/// How well a perturbation is known, of its own length and of the unit one that it was at the beginning of the
-/// revolution.
+/// Tolerances of a perturbation, relative to its own length and to its unit length at the revolution's beginning.
 static const double perturbation_rtol = 1e-7, perturbation_atol = 1e-9;
 
 typedef struct cvode {
     const whirl_system *system;
     const whirl_integrate_options *options;
-    stepper *sides; ///< those that are held, with the state of the motion where it last met a switch; NULL: none are
+    stepper *sides; ///< sides that are fixed, with the state at the last switch; NULL: none are
     SUNContext context;
     void *memory;
     N_Vector state;
@@ -36,8 +35,8 @@ typedef struct cvode {
     SUNLinearSolver linear;
     SUNNonlinearSolver nonlinear;
     N_Vector perturbation[1];            ///< [0] NULL until one was followed
-    SUNNonlinearSolver for_perturbation; ///< of Adams
-    whirl_perturbations *set;            ///< of the present revolution, or NULL
+    SUNNonlinearSolver for_perturbation; ///< solver of Adams
+    whirl_perturbations *set;            ///< perturbations of the present revolution, or NULL
     int *roots;                          ///< [switch_count] what CVODE is told and says of its roots
 } cvode;
 
@@ -105,7 +104,7 @@ static int look_for_switches(cvode *work) {
     if (code == CV_SUCCESS) code = CVodeSetNoInactiveRootWarn(work->memory);
     // CVODE sees a zero by the signs at the ends of a step: two in one step, a short touch, would escape long ones.
     if (code == CV_SUCCESS) code = CVodeSetMaxStep(work->memory, work->system->period / SHORTEST_TOUCH);
-    // What is observed on held sides is positive until a switch is met.
+    // Functions on fixed sides are positive until a switch is met.
     for (int i = 0; work->roots && i < count; i++) work->roots[i] = -1;
     if (code == CV_SUCCESS && work->sides) code = CVodeSetRootDirection(work->memory, work->roots);
     return code;
@@ -153,7 +152,7 @@ static whirl_status start_bdf(whirl_integrator *integrator) {
     return start(integrator, CV_BDF);
 }
 
-/// What the stepper needs that decides on sides, to carry the perturbation over switches.
+/// Sets up the stepper that decides sides, to carry the perturbation across switches.
 static void set_variation(const whirl_integrator *integrator, stepper *sides) {
     const cvode *work = integrator->workspace;
     sides->variation.set = work->set;
@@ -231,7 +230,7 @@ static int restart(cvode *work, double t) {
 
 // ---------------------------------------------------------------- switches
 
-/// Goes beyond the switches that CVODE has found at t, or along them.
+/// Crosses the switches that CVODE has found at t, or slides along them.
 static void cross(const cvode *work, double t) {
     int *found = work->roots;
     stepper *c = work->sides;

@@ -1,4 +1,4 @@
-// What the method of Dormand and Prince needs besides the kernel of its steps.
+// Parts of the method of Dormand and Prince besides the kernel of its steps.
 #include <math.h>
 
 #include "adaptive_lanes.h"

@@ -5,7 +5,7 @@
 #define INTEGRATE_DOP853_TABLEAU_H
 
 enum {
-    DOP853_STAGES = 12, ///< of a step; the slope at its end is the next one's first
+    DOP853_STAGES = 12, ///< stages of a step; the slope at its end is the next one's first
     DOP853_SLOPES = 16, ///< with that slope and three more for the interpolant
     DOP853_DENSE = 4    ///< polynomials of the interpolant that need all slopes
 };

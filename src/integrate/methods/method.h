@@ -14,9 +14,10 @@ struct whirl_integrator {
     const whirl_system *system;
     whirl_integrate_options options;
     const struct method *method;
-    void *workspace; ///< of the method
+    void *workspace; ///< workspace of the method
     size_t most_perturbations;
-    size_t most_steps; ///< that the adaptive methods of rotors try in all: then revolutions end early; 0: any number
+    size_t most_steps; ///< most steps that the adaptive methods of rotors try in all: then revolutions end early; 0:
+                       ///< any number
     /// [method->rows][1 + most_perturbations][dimension], then [SPARE_ROWS][dimension]: workspace for the state and its
     /// perturbations
     double *slopes;
@@ -29,11 +30,12 @@ typedef struct method {
     /// `perturbations` is NULL where there are none.
     whirl_motion (*revolve)(whirl_integrator *integrator, double *x, whirl_perturbations *perturbations,
                             whirl_observe_fn observe, void *observer);
-    size_t rows; ///< of the workspace `slopes`
+    size_t rows; ///< rows of the workspace `slopes`
     void (*end)(whirl_integrator *integrator);
     const struct method *located;     ///< the same with located contacts, where that is a choice
     const struct lanes_method *lanes; ///< the adaptive method in lanes, or NULL
-    /// Of fixed steps: |R(z)| at z = real + i imaginary, by which a step multiplies the mode exp(z t / h). Else NULL.
+    /// For fixed steps, returns |R(z)| at z = real + i imaginary, by which a step multiplies the mode exp(z t / h).
+    /// Else NULL.
     double (*amplification)(double real, double imaginary);
     double (*work)(const whirl_integrator *integrator); ///< done so far, in right-hand sides, or NULL
 } method;
@@ -73,24 +75,24 @@ whirl_motion state_motion(const whirl_integrator *integrator, const double *x);
 enum { POSITION, VELOCITY, SUMS_OF_STATE, SUMS_OF_ERROR = 4, MAX_SUMS = 4 };
 typedef struct slope_sums {
     size_t count;
-    size_t place[DOP853_SLOPES]; ///< of the slopes, where `apart` numbers lie between two
+    size_t place[DOP853_SLOPES]; ///< first of the slopes, `apart` numbers from one to the next
     double weight[DOP853_SLOPES][MAX_SUMS];
 } slope_sums;
 
 typedef struct dop853_sums {
-    slope_sums stage[DOP853_SLOPES];  ///< position, velocity where a slope is taken; row 12 is the result
-    slope_sums error;                 ///< of position and velocity by the formula of order 5, then by that of order 3
+    slope_sums stage[DOP853_SLOPES]; ///< position, velocity where a slope is taken; row 12 is the result
+    slope_sums error; ///< errors of position and velocity by the formula of order 5, then by that of order 3
     slope_sums dense[DOP853_DENSE];   ///< the interpolant's polynomials, of position and velocity
-    double dense_drift[DOP853_DENSE]; ///< what multiplies h v in the positions' polynomials
+    double dense_drift[DOP853_DENSE]; ///< factor of h v in the positions' polynomials
 } dop853_sums;
 
 void dop853_sums_fill(dop853_sums *sums, size_t apart);
 
 // ---------------------------------------------------------------- sparsity
-// Which entries of a Jacobian, and of the factors of an implicit method's matrix, can differ from zero: the same for
-// all lanes, found once for a structure.
+// Sparsity: entries of a Jacobian, and of the factors of an implicit method's matrix, that can differ from zero: the
+// same for all lanes, found once for a structure.
 
-/// Those of row i are in the runs begin[i] to before begin[i + 1], ascending: run r in the columns run[2 r] to before
+/// Columns of row i are in the runs begin[i] to before begin[i + 1], ascending: run r in the columns run[2 r] to before
 /// run[2 r + 1].
 typedef struct sparse_rows {
     size_t *begin, *run;
@@ -100,11 +102,11 @@ typedef struct sparsity {
     size_t perturbations;
     size_t *perturbation;     ///< [dimension] by which a column is found, that of a position or of a rate
     sparse_rows by_q, by_v;   ///< the Jacobian of the rates by positions and by rates
-    sparse_rows lower, upper; ///< of the decomposed sum of both, below and above the diagonal
+    sparse_rows lower, upper; ///< factors of the sum of both
 } sparsity;
 
-/// Of a machine with so many positions and rates; depends as whirl_lanes has it, NULL: all by all. In one block, freed
-/// by free(); NULL where there is no memory.
+/// Makes the sparsity of a machine with so many positions and rates; depends as in whirl_lanes, NULL: all depend on
+/// all. In one block, freed by free(); NULL where there is no memory.
 sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void *model, bool *table),
                        const void *model);
 
@@ -115,7 +117,7 @@ sparsity *sparsity_new(size_t degrees, size_t rates, void (*depends)(const void 
 /// A search among phases, with its workspace.
 typedef struct phase_search {
     const whirl_system *system;
-    double norm;       ///< of the stiffest Jacobian so far
+    double norm;       ///< norm of the stiffest Jacobian so far
     double solved;     ///< the norm of that whose eigenvalues are in real and imaginary
     double *stiffest;  ///< [dimension][dimension] balanced
     double *jacobian;  ///< [dimension][dimension] workspace
@@ -138,7 +140,7 @@ bool phase_search_solve(phase_search *s);
 /// After phase_search_solve: the largest of |R(h lambda)| / max(1, |exp(h lambda)|), at least 1.
 double phase_search_growth(const phase_search *s, double (*amplification)(double, double), double h);
 
-/// ... and how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a
+/// Returns how many steps a period keep it below what counts as unstable: `steps`, or more within a few parts in a
 /// hundred.
 double phase_search_steps(const phase_search *s, double (*amplification)(double, double), double steps);
 

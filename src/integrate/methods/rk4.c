@@ -23,7 +23,7 @@ static void flow(const lanes_view *view) {
 
 typedef struct rk4 {
     rk4_one one;
-    stepper *beside;  ///< that knows what perturbations feel at switches
+    stepper *beside;  ///< carries perturbations across switches
     double numbers[]; ///< the table of values of time, and those of now
 } rk4;
 
@@ -64,7 +64,7 @@ typedef struct revolution {
     void *observer;
 } revolution;
 
-/// What a step has not done to perturbations.
+/// Completes perturbations after a step across a switch.
 static void mend_perturbations(const revolution *r) {
     const rk4_lanes *lanes = &r->work->one.lanes;
     const bool due = r->done % rk4_orthonormal_steps(lanes->steps) == 0 || r->done == lanes->steps;

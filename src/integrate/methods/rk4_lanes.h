@@ -10,7 +10,7 @@
 #include "whirl/engine/system.h"
 #include "whirl/engine/watched.h"
 
-/// What is observed, all [...][stride vectors].
+/// Observations, all [...][stride vectors].
 typedef struct lanes_observe {
     size_t probe_count, contact_count;
     const whirl_probe *probes;   ///< [probe_count]
@@ -18,15 +18,15 @@ typedef struct lanes_observe {
     double *low, *high;          ///< [degrees + rates]
     WHIRL_WATCHED_ARRAYS
     double *gap, *touching; ///< [contact_count]
-    /// NULL where the gap alone tells of contacts, and no friction is told of.
+    /// NULL if the gap alone decides contact, and friction is not reported.
     lanes_contacts *contacts;
-    bool by_force;    ///< normal forces tell of contact
-    bool rubs;        ///< friction is told of
+    bool by_force;    ///< normal forces decide contact
+    bool rubs;        ///< friction is reported
     double *force;    ///< [contact_count]
     double *friction; ///< [contact_count][2]
 } lanes_observe;
 
-/// What it takes to locate contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.
+/// Location of contacts: steps of lanes that pass or come near a switch are taken anew, one lane at a time.
 typedef struct lanes_located {
     lanes_switches *switches; ///< NULL: steps walk over contacts
     size_t switch_count;
@@ -34,14 +34,14 @@ typedef struct lanes_located {
     double *begin_q, *begin_v;     ///< [degrees], [rates] the states at the step's beginning
     double *value[2], *rate[2];    ///< [switch_count] at its beginning and end
     struct stepper *stepper;       ///< takes these steps
-    const whirl_system **machines; ///< [lane] NULL: nobody is there
+    const whirl_system **machines; ///< [lane] NULL: empty lane
     double *ended;                 ///< [lane] whirl_motion
 } lanes_located;
 
 typedef struct rk4_lanes {
-    const void *model; ///< whose structure all lanes have
+    const void *model; ///< machine whose structure all lanes have
     lanes_flow *flow;
-    const lanes_instance *instance; ///< that structure has loops of its own; NULL: not
+    const lanes_instance *instance; ///< its structure, if that has loops of its own; NULL: not
     size_t stride;                  ///< vectors there are
     size_t vectors;                 ///< vectors in use
     size_t lane_count;              ///< lanes there are
@@ -50,11 +50,11 @@ typedef struct rk4_lanes {
     size_t rates; ///< velocities, and states of first order after them
     int steps;
     double step;
-    const whirl_stop *stop;           ///< as the options have it
-    const double *forcing;            ///< [2 steps + 1][forcing_count]
-    size_t perturbations;             ///< that go along: all states, slopes and stages are [1 + perturbations][...]
-    size_t *places;                   ///< of numbers, as a view has them
-    double *numbers, *q, *v;          ///< [degrees], [rates]
+    const whirl_stop *stop;  ///< stop of the options
+    const double *forcing;   ///< [2 steps + 1][forcing_count]
+    size_t perturbations;    ///< perturbations carried: all states, slopes and stages are [1 + perturbations][...]
+    size_t *places;          ///< places of numbers, as in a view
+    double *numbers, *q, *v; ///< [degrees], [rates]
     double *k[3], *stage_q, *stage_v; ///< [rates], [degrees], [rates] workspace
     double *now;                      ///< [forcing_count] workspace
     double *divergence[4], *volume;   ///< [1] at the stages of a step, and its integral
@@ -95,7 +95,7 @@ void rk4_one_place(rk4_one *one, double *rows, size_t row);
 
 typedef void rk4_lanes_revolve(const rk4_lanes *lanes);
 
-/// One for every instruction set of vector.h; NULL where it is not built.
+/// One function for every instruction set of vector.h; NULL if it is not built.
 extern rk4_lanes_revolve *const rk4_lanes_revolves[];
 rk4_lanes_revolve rk4_lanes_scalar, rk4_lanes_128, rk4_lanes_fma, rk4_lanes_avx2, rk4_lanes_avx512;
 

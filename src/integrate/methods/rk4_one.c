@@ -21,7 +21,7 @@ void rk4_one_place(rk4_one *one, double *rows, size_t row) {
 }
 
 double rk4_amplification(double real, double imaginary) {
-    double x = 1.0, y = 0.0; // of 1 + z (1 + z/2 (1 + z/3 (1 + z/4)))
+    double x = 1.0, y = 0.0; // value of 1 + z (1 + z/2 (1 + z/3 (1 + z/4)))
     for (int i = 4; i > 0; i--) {
         const double re = (real * x - imaginary * y) / i;
         y = (real * y + imaginary * x) / i;

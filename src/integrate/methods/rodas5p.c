@@ -1,4 +1,4 @@
-// What rodas5p needs besides the kernel of its steps.
+// Parts of rodas5p besides the kernel of its steps.
 #include <math.h>
 #include <string.h>
 

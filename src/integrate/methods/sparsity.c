@@ -1,10 +1,10 @@
-// Which entries of a Jacobian and of its factors can differ from zero.
+// Finds the entries of a Jacobian and of its factors that can differ from zero.
 #include "method.h"
 
 #include <stdlib.h>
 
-/// Columns without a common row share a perturbation, which tells of all of them at once (Curtis, Powell, Reid 1974):
-/// each takes the first whose rows it does not meet. told [columns][rows]: of what rows a perturbation tells.
+/// Shares perturbations: columns without a common row are found by one perturbation (Curtis, Powell, Reid 1974); each
+/// column takes the first whose rows it does not meet. told [columns][rows]: rows that a perturbation determines.
 static void share_perturbations(sparsity *out, const bool *table, size_t rows, size_t columns, bool *told) {
     for (size_t c = 0; c < columns; c++) {
         size_t own = 0;
@@ -19,7 +19,7 @@ static void share_perturbations(sparsity *out, const bool *table, size_t rows, s
     }
 }
 
-/// What becomes of zeros as rows are eliminated one after the other, without exchange.
+/// Marks zeros that fill in as rows are eliminated one after the other, without exchange.
 static void fill_in(bool *matrix, size_t n) {
     for (size_t i = 0; i < n; i++)
         for (size_t m = 0; m < i; m++)

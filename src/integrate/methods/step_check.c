@@ -1,9 +1,8 @@
-// Whether fixed steps are short enough: beside the method's stability region, and beside the equations themselves.
-//
-// A step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a
-// mode that dies out, what the method computes is no motion of the machine, however smooth it may look (see
-// docs/theory.md, "Steps that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is
-// largest, and only where its norm does not show already that all of them lie well within the region.
+// Checks that fixed steps are short enough, by the method's stability region and by the equations themselves.  A
+// step h multiplies the mode of eigenvalue lambda by R(h lambda), the machine by exp(h lambda). Where |R| > 1 in a mode
+// that dies out, what the method computes is no motion of the machine, however smooth it may look (see docs/theory.md,
+// "Steps that are too long"). Eigenvalues are taken at the phase where the balanced Jacobian is largest, and only where
+// its norm does not show already that all of them lie well within the region.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -31,7 +30,7 @@ static void judge_phase(phase_search *s, const method *own, int steps, whirl_ste
 
 // ---------------------------------------------------------------- the revolution
 
-/// Where the equations lead from `start` in a revolution, in x; phases are noted.
+/// Follows the equations from `start` over a revolution, into x; phases are noted.
 static whirl_status follow(phase_search *s, const whirl_integrate_options *options, double tolerance, double *x,
                            whirl_motion *motion) {
     whirl_integrate_options exact = *options;

@@ -7,7 +7,7 @@
 #include "matrix.h"
 #include "numerics.h"
 
-/// What a step may make of a perturbation: 1 and what truncation adds to a mode that grows.
+/// Largest growth of a perturbation in a step: 1 and what truncation adds to a mode that grows.
 static const double unstable_growth = 1.001;
 
 bool whirl_step_is_unstable(const whirl_step_check *check) {
@@ -40,7 +40,7 @@ static void exact_columns(const phase_search *s, double t, const double *forcing
     s->system->tangent(s->system->model, t, forcing, x, NULL, n, s->unit, rows);
 }
 
-/// ... by differences, of systems that give none.
+/// The same by differences, for systems without a derivative.
 static void difference_columns(const phase_search *s, double t, const double *forcing, const double *x, double *rows) {
     const whirl_system *system = s->system;
     const size_t n = system->dimension;

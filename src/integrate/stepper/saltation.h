@@ -1,5 +1,5 @@
-/// What a switch at which the right-hand side jumps does to perturbations (Aizerman, Gantmakher 1958; Leine, Nijmeijer
-/// 2004).
+/// Effect of a switch at which the right-hand side jumps on perturbations (Aizerman, Gantmakher 1958; Leine,
+/// Nijmeijer 2004).
 #ifndef INTEGRATE_SALTATION_H
 #define INTEGRATE_SALTATION_H
 

@@ -1,4 +1,4 @@
-// On which sides of its switches a motion is, what happens at their zeros, and sliding along them (Filippov 1988).
+// Sides of a motion's switches, what happens at their zeros, and sliding along them (Filippov 1988).
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -149,7 +149,7 @@ void stepper_guarded(const stepper *c, double t, const double *x, double *values
         }
 }
 
-/// How a switching function sets out on one side of it.
+/// Derivatives of a switching function that departs from zero on one side.
 typedef struct departure {
     double rate, bend; ///< first and second derivative by time
     bool level;        ///< the first is so small that the second alone tells
@@ -174,7 +174,7 @@ static departure depart(stepper *c, size_t which, double side) {
     return out;
 }
 
-/// Whether the function goes the way of `side`.
+/// Returns true if the function moves to `side`.
 static bool goes(const departure *d, double side) {
     return side * (d->level ? d->bend : d->rate) > 0.0;
 }
@@ -195,8 +195,8 @@ static void trial_step(stepper *c, double t, double h, double *x, double *rows) 
         for (size_t d = 0; d < n; d++) x[d] += weights[k] * h * rows[k * n + d];
 }
 
-/// Where first and second derivatives tell nothing: whether the function goes the way of `side` a little later, by so
-/// many steps, all the more.
+/// If first and second derivatives are inconclusive: returns true if the function moves to `side` a little later, after
+/// so many steps.
 static bool goes_later(stepper *c, size_t which, double side, double *rows) {
     const size_t n = c->dimension;
     const double h = c->system->period / (64.0 * TRIAL_STEPS), kept = c->sides[which];
@@ -247,7 +247,7 @@ static void let_go(stepper *c, size_t which) {
     c->held[which] = 2; // the function and its derivative are both zero here
 }
 
-/// Whether both sides push onto the switch.
+/// Returns true if both sides push onto the switch.
 static bool pushed(const departure *below, const departure *above) {
     return below->rate > 0.0 && !below->level && above->rate < 0.0 && !above->level;
 }

@@ -16,7 +16,7 @@ static void forcing_at(const void *model, size_t stride, size_t vectors, const v
     *(double *)forcing = *(const double *)t;
 }
 
-/// What the Jacobian makes of unit vectors, by differences of order 2, good to 1e-10: of systems that give none, and of
+/// Applies the Jacobian to unit vectors, by differences of order 2, good to 1e-10: for systems that give none, and for
 /// motions along switches.
 static void difference_columns(const stepper *c, double t, const double *at, double *columns) {
     const size_t n = c->dimension;
@@ -263,7 +263,8 @@ static void land(stepper *c, double theta, size_t which) {
     }
 }
 
-/// Whether all switching functions keep their signs by far, by their values and derivatives at both ends of the step.
+/// Returns true if all switching functions certainly keep their signs, by their values and derivatives at both
+/// ends of the step.
 static bool is_clear(stepper *c) {
     const double end = c->begin + c->length;
     double *from = stepper_row(c, ROW_FROM), *to = stepper_row(c, ROW_TO);
@@ -309,7 +310,7 @@ static void look_closer(stepper *c, double *theta, size_t *which) {
     }
 }
 
-/// Where the step just tried must end; at its beginning where theta is 0.
+/// Finds where the step just tried must end; at its beginning where theta is 0.
 static bool meets_switch(stepper *c, double *theta, size_t *which) {
     if (c->system->switch_count == 0 || is_clear(c)) {
         if (c->observed) stepper_interpolate(c);
@@ -384,7 +385,8 @@ whirl_motion stepper_step(stepper *c, double until) {
         }
         stepper_cross_varied(c, which);
         if (theta > 0.0) return judge(c);
-        // So near to the switch that the interpolant, good to the tolerance, contradicts the derivatives there.
+        // The state is so near to the switch that the interpolant, good to the tolerance, contradicts the derivatives
+        // there.
         if (stays >= MAX_STAYS && c->held[which] > 0) c->held[which] = CROSSING_ALONG;
     }
 }

@@ -17,7 +17,7 @@
 #include <stddef.h>
 
 // ---------------------------------------------------------------- crossing
-// Where a function first passes zero within a step.
+// First zero of a function within a step.
 
 /// Writes the `count` values of functions that are positive until they are crossed, at `theta` of the step, 0 to 1.
 typedef void crossing_values(void *context, double theta, double *values);
@@ -52,7 +52,7 @@ typedef struct stepper_variation {
     double *spare;                            ///< [SPARE_ROWS][dimension]
 } stepper_variation;
 
-/// Of its workspace, each of (1 + most) vectors, but for the last SPARE_ROWS, which are vectors.
+/// Rows of its workspace, each of (1 + most) vectors, except the last SPARE_ROWS, which are vectors.
 enum { PERTURBATION_ROWS = DOP853_STAGES + 3 };
 
 /// Rows of a stepper's workspace, so that what calls one another does not share one: values, sides.
@@ -60,14 +60,15 @@ enum { ROW_VALUE, ROW_FOUND, ROW_FROM, ROW_TO, ROW_SIDES, ROW_SIDES_OF_MEAN, ROW
 enum { SWITCH_ROWS = ROW_SEARCH + CROSSING_ROWS };
 
 typedef struct stepper {
-    const struct lanes_method *method; ///< whose kernel takes the steps, by the tolerance; NULL: rk4, of given lengths
-    struct adaptive_lanes *slot;       ///< where it does
-    rk4_one fixed;                     ///< where rk4 does
-    double times[4];                   ///< values of time of its step, and of now
+    const struct lanes_method
+        *method;                 ///< method whose kernel takes the steps, by the tolerance; NULL: rk4, of given lengths
+    struct adaptive_lanes *slot; ///< workspace of that kernel
+    rk4_one fixed;               ///< workspace of rk4
+    double times[4];             ///< values of time of its step, and of now
     const whirl_system *system;
     size_t dimension;
     double rtol, atol, limit;
-    double t;            ///< where the motion is
+    double t;            ///< time of the motion
     double *x;           ///< [dimension]
     double *sides;       ///< [switch_count] -1 or +1
     int *held;           ///< [switch_count] as crossing_search has it, for the step that begins at x
@@ -132,8 +133,8 @@ double stepper_rate(const stepper *c, size_t which, double t, const double *x, c
 /// The sides at the beginning of a revolution, where x may lie on a switch.
 void stepper_find_sides(stepper *c);
 
-/// What must stay positive during a step, [switch_count]: the switching functions times their sides, and for those that
-/// are slid along the room that the two sides leave.
+/// Writes what must stay positive during a step, [switch_count]: the switching functions times their sides, and for
+/// those that are slid along the room that the two sides leave.
 void stepper_guarded(const stepper *c, double t, const double *x, double *values);
 
 /// At the end of a step on switch `which`: beyond it, or along it.
@@ -184,7 +185,7 @@ bool stepper_solve(size_t n, double matrix[MAX_SLIDING][MAX_SLIDING], double *ri
 /// Puts x back onto the switches that are slid along.
 void stepper_project(const stepper *c, double *x);
 
-/// Within which the value of switch `which` at x counts as zero: a thousandth of the tolerance of x.
+/// Returns the bound within which the value of switch `which` at x counts as zero: a thousandth of the tolerance of x.
 double stepper_reach(const stepper *c, size_t which, double t, const double *x);
 
 // ---------------------------------------------------------------- bernstein

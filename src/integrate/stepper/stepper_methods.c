@@ -29,7 +29,7 @@ static whirl_motion begin(whirl_integrator *integrator, const double *x, whirl_p
     return motion;
 }
 
-/// Tells of the instants up to where the motion is, the next of which is `instant`; gives the one after them.
+/// Reports the instants up to where the motion is, the next of which is `instant`; gives the one after them.
 static int tell(stepper *c, double period, int instants, int instant, whirl_observe_fn observe, void *observer) {
     for (; instant <= instants; instant++) {
         const double t = period * ((double)instant / instants);
@@ -40,7 +40,7 @@ static int tell(stepper *c, double period, int instants, int instant, whirl_obse
     return instant;
 }
 
-/// Whether a revolution ends before its time.
+/// Returns true if a revolution ends before its time.
 static bool is_cut_short(const whirl_integrator *integrator) {
     const stepper *c = integrator->workspace;
     return whirl_integrate_stopped(&integrator->options) ||

@@ -1,8 +1,7 @@
-// What perturbations feel where a fixed step has gone over a switch.
-//
-// The step itself knows of no switch; its derivative misses what happens where the right-hand side jumps. That is made
-// good at the step's end by the saltation matrix of the place where the step's cubic meets the switch: right to the
-// first order of the step, and nothing at all where the right-hand side is continuous, as in an elastic contact.
+// Effect on perturbations of a fixed step that has gone over a switch.  The step itself knows of no switch; its
+// derivative misses what happens where the right-hand side jumps. That is made good at the step's end by the saltation
+// matrix of the place where the step's cubic meets the switch: right to the first order of the step, and nothing at all
+// where the right-hand side is continuous, as in an elastic contact.
 #include <string.h>
 
 #include "saltation.h"
