@@ -41,9 +41,14 @@ static const layout layouts[] = {{"4 pads, load between", 4, 45.0, 75.0},
 typedef struct tilt_case {
     const char *name;
     double inertia, stiffness;
+    double pivot; ///< N/m; 0: rigid
 } tilt_case;
 
-static const tilt_case tilts[] = {{"no inertia", 0.0, 0.0}, {"inertia", 2e-4, 0.0}, {"inertia, spring", 2e-4, 2.0}};
+static const tilt_case tilts[] = {{"no inertia", 0.0, 0.0, 0.0},
+                                  {"inertia", 2e-4, 0.0, 0.0},
+                                  {"inertia, spring", 2e-4, 2.0, 0.0},
+                                  {"no inertia, stiff pivots", 0.0, 0.0, 1e9},
+                                  {"inertia, stiff pivots", 2e-4, 0.0, 1e9}};
 
 /// Angle of pad i; of a load along -y its layout is even about y.
 static double pivot_of(const layout *of, size_t i) {
@@ -64,12 +69,15 @@ static whirl_rotor *make(const layout *of, double preload, double mass, const ti
                                   {"radius", radius, NULL},
                                   {"length", length, NULL},
                                   {"inertia", tilt->inertia, NULL},
-                                  {"tilt_stiffness", tilt->stiffness, NULL}};
+                                  {"tilt_stiffness", tilt->stiffness, NULL},
+                                  {"pivot_stiffness", tilt->pivot, NULL},
+                                  {"pad_mass", 0.4, NULL}};
+    const size_t settings = sizeof pads / sizeof *pads - (tilt->pivot > 0.0 ? 0 : 2);
     whirl_design *design;
     whirl_rotor *rotor;
     require_ok(whirl_design_new(way * speed, clearance, &design));
     require_ok(whirl_design_station(design, "j", &(whirl_setting){"mass", mass, NULL}, 1));
-    require_ok(whirl_design_element(design, "tilting_pad", pads, sizeof pads / sizeof *pads));
+    require_ok(whirl_design_element(design, "tilting_pad", pads, settings));
     require_ok(whirl_design_element(design, "gravity", NULL, 0));
     require_ok(whirl_rotor_new(design, &rotor));
     whirl_design_free(design);
@@ -132,14 +140,15 @@ static void grid(void **unused) {
     (void)unused;
     for (size_t l = 0; l < sizeof layouts / sizeof *layouts; l++)
         for (size_t p = 0; p < 2; p++) {
-            const whirl_pads bearing = pads_of(&layouts[l], preloads[p]);
-            for (size_t s = 0; s < sizeof sommerfeld / sizeof *sommerfeld; s++) {
-                const double load = 1.0 / (pi * sommerfeld[s]);
-                whirl_pads_state state;
-                require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
-                for (size_t t = 0; t < sizeof tilts / sizeof *tilts; t++)
+            whirl_pads bearing = pads_of(&layouts[l], preloads[p]);
+            for (size_t s = 0; s < sizeof sommerfeld / sizeof *sommerfeld; s++)
+                for (size_t t = 0; t < sizeof tilts / sizeof *tilts; t++) {
+                    const double load = 1.0 / (pi * sommerfeld[s]);
+                    whirl_pads_state state;
+                    bearing.pivot_stiffness = tilts[t].pivot * clearance / unit();
+                    require_ok(whirl_pads_rest(&bearing, (const double[]){0.0, -load}, &state));
                     check_rest(&layouts[l], preloads[p], load, &tilts[t], state.at);
-            }
+                }
         }
 }
 

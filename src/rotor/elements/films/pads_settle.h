@@ -191,7 +191,11 @@ static bool pads_settle(const element *own, const double *q, double *states, boo
         if (!alone || !pads_may_stay(&at, over * states[tilt])) states[tilt] = unit * at.tilt;
         idle[tilt] = alone;
         if (!pads_are_light(own)) idle[tilt + 1] = alone, states[tilt + 1] = 0.0;
-        if (PADS_YIELD) states[yield] = unit * at.yield[0], states[yield + 1] = 0.0;
+        if (!PADS_YIELD) continue;
+        // On its pivot a pad without a film bounces by itself: what tables err by there is no damping.
+        idle[yield] = idle[yield + 1] = alone;
+        states[yield] = unit * at.yield[0];
+        states[yield + 1] = 0.0;
     }
     return settled;
 }
