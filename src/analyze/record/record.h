@@ -211,31 +211,31 @@ void steps_weigh(whirl_verdict *verdict, const whirl_step_quality *steps);
 /// Writes why steps leave a verdict undetermined; false if they do not.
 bool steps_reason(const whirl_verdict *verdict, char *text, size_t size);
 
-// ---------------------------------------------------------------- twin
+// ---------------------------------------------------------------- perturbed_copy
 // A perturbation followed by a second trajectory.
 
 /// A perturbed copy of a motion: a second trajectory close to the first, rescaled to its distance after every
 /// revolution (Benettin et al. 1980).
-typedef struct trajectory_twin {
+typedef struct perturbed_copy {
     size_t dimension;
     const double *turns, *angles; ///< as in whirl_system: coordinates that turn are not perturbed
     double share;                 ///< relative to the state's size
     double least;                 ///< distance, in the state's units
     double distance;
     double *x; ///< NULL: no copy
-} trajectory_twin;
+} perturbed_copy;
 
 /// Makes a perturbed copy at x, yet to be placed, for motions of these options. Steps of one-step methods are a smooth
 /// function of the state: motion and copy have the same errors. CVODE's orders and steps have a history, so each motion
 /// has errors of its own, and the copy is 10^4 tolerances away, which makes these errors a small part of the distance.
 /// (Other methods would lose by it: a distance d adds errors of the order of d.)
-trajectory_twin twin_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x);
+perturbed_copy perturbed_copy_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x);
 
 /// Places the copy next to the state x.
-void twin_begin(trajectory_twin *twin, const double *x);
+void perturbed_copy_begin(perturbed_copy *copy, const double *x);
 
 /// Returns the natural logarithm of the growth since the last call, and rescales the copy's distance from x. If the
 /// distance is lost in rounding or overflows, the growth is the limit of what can be resolved.
-double twin_growth(trajectory_twin *twin, const double *x, bool bounded);
+double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool bounded);
 
 #endif

@@ -16,8 +16,8 @@ typedef struct motion {
     whirl_task task;
     whirl_record *record;
     int revolution; ///< done so far
-    size_t lane, twin_lane;
-    trajectory_twin twin;
+    size_t lane, copy_lane;
+    perturbed_copy copy;
     settling *settling;      ///< NULL if every transient runs to its end
     approach *approach;      ///< NULL if no orbit is searched before that
     int first_recorded;      ///< revolution
@@ -51,7 +51,7 @@ struct whirl_recorder {
 };
 
 /// Returns true if motions have a perturbed copy while they are watched.
-static bool has_twins(const whirl_recorder *r) {
+static bool has_copies(const whirl_recorder *r) {
     return r->options->growth == WHIRL_GROWTH_LARGEST && r->beside == 0;
 }
 
@@ -66,7 +66,7 @@ static bool is_followed(const whirl_recorder *r, const motion *m) {
 }
 
 static bool recorder_follows(const whirl_recorder *r, const motion *m) {
-    return has_twins(r) && is_followed(r, m);
+    return has_copies(r) && is_followed(r, m);
 }
 
 static bool recorder_records(const motion *m) {
@@ -101,18 +101,18 @@ static void free_lane(whirl_recorder *r, size_t lane) {
     if (moved->lane == last)
         moved->lane = lane;
     else
-        moved->twin_lane = lane;
+        moved->copy_lane = lane;
 }
 
-static void leave_twin(whirl_recorder *r, motion *m) {
-    if (m->twin_lane == NO_LANE) return;
-    const size_t lane = m->twin_lane;
-    m->twin_lane = NO_LANE;
+static void leave_copy(whirl_recorder *r, motion *m) {
+    if (m->copy_lane == NO_LANE) return;
+    const size_t lane = m->copy_lane;
+    m->copy_lane = NO_LANE;
     free_lane(r, lane);
 }
 
 static void leave_lanes(whirl_recorder *r, motion *m) {
-    leave_twin(r, m);
+    leave_copy(r, m);
     if (m->lane != NO_LANE) {
         const size_t lane = m->lane;
         m->lane = NO_LANE;
@@ -125,8 +125,8 @@ static whirl_status enter_lanes(whirl_recorder *r, motion *m) {
     m->lane = take_lane(r, m);
     whirl_status status = whirl_ensemble_load(r->ensemble, m->lane, m->task.system, m->x);
     if (status.code == WHIRL_OK && recorder_follows(r, m)) {
-        m->twin_lane = take_lane(r, m);
-        status = whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+        m->copy_lane = take_lane(r, m);
+        status = whirl_ensemble_load(r->ensemble, m->copy_lane, m->task.system, m->copy.x);
     }
     if (m->saved && status.code == WHIRL_OK) whirl_ensemble_restore(r->ensemble, m->lane, m->saved);
     free(m->saved);
@@ -154,14 +154,14 @@ static motion *motion_new(const whirl_recorder *r, const whirl_task *task) {
     const size_t rows = 2 + r->beside;
     motion *m = calloc(1, sizeof *m + rows * r->dimension * sizeof(double));
     if (!m) return NULL;
-    *m = (motion){.task = *task, .lane = NO_LANE, .twin_lane = NO_LANE, .x = (double *)(m + 1)};
+    *m = (motion){.task = *task, .lane = NO_LANE, .copy_lane = NO_LANE, .x = (double *)(m + 1)};
     m->perturbations = m->x + 2 * r->dimension;
-    m->twin = twin_of(r->integrate, task->system, m->x + r->dimension);
+    m->copy = perturbed_copy_of(r->integrate, task->system, m->x + r->dimension);
     m->record = record_new(task->system, r->integrate, r->options);
     if (m->record && r->beside > 0) record_place_perturbations(m->record, r->beside, m->perturbations);
     memcpy(m->x, task->start, r->dimension * sizeof *m->x);
     m->first_recorded = r->options->transient;
-    if (m->record && recorder_follows(r, m)) twin_begin(&m->twin, m->x);
+    if (m->record && recorder_follows(r, m)) perturbed_copy_begin(&m->copy, m->x);
     if (r->options->settle) m->settling = settling_new(task->system);
     // The smallest of all exponents are lost in a matrix's rounding, so such motions run to the end.
     const bool approaches = m->settling && r->shooter && r->options->growth != WHIRL_GROWTH_ALL;
@@ -179,7 +179,7 @@ static void motion_archive(const whirl_recorder *r, motion *m, archive *a) {
     record_archive(m->record, r->integrate, r->options, a);
     archive_part(a, &m->revolution, sizeof m->revolution);
     archive_part(a, &m->first_recorded, sizeof m->first_recorded);
-    archive_part(a, &m->twin.distance, sizeof m->twin.distance);
+    archive_part(a, &m->copy.distance, sizeof m->copy.distance);
     archive_part(a, m->x, (2 + r->beside) * r->dimension * sizeof *m->x); // perturbations follow
     if (m->settling) settling_archive(m->settling, a);
     if (m->approach) approach_archive(m->approach, a);
@@ -210,7 +210,7 @@ static motion *motion_taken_up(const whirl_recorder *r, const whirl_task *task) 
         return motion_new(r, task);
     }
     // It was saved before the revolution in which its growth is followed.
-    if (recorder_follows(r, m) && m->record->growth_count == 0) twin_begin(&m->twin, m->x);
+    if (recorder_follows(r, m) && m->record->growth_count == 0) perturbed_copy_begin(&m->copy, m->x);
     return m;
 }
 
@@ -271,7 +271,7 @@ static whirl_status recorder_fill(whirl_recorder *r) {
         if (r->used + lanes_needed(r, m) > r->lane_count) return status;
         status = enter_lanes(r, m);
     }
-    const size_t first = has_twins(r) && r->first_watched == 0 ? 2 : 1;
+    const size_t first = has_copies(r) && r->first_watched == 0 ? 2 : 1;
     r->exhausted = false;
     while (status.code == WHIRL_OK && !r->exhausted && r->count < r->most && r->used + first <= r->lane_count)
         status = admit_new(r);
@@ -301,11 +301,11 @@ static void note_beside(motion *m) {
 static whirl_status recorder_prepare(whirl_recorder *r, motion *m) {
     if (m->revolution == m->first_recorded) whirl_ensemble_forget(r->ensemble, m->lane);
     if (r->beside > 0 && !r->variational && is_followed(r, m)) carry_beside(r, m, r->ensemble, m->lane);
-    if (!recorder_follows(r, m) || m->twin_lane != NO_LANE) return whirl_ok();
-    twin_begin(&m->twin, m->x);
+    if (!recorder_follows(r, m) || m->copy_lane != NO_LANE) return whirl_ok();
+    perturbed_copy_begin(&m->copy, m->x);
     if (r->used < r->lane_count) {
-        m->twin_lane = take_lane(r, m);
-        return whirl_ensemble_load(r->ensemble, m->twin_lane, m->task.system, m->twin.x);
+        m->copy_lane = take_lane(r, m);
+        return whirl_ensemble_load(r->ensemble, m->copy_lane, m->task.system, m->copy.x);
     }
     leave_lanes(r, m);
     return whirl_ok();
@@ -376,11 +376,11 @@ static void keep_samples(const whirl_recorder *r) {
     }
 }
 
-static void follow_twin(whirl_recorder *r, motion *m) {
-    whirl_ensemble_state(r->ensemble, m->twin_lane, m->twin.x);
-    const bool bounded = whirl_ensemble_motion(r->ensemble, m->twin_lane) == WHIRL_BOUNDED;
-    m->record->growth[m->record->growth_count++] = twin_growth(&m->twin, m->x, bounded);
-    whirl_ensemble_place(r->ensemble, m->twin_lane, m->twin.x);
+static void follow_copy(whirl_recorder *r, motion *m) {
+    whirl_ensemble_state(r->ensemble, m->copy_lane, m->copy.x);
+    const bool bounded = whirl_ensemble_motion(r->ensemble, m->copy_lane) == WHIRL_BOUNDED;
+    m->record->growth[m->record->growth_count++] = perturbed_copy_growth(&m->copy, m->x, bounded);
+    whirl_ensemble_place(r->ensemble, m->copy_lane, m->copy.x);
 }
 
 /// Carries the perturbations of all watched motions, if they have an ensemble of their own.
@@ -429,7 +429,7 @@ static void recorder_note(whirl_recorder *r, motion *m) {
         return;
     }
     if (m->revolution > r->first_watched) {
-        if (m->twin_lane != NO_LANE) follow_twin(r, m);
+        if (m->copy_lane != NO_LANE) follow_copy(r, m);
         memcpy(record->section + record->section_count++ * record->dimension, m->x, record->dimension * sizeof *m->x);
     }
     if (!m->settling || is_on_orbit(m)) return;
@@ -498,7 +498,7 @@ static whirl_status recorder_start_searches(whirl_recorder *r) {
 static void set_on_orbit(whirl_recorder *r, motion *m) {
     const shot *orbit = approach_orbit(m->approach);
     m->record->orbit.set_at = m->revolution;
-    leave_twin(r, m);
+    leave_copy(r, m);
     memcpy(m->x, orbit->nodes, r->dimension * sizeof *m->x);
     if (!recorder_waits(m)) whirl_ensemble_place(r->ensemble, m->lane, m->x);
     m->revolution = m->first_recorded = r->last - (int)orbit->revolutions;
@@ -620,7 +620,7 @@ static whirl_status start_ensemble(whirl_recorder *r, const whirl_system *system
     if (!go_side_by_side(system, r->integrate, r->options)) {
         r->beside = count_beside(system, r->integrate, r->options);
         r->most = 1; // one after the other
-        return whirl_ensemble_alone(system, r->integrate, has_twins(r) ? 2 : 1, r->beside, &r->ensemble);
+        return whirl_ensemble_alone(system, r->integrate, has_copies(r) ? 2 : 1, r->beside, &r->ensemble);
     }
     const whirl_status status = whirl_ensemble_new(system, r->integrate, lanes, &r->ensemble);
     if (status.code != WHIRL_OK || r->options->growth != WHIRL_GROWTH_ALL) return status;

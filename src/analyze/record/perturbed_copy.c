@@ -1,0 +1,69 @@
+// Growth of a small perturbation (Benettin et al. 1980), by a perturbed copy that is rescaled every revolution.
+#include "record.h"
+
+#include <float.h>
+#include <math.h>
+
+#include "numerics.h"
+
+/// Size of the perturbation relative to the state: far above rounding, far below anything nonlinear. Also in
+/// tolerances.
+static const double least_share = 1e-8, most_share = 1e-4, share_in_tolerances = 1e4;
+
+/// The distance stays the same until the state is this many times larger or smaller than when it was chosen.
+static const double outgrown = 1e3;
+
+/// Norm of the coordinates that do not turn.
+static double perturbed_copy_norm(const perturbed_copy *copy, const double *x) {
+    double sum = 0.0;
+    for (size_t i = 0; i < copy->dimension; i++) sum += turns_on(copy->turns, i) ? 0.0 : x[i] * x[i];
+    return sqrt(sum);
+}
+
+/// Places the copy. Angles are not perturbed, and keep their number of turns.
+static void perturbed_copy_place(perturbed_copy *copy, const double *x) {
+    for (size_t i = 0; i < copy->dimension; i++)
+        copy->x[i] = turns_on(copy->turns, i) ? x[i] : x[i] + copy->distance / sqrt((double)copy->dimension);
+}
+
+perturbed_copy perturbed_copy_of(const whirl_integrate_options *integrate, const whirl_system *system, double *x) {
+    const whirl_method *method;
+    const bool known = whirl_method_find(integrate->method, &method).code == WHIRL_OK;
+    const bool apart = known && method->adaptive && !method->follows;
+    return (perturbed_copy){.dimension = system->dimension,
+                            .turns = system->turns,
+                            .angles = system->angles,
+                            .share = apart ? fmin(fmax(share_in_tolerances * integrate->rtol, least_share), most_share)
+                                           : least_share,
+                            .least = apart ? share_in_tolerances * integrate->atol : 0.0,
+                            .x = x};
+}
+
+static double distance_beside(const perturbed_copy *copy, double size) {
+    return fmax(copy->share * (size > 1e-12 ? size : 1.0), copy->least);
+}
+
+void perturbed_copy_begin(perturbed_copy *copy, const double *x) {
+    copy->distance = distance_beside(copy, perturbed_copy_norm(copy, x));
+    perturbed_copy_place(copy, x);
+}
+
+double perturbed_copy_growth(perturbed_copy *copy, const double *x, bool bounded) {
+    double distance = 0.0;
+    for (size_t i = 0; i < copy->dimension; i++) {
+        const double d = part_apart(copy->turns, copy->angles, i, copy->x, x);
+        distance += d * d;
+    }
+    distance = sqrt(distance);
+    const double size = perturbed_copy_norm(copy, x), before = copy->distance, next = distance_beside(copy, size);
+    const bool lost = !(distance > DBL_EPSILON * size);
+    if (next > outgrown * before || next < before / outgrown) copy->distance = next;
+    if (lost || !bounded || !isfinite(distance)) {
+        perturbed_copy_place(copy, x);
+        return lost && bounded ? log(DBL_EPSILON / copy->share) : -log(copy->share);
+    }
+    const double factor = copy->distance / distance;
+    for (size_t i = 0; i < copy->dimension; i++)
+        copy->x[i] = x[i] + factor * part_apart(copy->turns, copy->angles, i, copy->x, x);
+    return log(distance / before);
+}
