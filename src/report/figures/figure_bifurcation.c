@@ -378,7 +378,7 @@ static void write_caption(const bifurcation *of, whirl_figure *figure) {
              of->both ? " (blue: from the first value on; orange: from the last)" : "");
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void bifurcation_list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (!table_is_sweep(of, table) || !table_has(table, WHIRL_FIELD_POINCARE_SECTION)) return;
     for (size_t s = 0; s < of->result->station_count; s++) {
         const char *station = of->result->stations[s].name;
@@ -389,7 +389,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-static void describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
+static void bifurcation_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
     bifurcation of = {.result = to->result,
                       .table = place->table,
                       .machine = to->machine,
@@ -412,5 +412,7 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     if (figure->count > 0) figure->panels[figure->count - 1]->x.shown = true;
 }
 
-const figure_kind bifurcation_figure = {
-    .list = list, .describe = describe, .stem = "bifurcation-", .study = "{sweep: ..., analyze: [poincare]}"};
+const figure_kind bifurcation_figure = {.list = bifurcation_list,
+                                        .describe = bifurcation_describe,
+                                        .stem = "bifurcation-",
+                                        .study = "{sweep: ..., analyze: [poincare]}"};

@@ -188,7 +188,7 @@ static void add_multipliers(whirl_figure *figure, view v) {
 
 // ---------------------------------------------------------------- branches
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void branch_list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (!table_has(table, WHIRL_FIELD_TRACE_NUMBER) || *table->second || table->count < 2) return;
     for (size_t s = 0; s < of->result->station_count; s++) {
         const char *station = of->result->stations[s].name;
@@ -199,7 +199,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void branch_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table, *sweep = whirl_result_role(of->result, WHIRL_ROLE_SURVEY);
     view v = {.of = of, .table = table, .station = place->station, .range = span_empty()};
     v.size = whirl_shown_parameter(of->units, table->parameter).size;
@@ -217,7 +217,8 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     add_multipliers(figure, v);
 }
 
-const figure_kind branch_figure = {.list = list, .describe = describe, .stem = "branch-", .study = "{branch: ...}"};
+const figure_kind branch_figure = {
+    .list = branch_list, .describe = branch_describe, .stem = "branch-", .study = "{branch: ...}"};
 
 // ---------------------------------------------------------------- curves
 

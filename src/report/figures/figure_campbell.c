@@ -262,7 +262,7 @@ static void add_critical(whirl_figure *figure, whirl_panel *panel, const view *v
 
 // ---------------------------------------------------------------- the figure
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void campbell_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &campbell_figure, .table = table, .point = NO_POINT};
     (void)of;
     if (table_has(table, WHIRL_FIELD_MODES_FREQUENCY) && table->count > 1)
@@ -286,7 +286,7 @@ static view view_of(const drawing *of, const whirl_table *table) {
     return v;
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void campbell_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     whirl_panel *frequency = figure_panel(figure, "frequency", 1.0, 5.3);
     whirl_panel *damping = figure_panel(figure, "damping", 1.0, 3.4);
     if (!frequency || !damping) return;
@@ -323,8 +323,10 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     mode_lines_free(&v.lines);
 }
 
-const figure_kind campbell_figure = {
-    .list = list, .describe = describe, .stem = "campbell", .study = "{modes: {parameter: ..., from: ..., to: ...}}"};
+const figure_kind campbell_figure = {.list = campbell_list,
+                                     .describe = campbell_describe,
+                                     .stem = "campbell",
+                                     .study = "{modes: {parameter: ..., from: ..., to: ...}}"};
 
 static void list_decrement(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &decrement_figure, .table = table, .point = NO_POINT};

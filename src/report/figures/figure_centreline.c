@@ -39,7 +39,7 @@ static size_t centreline_stations(const drawing *of, const whirl_table *table, s
     return used;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void centreline_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &centreline_figure, .table = table, .point = NO_POINT, .station = SIZE_MAX};
     size_t stations[MAX_BEARINGS];
     if (table_has(table, WHIRL_FIELD_STATICS_PLACE) && centreline_stations(of, table, stations) > 0)
@@ -90,7 +90,7 @@ static void add_bearing(whirl_figure *figure, const drawing *of, const whirl_tab
         if (centreline_place(of, table, ends[i], station, place)) add_end(figure, panel, of, table, ends[i], place);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void centreline_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     size_t stations[MAX_BEARINGS];
     const size_t used = centreline_stations(of, place->table, stations);
     for (size_t i = 0; i < used; i++) add_bearing(figure, of, place->table, stations[i]);
@@ -100,7 +100,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              *place->table->parameter ? " over " : "", place->table->parameter);
 }
 
-const figure_kind centreline_figure = {.list = list,
-                                       .describe = describe,
+const figure_kind centreline_figure = {.list = centreline_list,
+                                       .describe = centreline_describe,
                                        .stem = "centreline",
                                        .study = "{statics: {parameter: ..., from: ..., to: ...}}"};

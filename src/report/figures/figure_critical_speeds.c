@@ -8,7 +8,7 @@
 #include "figure_kinds.h"
 #include "shown_kinds.h"
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void critical_speeds_list(figure_list *to, const drawing *of, const whirl_table *table) {
     (void)of;
     const figure_place place = {.kind = &critical_speeds_figure, .table = table, .point = NO_POINT};
     if (table_has(table, WHIRL_FIELD_CRITICAL_SPEEDS_SPEED) && table->count > 1)
@@ -153,7 +153,7 @@ static void add_names(whirl_figure *figure, whirl_panel *panel, const drawing *o
     if (*text) series_add_text(figure, names, table->values[last] / size, before / unit, text);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void critical_speeds_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const whirl_unit speed = of->units->speed.size > 0.0 ? of->units->speed : (whirl_unit){"rpm", 0.104719755119659774};
     whirl_panel *panel = figure_panel(figure, "speeds", 1.0, 8.5);
@@ -178,4 +178,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
             : "");
 }
 
-const figure_kind critical_speeds_figure = {.list = list, .describe = describe};
+const figure_kind critical_speeds_figure = {.list = critical_speeds_list, .describe = critical_speeds_describe};

@@ -105,7 +105,7 @@ static void add_points(const drawing *of, const figure_place *place, whirl_figur
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void field_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     if (place->table->row > 0) {
         map_describe(of, place, figure);
         return;
@@ -123,4 +123,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              kinds > 1 ? ", coloured by regime" : "", down ? "; crosses: carried down" : "");
 }
 
-const figure_kind field_figure = {.describe = describe, .find = find};
+const figure_kind field_figure = {.describe = field_describe, .find = find};

@@ -366,7 +366,7 @@ static void add_to_list(figure_list *to, const map_drawing *map, size_t which, s
                 *table->third ? ", " : " and ", table->second, *table->third ? " and " : "", table->third);
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void map_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const map_drawing map = {.of = of, .table = table};
     if (table->row == 0) return;
     if (is_basin(table)) add_to_list(to, &map, BASINS, 0);
@@ -410,4 +410,4 @@ void map_describe(const drawing *of, const figure_place *place, whirl_figure *fi
 }
 
 const figure_kind map_figure = {
-    .list = list, .describe = map_describe, .stem = "map-", .study = "{map: {x: ..., y: ...}}"};
+    .list = map_list, .describe = map_describe, .stem = "map-", .study = "{map: {x: ..., y: ...}}"};

@@ -49,7 +49,7 @@ static size_t stations_of(const drawing *of, const whirl_table *table, const siz
     return used;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void orbits_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &orbits_figure, .table = table, .point = NO_POINT};
     size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
     if (!motions_beside(table)) return;
@@ -136,7 +136,7 @@ static void add_station(whirl_figure *figure, const drawing *of, const whirl_tab
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void orbits_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     size_t motions[MAX_MOTIONS], stations[MAX_STATIONS];
     const size_t count = motions_of(table, motions), used = stations_of(of, table, motions, count, stations);
@@ -149,4 +149,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         used == MAX_STATIONS ? ", of the stations that come nearest to a wall" : "");
 }
 
-const figure_kind orbits_figure = {.list = list, .describe = describe};
+const figure_kind orbits_figure = {.list = orbits_list, .describe = orbits_describe};

@@ -320,7 +320,7 @@ static void add_to_list(figure_list *to, const drawing *of, const whirl_table *t
     list_figure(to, &place, name, "%.80s, %.60s%.56s", point, station_name, verdict_text);
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void point_list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (table != detail_table(of->result)) return;
     for (size_t i = 0; i < table->count; i++)
         for (size_t s = 0; s < of->result->station_count; s++)
@@ -397,7 +397,7 @@ static whirl_status find(figure_list *to, const drawing *of, const char *name) {
     return *text == '#' ? add_numbered(to, of, text + 1, station) : add_nearest(to, of, text, station);
 }
 
-static void describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
+static void point_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
     static const char *const panel_names[] = {"waveform", "orbit",         "spectrum",
                                               "section",  "full-spectrum", "full-spectrum"};
     const subject of = subject_of(to, place->table, (size_t)place->point, place->station);
@@ -424,4 +424,4 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
                             : " No waveform was kept.");
 }
 
-const figure_kind point_figure = {.list = list, .describe = describe, .find = find};
+const figure_kind point_figure = {.list = point_list, .describe = point_describe, .find = find};

@@ -373,7 +373,7 @@ static void add_spots(const pen *p) {
 
 // ---------------------------------------------------------------- the figure
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void rotor_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &rotor_figure, .table = table, .point = NO_POINT};
     if (of->machine && of->result->station_count > 0) list_figure(to, &place, "rotor", "The machine");
 }
@@ -440,7 +440,7 @@ static void draw(const pen *p) {
     name_housings(p);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void rotor_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     (void)place;
     machine_layout *l = layout_new(of);
     whirl_panel *panel = figure_panel(figure, "machine", 1.0, 4.0);
@@ -474,4 +474,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     layout_free(l);
 }
 
-const figure_kind rotor_figure = {.list = list, .describe = describe, .whole = true};
+const figure_kind rotor_figure = {.list = rotor_list, .describe = rotor_describe, .whole = true};

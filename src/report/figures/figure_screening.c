@@ -11,7 +11,7 @@ static bool stands(const whirl_table *table, size_t point) {
            isfinite(whirl_table_number(table, point, WHIRL_FIELD_STABILITY_REGION, 0));
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void screening_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &screening_figure, .table = table, .point = NO_POINT};
     (void)of;
     if (!table_has(table, WHIRL_FIELD_STABILITY_REGION)) return;
@@ -22,7 +22,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
         }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void screening_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const double dense = 60.0, corner = 16.53; // kg/m3: whirl_screening_ratio
     const whirl_table *table = place->table;
     whirl_panel *panel = figure_panel(figure, "ratio", 1.0, 7.5);
@@ -61,4 +61,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              "seals and impellers to be counted (after API 617; which edition counts is for the user to check).");
 }
 
-const figure_kind screening_figure = {.list = list, .describe = describe};
+const figure_kind screening_figure = {.list = screening_list, .describe = screening_describe};

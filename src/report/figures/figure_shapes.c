@@ -47,13 +47,13 @@ static size_t count_modes(const whirl_table *table) {
     return whirl_table_done(table, table->count - 1) ? count : 0;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void shapes_list(figure_list *to, const drawing *of, const whirl_table *table) {
     const figure_place place = {.kind = &shapes_figure, .table = table, .point = NO_POINT};
     if (table_has(table, WHIRL_FIELD_MODES_FREQUENCY) && of->result->station_count > 1 && count_modes(table) > 0)
         list_figure(to, &place, "shapes", "Shapes of the lowest modes");
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void shapes_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const size_t count = count_modes(table);
     char label[UNIT_LABEL_SIZE];
@@ -78,4 +78,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
     layout_free(places.layout);
 }
 
-const figure_kind shapes_figure = {.list = list, .describe = describe};
+const figure_kind shapes_figure = {.list = shapes_list, .describe = shapes_describe};

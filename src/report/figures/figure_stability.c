@@ -6,7 +6,7 @@
 #include "shown_kinds.h"
 
 /// A figure a point, of not too many.
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void stability_list(figure_list *to, const drawing *of, const whirl_table *table) {
     enum { MOST = 6 };
     const size_t step = 1 + (table->count - 1) / MOST;
     for (size_t point = 0; point < table->count && table_has(table, WHIRL_FIELD_STABILITY_CURVE); point += step) {
@@ -30,7 +30,7 @@ static void add_mark(whirl_figure *figure, whirl_panel *panel, double at, double
     series_add(figure, line, at, high);
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void stability_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const double mega = 1e6;
     const double least = asked_decrement;
     const whirl_table *table = place->table;
@@ -72,4 +72,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         "which the decrement is 0.");
 }
 
-const figure_kind stability_figure = {.list = list, .describe = describe};
+const figure_kind stability_figure = {.list = stability_list, .describe = stability_describe};

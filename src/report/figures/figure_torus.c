@@ -231,7 +231,7 @@ static span axis_of(const torus_view *v) {
     return span_with_margin(range, 0.03, 0.0);
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void torus_list(figure_list *to, const drawing *of, const whirl_table *table) {
     (void)of;
     for (size_t point = 0; table_has(table, WHIRL_FIELD_TORUS_NUMBER) && point < table->count; point++) {
         const whirl_tori own = whirl_table_tori(table, point);
@@ -244,7 +244,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void torus_figure_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     torus_view v = {.of = of, .table = place->table, .own = whirl_table_tori(place->table, place->which)};
     char label[SYMBOL_SIZE];
     v.size = whirl_shown_parameter(of->units, v.table->parameter).size;
@@ -274,4 +274,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              v.table->parameter);
 }
 
-const figure_kind torus_figure = {.list = list, .describe = describe};
+const figure_kind torus_figure = {.list = torus_list, .describe = torus_figure_describe};

@@ -19,7 +19,7 @@ static bool has_waveform(const whirl_table *table, size_t point, size_t station)
     return whirl_table_done(table, point) && point_waveform(table, point, station).at;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void transient_list(figure_list *to, const drawing *of, const whirl_table *table) {
     for (size_t s = 0; s < of->result->station_count && is_transient(table); s++) {
         const figure_place place = {.kind = &transient_figure, .table = table, .point = NO_POINT, .station = s};
         const char *const station = of->result->stations[s].name;
@@ -48,7 +48,7 @@ static void add_samples(whirl_figure *figure, whirl_series *line, const numbers 
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void transient_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"x", "y"}, *const symbols[] = {"$x$", "$y$"};
     const whirl_table *table = place->table;
     const double turn = fmax(1.0, whirl_record_samples(&table->record, table->integrate.steps_per_revolution));
@@ -80,4 +80,4 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
              MAX_MOTIONS, left + MAX_MOTIONS);
 }
 
-const figure_kind transient_figure = {.list = list, .describe = describe};
+const figure_kind transient_figure = {.list = transient_list, .describe = transient_describe};

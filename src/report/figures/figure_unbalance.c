@@ -202,7 +202,7 @@ static void add_centreline(whirl_figure *figure, whirl_panel *panel, const view 
     axis_show(&panel->y, span_with_margin(y, 0.1, width));
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void unbalance_list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (!table_has(table, WHIRL_FIELD_UNBALANCE_AMPLITUDE) || table->count < 2) return;
     for (size_t s = 0; s < of->result->station_count; s++) {
         const char *station = of->result->stations[s].name;
@@ -213,7 +213,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void unbalance_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     const view v = {of, table, place->station, whirl_shown_parameter(of->units, table->parameter).size};
     span range = span_empty(), running;
@@ -241,7 +241,7 @@ static void describe(const drawing *of, const figure_place *place, whirl_figure 
         table->parameter, running_of(&v, range, &running) ? " Grey: where the machine runs." : "");
 }
 
-const figure_kind unbalance_figure = {.list = list,
-                                      .describe = describe,
+const figure_kind unbalance_figure = {.list = unbalance_list,
+                                      .describe = unbalance_describe,
                                       .stem = "unbalance-",
                                       .study = "{unbalance: {parameter: ..., from: ..., to: ...}}"};

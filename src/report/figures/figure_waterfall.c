@@ -123,7 +123,7 @@ static bool has_lines(const whirl_table *table, size_t station) {
     return false;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+static void waterfall_list(figure_list *to, const drawing *of, const whirl_table *table) {
     if (!table_is_sweep(of, table)) return;
     for (size_t s = 0; s < of->result->station_count; s++) {
         const char *station = of->result->stations[s].name;
@@ -135,7 +135,7 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
     }
 }
 
-static void describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
+static void waterfall_describe(const drawing *to, const figure_place *place, whirl_figure *figure) {
     const whirl_table *table = place->table;
     waterfall of = {.axis = {.result = to->result,
                              .table = table,
@@ -172,5 +172,7 @@ static void describe(const drawing *to, const figure_place *place, whirl_figure 
     free(of.sizes);
 }
 
-const figure_kind waterfall_figure = {
-    .list = list, .describe = describe, .stem = "waterfall-", .study = "{sweep: ..., analyze: [spectrum]}"};
+const figure_kind waterfall_figure = {.list = waterfall_list,
+                                      .describe = waterfall_describe,
+                                      .stem = "waterfall-",
+                                      .study = "{sweep: ..., analyze: [spectrum]}"};
