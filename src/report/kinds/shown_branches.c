@@ -106,10 +106,12 @@ static void find_ends_of_branches(const finder *of) {
     find_sheet_end(of);
 }
 
-static void find(const finder *of) {
+static void branches_find(const finder *of) {
     find_changes(of);
     find_ends_of_branches(of);
 }
 
-const shown_kind shown_branches = {
-    .field = WHIRL_FIELD_TRACE_NUMBER, .anchor = "branches", .name = "Where and why motions change", .find = find};
+const shown_kind shown_branches = {.field = WHIRL_FIELD_TRACE_NUMBER,
+                                   .anchor = "branches",
+                                   .name = "Where and why motions change",
+                                   .find = branches_find};

@@ -17,7 +17,7 @@ static void cell_speeds(const finder *of, whirl_sheet *sheet, size_t point, int 
     cell_numbers(of, sheet, count, listed);
 }
 
-static void find(const finder *of) {
+static void critical_speeds_find(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "critical-speeds", "Critical speeds without damping");
     sheet->of_points = true;
     sheet_values(of, sheet, "", 6);
@@ -41,4 +41,4 @@ const shown_kind shown_critical_speeds = {.field = WHIRL_FIELD_CRITICAL_SPEEDS_S
                                           .anchor = "critical-speeds",
                                           .name = "Critical speeds without damping",
                                           .about = "Of the machine without damping, the lowest 6 of each direction.",
-                                          .find = find};
+                                          .find = critical_speeds_find};

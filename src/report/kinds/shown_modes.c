@@ -196,7 +196,7 @@ static void find_lowest(const finder *of, const size_t *ends, size_t count) {
     mode_lines_free(&lines);
 }
 
-static void find(const finder *of) {
+static void modes_find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
     if (*of->table->parameter) find_critical(of);
@@ -208,5 +208,7 @@ static void find(const finder *of) {
     find_lowest(of, ends, count);
 }
 
-const shown_kind shown_modes = {
-    .field = WHIRL_FIELD_MODES_FREQUENCY, .anchor = "critical", .name = "Critical speeds and stability", .find = find};
+const shown_kind shown_modes = {.field = WHIRL_FIELD_MODES_FREQUENCY,
+                                .anchor = "critical",
+                                .name = "Critical speeds and stability",
+                                .find = modes_find};

@@ -61,7 +61,7 @@ static void find_parts(const finder *of) {
     find_sheet_end(of);
 }
 
-static void find(const finder *of) {
+static void stability_find(const finder *of) {
     ask_stability(of);
     find_levels(of);
     find_parts(of);
@@ -79,4 +79,4 @@ const shown_kind shown_stability = {.field = WHIRL_FIELD_STABILITY_BASIC,
                                              "10 times or more, and the decrement 0.1 or more; else it is to be above "
                                              "0.1 with seals and impellers. The critical speed ratio is the speed over "
                                              "the first forward critical speed without damping on rigid supports.",
-                                    .find = find};
+                                    .find = stability_find};

@@ -183,7 +183,7 @@ static void find_coefficients(const finder *of) {
     find_sheet_end(of);
 }
 
-static void find(const finder *of) {
+static void statics_find(const finder *of) {
     size_t ends[2];
     const size_t count = find_ends(of->table, ends);
     const char *const weight = weight_told(of->result);
@@ -201,4 +201,4 @@ const shown_kind shown_statics = {.field = WHIRL_FIELD_STATICS_LOAD,
                                   .anchor = "statics",
                                   .name = "Weight and loads of bearings",
                                   .held = "sag and loads leave out",
-                                  .find = find};
+                                  .find = statics_find};

@@ -69,7 +69,7 @@ static void find_row(const finder *of, whirl_sheet *sheet, const whirl_tori *own
     cell_text(of, sheet, end_of(of, own->last));
 }
 
-static void find(const finder *of) {
+static void tori_find(const finder *of) {
     double *clock = clocks_of(of);
     whirl_sheet *sheet = find_sheet(of, "tori", "Quasi-periodic motions");
     sheet_column(of, sheet, "torus", "torus", WHIRL_QUANTITY_NUMBER, 6);
@@ -98,4 +98,4 @@ static void find(const finder *of) {
 }
 
 const shown_kind shown_tori = {
-    .field = WHIRL_FIELD_TORUS_NUMBER, .anchor = "tori", .name = "Quasi-periodic motions", .find = find};
+    .field = WHIRL_FIELD_TORUS_NUMBER, .anchor = "tori", .name = "Quasi-periodic motions", .find = tori_find};

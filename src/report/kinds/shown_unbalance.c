@@ -136,7 +136,7 @@ static void find_scaled(const finder *of) {
     find_clearances(of, &by);
 }
 
-static void find(const finder *of) {
+static void unbalance_find(const finder *of) {
     ask_response(of);
     find_placed(of);
     if (whirl_layout_field(&of->table->layout, WHIRL_FIELD_UNBALANCE_SEEN))
@@ -155,4 +155,4 @@ const shown_kind shown_unbalance = {
              "factor, speed over the width at half power, and, where the running "
              "speeds are said, the separation margin after API 617 (which edition "
              "counts is for the user to check).",
-    .find = find};
+    .find = unbalance_find};
