@@ -91,7 +91,7 @@ static whirl_status branches_check(const whirl_user_system *system) {
                           system->parameters[own->second].name);
     if (trace->tori && trace->rest)
         return whirl_fail(WHIRL_BAD_INPUT, "tori begin at orbits of systems that are driven in time, expected none "
-                                           "beside equilibria");
+                                           "with equilibria");
     return whirl_ok();
 }
 

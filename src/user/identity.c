@@ -85,7 +85,7 @@ whirl_status user_add_equations(const whirl_user_system *system, whirl_result *r
         FILE *out = open_memstream(&text, &size);
         if (out) facts[i].put(system, out);
         if (!out || fclose(out) != 0 || !text)
-            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for what a result says of its system");
+            status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the facts of a system");
         else
             status = identity_add(result, facts[i].name, text);
         free(text);

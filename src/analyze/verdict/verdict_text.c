@@ -348,7 +348,7 @@ void whirl_verdict_advice(const whirl_verdict *verdict, char *text, size_t size)
                  factor);
         return;
     case WHIRL_OTHER_START:
-        snprintf(text, size, "start beside this motion (initial)");
+        snprintf(text, size, "start near this motion (initial)");
         return;
     case WHIRL_NO_REMEDY:
         break;

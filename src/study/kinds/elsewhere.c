@@ -48,7 +48,7 @@ static whirl_status look_up(const whirl_study *study, const whirl_batch *batch, 
     return status;
 }
 
-/// Whether stations are at the same places.
+/// Returns true if stations are at the same places.
 static bool is_same(const whirl_system *system, const double *a, const double *b) {
     double apart = 0.0, size = 0.0;
     for (size_t p = 0; p < system->probe_count; p++) {

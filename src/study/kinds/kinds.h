@@ -48,7 +48,7 @@ whirl_status critical_locate(const whirl_study *study, const whirl_batch *batch,
 // ---------------------------------------------------------------- elsewhere
 // Other places of rest: where those of neighbouring points lead.
 
-/// Where the machine of a point rests, as found from its start.
+/// Equilibrium of a point's machine, as found from its start.
 typedef struct known_rest {
     bool known;
     size_t slot, dimension;

@@ -40,8 +40,7 @@ static whirl_status sensitivity_build(whirl_sensitivity *s, const whirl_study *s
         status = study->machine(study->family, batch, i % 2 ? value + h : value - h, &s->machines[i]);
         if (status.code == WHIRL_OK && (system_of(s, i)->dimension != system_of(s, 0)->dimension ||
                                         system_of(s, i)->switch_count != system_of(s, 0)->switch_count))
-            status =
-                whirl_fail(WHIRL_BAD_INPUT, "the machine beside %g is another one, expected the same states", value);
+            status = whirl_fail(WHIRL_BAD_INPUT, "the machine near %g has other states, expected the same ones", value);
     }
     return status;
 }

@@ -198,7 +198,7 @@ static void starts_on_unstable(void **state) {
         assert_non_null(
             strstr(text, "stays where it started, on an unstable motion that nothing pushes it off (largest exponent"));
         whirl_verdict_advice(&verdict, text, sizeof text);
-        assert_string_equal(text, "start beside this motion (initial)");
+        assert_string_equal(text, "start near this motion (initial)");
         free(record);
     }
     rest.start[0] = 1e-9; // beside it, and on its way

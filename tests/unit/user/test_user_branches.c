@@ -578,7 +578,7 @@ static void what_is_wrong_is_said(void **state) {
     good(whirl_user_system_set(system, "trace_rest", "yes"));
     refused(attempt(system, 2, &result), "slope 0 changes with t at r = -0.5, expected a system that nothing drives");
     good(whirl_user_system_set(system, "trace_tori", "yes"));
-    refused(attempt(system, 2, &result), "expected none beside equilibria");
+    refused(attempt(system, 2, &result), "expected none with equilibria");
     good(whirl_user_system_set(system, "trace_tori", "no"));
     good(whirl_user_system_set(system, "trace_rest", "no"));
     // Above 0 all motions leave.
