@@ -1,4 +1,4 @@
-// Where journals rest in their bearings over the speed, within the walls around them.
+// Centrelines: positions of journals in their bearings over the speed, within the walls around them.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,8 @@
 
 enum { MAX_BEARINGS = 12 };
 
-/// Where the journal of a station rests at a point [2], in the unit of lengths as shown; false where it is not known.
+/// Finds the rest position [2] of a station's journal at a point, in shown units of length. Returns false if it is
+/// unknown.
 static bool centreline_place(const drawing *of, const whirl_table *table, size_t point, size_t station,
                              double place[2]) {
     const double *at = whirl_table_field(table, point, WHIRL_FIELD_STATICS_PLACE, station);

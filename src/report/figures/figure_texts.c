@@ -1,4 +1,4 @@
-// Where movable texts of a figure stand: on the first side of their point where they meet no other text, no legend and
+// Positions of movable texts of a figure: on the first side of their point where they meet no other text, no legend and
 // no edge of the panel.
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ typedef struct text_room {
     const whirl_figure *figure;
     const whirl_panel *panel;
     double width, height; ///< cm of the panel
-    size_t count;         ///< of boxes
+    size_t count;         ///< number of boxes
     text_box *boxes;      ///< [count] of texts that stand, and of the legend
 } text_room;
 
@@ -66,7 +66,7 @@ static text_box text_box_of(const text_room *room, const whirl_series *series, s
     return at;
 }
 
-/// Whether an edge of one box has the other one wholly outside.
+/// Returns true if one edge of a box separates it from the other box.
 static bool text_edge_parts(const text_box *one, const text_box *other) {
     for (int i = 0; i < 4; i++) {
         const double *from = one->at[i], *to = one->at[(i + 1) % 4];
@@ -79,7 +79,7 @@ static bool text_edge_parts(const text_box *one, const text_box *other) {
     return false;
 }
 
-/// Whether two boxes have any place in common.
+/// Returns true if two boxes overlap.
 static bool text_boxes_meet(const text_box *one, const text_box *other) {
     return !text_edge_parts(one, other) && !text_edge_parts(other, one);
 }
@@ -91,8 +91,8 @@ static bool text_place_of(const text_room *room, const whirl_series *series, siz
     return isfinite(place[0]) && isfinite(place[1]);
 }
 
-/// Whether a mark, larger than the dots of a section, stands in a box or within half a letter of it: the text would be
-/// taken for the name of that mark. Marks as near to the text's own point are not asked.
+/// Returns true if a mark (larger than the dots of a section) is in a box or within half a letter of it, so that the
+/// text would appear to name that mark. Marks equally near to the text's own point are ignored.
 static bool text_covers_mark(const text_room *room, const text_box *box, const double own[2]) {
     const double em = text_em(room);
     double at[2];
@@ -108,7 +108,7 @@ static bool text_covers_mark(const text_room *room, const text_box *box, const d
     return false;
 }
 
-/// Whether a line runs through a box.
+/// Returns true if a line crosses a box.
 static bool text_covers_line(const text_room *room, const text_box *box) {
     double a[2], b[2];
     for (size_t s = 0; s < room->panel->count; s++) {
@@ -122,7 +122,7 @@ static bool text_covers_line(const text_room *room, const text_box *box) {
     return false;
 }
 
-/// Whether a box lies in the panel and meets nothing.
+/// Returns true if a box is inside the panel and meets nothing.
 static bool text_is_free(const text_room *room, const text_box *box) {
     for (int i = 0; i < 4; i++)
         if (!(box->at[i][0] >= 0.0 && box->at[i][0] <= room->width && box->at[i][1] >= 0.0 &&

@@ -12,7 +12,7 @@ typedef struct finder {
     const whirl_shown_units *units; ///< units of the result
     const whirl_result *result;     ///< a view of it (whirl_result_by_attractor)
     const whirl_table *table;
-    const whirl_case *machine; ///< that the result is of (machine_of), or NULL
+    const whirl_case *machine; ///< its case (machine_of), or NULL
 } finder;
 
 /// Findings without any in them, to be freed by whirl_findings_free; NULL without memory.

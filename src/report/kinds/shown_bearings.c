@@ -21,10 +21,10 @@ typedef struct machine_part {
 /// only numbers that the case gives are shown, not defaults.
 typedef struct part_column {
     const char *name, *heading;                               ///< as whirl_column has them
-    whirl_quantity quantity;                                  ///< of numbers
+    whirl_quantity quantity;                                  ///< quantity of the numbers
     const char *unit;                                         ///< own unit, SI; NULL: that of the quantity
-    const char *key;                                          ///< of elements; NULL: none
-    double factor;                                            ///< of the key's number; 0: 1
+    const char *key;                                          ///< key of the elements; NULL: none
+    double factor;                                            ///< factor of the key's number; 0: 1
     double (*number)(const machine_part *part, const char *); ///< ... of the key; NULL: the number itself
     size_t (*list)(const machine_part *part, const char *key, double numbers[WHIRL_MAX_PADS]);
     const char *between;                           ///< between numbers of a list
@@ -56,7 +56,7 @@ static double part_of_second_law(const machine_part *part, const char *key) {
     return part_of_law(part, key, 1);
 }
 
-/// How many equal parts stand at the station, where it is more than one.
+/// Number of equal parts at the station, if there are several; else NaN.
 static double part_equals(const machine_part *part, const char *key) {
     const whirl_model_value *value = part_given(part, key);
     return value && value->number > 1.0 ? value->number : (double)NAN;
@@ -368,7 +368,7 @@ static const part_column support_columns[] = {
 /// Parts with the same sheet: those of a role that have a key.
 typedef struct part_family {
     const char *name, *title;
-    const char *key; ///< that its elements have
+    const char *key; ///< key of its elements
     unsigned roles;  ///< bits of the roles that they may have
     bool between;    ///< without links between places of shafts, which are parts of these
     const part_column *columns;

@@ -139,7 +139,7 @@ static void find_rest(const finder *of, whirl_sheet *sheet, size_t point) {
     }
 }
 
-/// Where shafts rest in their films and seals.
+/// Reports rest positions of shafts in films and seals.
 static void find_films(const finder *of, const size_t *ends, size_t count) {
     whirl_sheet *sheet = find_sheet(of, "films", "Shafts at rest in films and seals");
     bool *listed = calloc(of->table->count + 1, sizeof *listed);
