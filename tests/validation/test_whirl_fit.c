@@ -571,8 +571,8 @@ static void warned_of(void **state) {
     (void)state;
     check_holds("Whirl in time", "warned of: an instability beyond the table, which says nothing there",
                 strncmp(whirl_result_warning(result, 0),
-                        "study.response: with the rational functions that stand in time "
-                        "for its bearings' tables the machine is unstable, by ",
+                        "study.response: with the rational functions that replace "
+                        "its bearings' tables in motions the machine is unstable, by ",
                         100) == 0 &&
                     strstr(whirl_result_warning(result, 0), "beyond the tables (0 to 250 rad/s)"));
     check_holds("Whirl in time", "told: the fit and its error",
