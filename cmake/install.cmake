@@ -13,7 +13,7 @@ install(DIRECTORY include/whirl ${PROJECT_BINARY_DIR}/include/whirl DESTINATION 
         FILES_MATCHING PATTERN "*.h")
 # What a custom element is written with: these headers and whirl_element() of whirlKernels.cmake.
 install(FILES src/base/vector.h src/base/elementary.h src/base/words/keys.h src/rotor/assembly.h src/rotor/block.h
-              src/rotor/body.h src/rotor/coupling.h src/rotor/element.h src/rotor/generic.h src/rotor/numbers.h
+              src/rotor/body.h src/rotor/coupling.h src/rotor/drive.h src/rotor/element.h src/rotor/generic.h src/rotor/numbers.h
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/whirl/element)
 install(FILES docs/whirl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cli/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME whirl)

@@ -28,6 +28,7 @@
 #include "whirl/engine/response_peaks.h"
 #include "whirl/engine/result.h"
 #include "whirl/engine/rotor.h"
+#include "whirl/engine/running.h"
 #include "whirl/engine/sensitivity.h"
 #include "whirl/engine/shown.h"
 #include "whirl/engine/spectrum.h"

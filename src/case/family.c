@@ -69,6 +69,13 @@ static whirl_status make_statics(const case_content *content, const whirl_batch 
     return machine_statics(&content->machine, v, batch->record.coupling, m->statics, m->influence);
 }
 
+/// Checks how a machine is to run up.
+static whirl_status check_runup(const whirl_rotor *rotor, const whirl_runup_options *options) {
+    double highest = 0.0;
+    const bool driven = whirl_rotor_drive(rotor, &highest);
+    return whirl_runup_check(options, driven, highest);
+}
+
 static whirl_status make_member(const case_content *content, const whirl_batch *batch, double value, member *m) {
     valuation v;
     whirl_given given[PLAN_MAX_GIVEN];
@@ -76,6 +83,8 @@ static whirl_status make_member(const case_content *content, const whirl_batch *
     whirl_status status = valuation_open(&v, &content->parameters, given, count);
     if (status.code == WHIRL_OK) status = build(&content->machine, batch, value, &v, &m->rotor);
     if (status.code == WHIRL_OK) status = plan_check_speed(batch, whirl_rotor_speed(m->rotor));
+    if (status.code == WHIRL_OK && whirl_analysis_has(batch->analyses, "runup"))
+        status = check_runup(m->rotor, &batch->record.runup);
     if (status.code == WHIRL_OK && !batch->outline) status = whirl_rotor_hold(m->rotor, batch->integrate.stop);
     if (status.code == WHIRL_OK) status = make_start(content, batch, &v, m);
     if (status.code == WHIRL_OK) status = make_statics(content, batch, &v, m);
@@ -109,6 +118,7 @@ whirl_status case_machine(const void *family, const whirl_batch *batch, double v
                                .cross_coupling = whirl_rotor_cross_coupling(m->rotor),
                                .statics = m->statics,
                                .influence = m->influence};
+    whirl_rotor_drive(m->rotor, &machine->drive_speed);
     return whirl_ok();
 }
 

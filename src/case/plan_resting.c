@@ -151,6 +151,7 @@ static void read_one(case_reader *reader, const file_node *where, const whirl_gr
     read_stations(reader, machine, &axis->keys, "at", false);
     read_stations(reader, machine, &axis->keys, "probes_at", true);
     read_stations(reader, machine, &axis->keys, "coupling", true);
+    read_stations(reader, machine, &axis->keys, "loss_at", false);
     if (group == &schema_motions) read_unbalances(reader, parts, resting);
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !varies; i++) {
         const setting *given = settings_find(&axis->keys, keys[i]);
@@ -234,6 +235,7 @@ static whirl_record_options resting_options(valuation *v, const resting_parts *r
     if (options.samples_per_revolution > integrate->steps_per_revolution)
         options.samples_per_revolution = integrate->steps_per_revolution;
     settings_take(v, &resting->axis.keys, whirl_record_members(), &options);
+    settings_take(v, &resting->axis.keys, whirl_runup_members(), &options.runup);
     return options;
 }
 

@@ -181,7 +181,8 @@ static const whirl_key starts_keys[] = {
 // Tables of structs whose members are keys of a part.
 typedef const whirl_member *(*table)(void);
 static const table of_batch[] = {whirl_batch_members, NULL};
-static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members, NULL};
+static const table of_options[] = {whirl_integrate_members, whirl_record_members, whirl_trace_members,
+                                   whirl_runup_members, NULL};
 static const table of_probe[] = {whirl_probe_members, NULL};
 
 #define GROUP(name, meaning, keys, tables)                                                                             \

@@ -402,6 +402,9 @@ static void put_rest(bool *well, json_t *object, const whirl_result *result, con
         for (size_t s = 0; field->extent == WHIRL_PER_STATION && s < result->station_count; ++s)
             document_put(well, member(well, member(well, part, "stations"), result->stations[s].name), name + 1,
                          whole_field(well, table, point, field, s));
+        for (size_t c = 0; field->extent == WHIRL_PER_CONTACT && c < result->contact_count; ++c)
+            document_put(well, member(well, member(well, part, "contacts"), result->contacts[c]), name + 1,
+                         whole_field(well, table, point, field, c));
     }
 }
 

@@ -34,6 +34,7 @@ void assembly_clear(assembly *to) {
     free(to->masses);
     free(to->frequencies);
     free(to->runouts);
+    free(to->turnings);
     body_clear(&to->body);
 }
 
@@ -214,6 +215,20 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
     assembly_forcing(to, y, SIN_TAU, force * cos(angle));
 }
 
+void assembly_inertial_row(assembly *to, turning_inertia one) {
+    if (one.row == NO_COORDINATE) return;
+    turning_inertia *list = room_for_one(to, to->turnings, to->turning_count, &to->turning_room, sizeof *list);
+    if (!list) return;
+    to->turnings = list;
+    to->turnings[to->turning_count++] = one;
+}
+
+void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double angle) {
+    if (moment == 0.0) return;
+    assembly_inertial_row(to, (turning_inertia){x, moment * cos(angle), -moment * sin(angle)});
+    assembly_inertial_row(to, (turning_inertia){y, moment * sin(angle), moment * cos(angle)});
+}
+
 void assembly_gyroscopic(assembly *to, size_t station, double polar) {
     const size_t *at = to->stations[station].coordinate, x = at[AXIS_TILT_X], y = at[AXIS_TILT_Y];
     if (to->stations[station].shaft != NO_SHAFT) {
@@ -231,6 +246,7 @@ void assembly_unbalance(assembly *to, size_t station, double moment, double angl
     const assembly_station *at = &to->stations[station];
     if (to->balanced) return;
     if (at->ratio != 1.0 && moment != 0.0) to->aside = at->name;
+    assembly_inertial(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment, angle);
     if (!in_plane(at) || to->phased) {
         assembly_turning(to, at->coordinate[AXIS_X], at->coordinate[AXIS_Y], moment * to->speed * to->speed, angle);
         return;
@@ -286,6 +302,8 @@ whirl_status assembly_frequencies(assembly *to, size_t count, const double *freq
 
 void assembly_pull(assembly *to, double x, double y) {
     const double scale = to->clock * to->clock * to->length;
+    to->pull[0] += x;
+    to->pull[1] += y;
     for (size_t s = 0; s < to->station_count; s++) {
         const assembly_station *at = &to->stations[s];
         if (at->shaft != NO_SHAFT) pull_node(to, at, x, y);

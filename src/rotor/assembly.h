@@ -11,6 +11,7 @@
 #include <stddef.h>
 
 #include "body.h"
+#include "drive.h"
 #include "whirl/engine/system.h"
 #include "whirl/status.h"
 
@@ -30,6 +31,7 @@
 #define assembly_turning whirl_assembly_turning
 #define assembly_gyroscopic whirl_assembly_gyroscopic
 #define assembly_unbalance whirl_assembly_unbalance
+#define assembly_inertial whirl_assembly_inertial
 #define assembly_frequencies whirl_assembly_frequencies
 #define assembly_runout whirl_assembly_runout
 #define assembly_pull whirl_assembly_pull
@@ -70,6 +72,13 @@ typedef struct station_runout {
     whirl_runout seen;
 } station_runout;
 
+/// An inertia that turns with the shaft, an unbalance or a skew, as one coordinate feels it: the force is the square of
+/// the speed times cos C + sin S, with C and S the values of time COS_TAU and SIN_TAU.
+typedef struct turning_inertia {
+    size_t row;
+    double cos, sin; ///< kg m, of tilts kg m2
+} turning_inertia;
+
 typedef struct assembly_station {
     const char *name;
     double mass, diametral, polar; ///< kg, kg m2; a station with a diametral inertia tilts
@@ -106,11 +115,15 @@ typedef struct assembly {
     size_t frequency_count;
     size_t runout_count, runout_room;
     station_runout *runouts; ///< runout of probes
-    double stages;           ///< factor of the stages' cross couplings
-    double cross_coupling;   ///< N/m, the sum of cross couplings, each counted once
-    bool balanced;           ///< unbalance and skew are ignored
-    const char *aside;       ///< station with an unbalance that turns with the rotor, on a shaft of another speed
-    bool no_memory;          ///< a term was lost
+    size_t turning_count, turning_room;
+    turning_inertia *turnings; ///< of the rotor's own shaft
+    double pull[2];            ///< m/s2, gravity across the shafts
+    shaft_drive drive;         ///< what turns the shaft, if its speed is a state
+    double stages;             ///< factor of the stages' cross couplings
+    double cross_coupling;     ///< N/m, the sum of cross couplings, each counted once
+    bool balanced;             ///< unbalance and skew are ignored
+    const char *aside;         ///< station with an unbalance that turns with the rotor, on a shaft of another speed
+    bool no_memory;            ///< a term was lost
 } assembly;
 
 /// Makes an assembly of stations that move in x and y and have no mass yet; WHIRL_NO_MEMORY. Freed by assembly_clear.
@@ -174,6 +187,11 @@ void assembly_turning(assembly *to, size_t x, size_t y, double force, double ang
 /// Adds the gyroscopic moments of a polar inertia (kg m2) at a station that tilts: I_d phi'' - i I_p omega phi' = M,
 /// phi = tilt_x + i tilt_y.
 void assembly_gyroscopic(assembly *to, size_t station, double polar);
+
+/// Notes an inertia (kg m, of tilts kg m2) at `angle` (rad) that turns with the shaft, for machines whose speed
+/// changes; its force at the constant speed is added by others.
+void assembly_inertial_row(assembly *to, turning_inertia one);
+void assembly_inertial(assembly *to, size_t x, size_t y, double moment, double angle);
 
 /// Adds an unbalance of `moment` (kg m) at `angle` (rad, from the x axis at tau = 0).
 void assembly_unbalance(assembly *to, size_t station, double moment, double angle);

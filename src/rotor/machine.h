@@ -37,15 +37,20 @@ struct whirl_rotor {
     double *numbers;   ///< [plane_count][STATION_NUMBERS], those of the terms, then those of the elements
     size_t *places;    ///< [plane_count + element_count] as in whirl_lanes
     whirl_probe *probes;
-    whirl_runout *runouts; ///< runouts of the probes, station after station
-    size_t *groups;        ///< [lanes.group_count + 1]
-    double *turns;         ///< [dimension] as in whirl_system
-    bool turning;          ///< some of them are not 0
-    size_t repeats;        ///< as in whirl_system
-    bool kinked;           ///< as in whirl_system
-    size_t held;           ///< number of elements, the first ones, whose `hold` succeeded
-    bool mute;             ///< there is friction of unknown power
-    size_t *contacts;      ///< [contact_count] indices of elements
+    whirl_runout *runouts;  ///< runouts of the probes, station after station
+    size_t *groups;         ///< [lanes.group_count + 1]
+    double *turns;          ///< [dimension] as in whirl_system
+    bool turning;           ///< some of them are not 0
+    size_t repeats;         ///< as in whirl_system
+    bool kinked;            ///< as in whirl_system
+    size_t held;            ///< number of elements, the first ones, whose `hold` succeeded
+    bool mute;              ///< there is friction of unknown power
+    double *inertia, *unit; ///< [degrees] kg or kg m2 of coordinates; m or rad of one unit
+    size_t turning_count;
+    turning_inertia *turnings; ///< [turning_count] as in the assembly
+    double pull[2];            ///< m/s2, gravity across the shafts
+    shaft_drive drive;         ///< as in the assembly
+    size_t *contacts;          ///< [contact_count] indices of elements
     char (*contact_text)[WHIRL_NAME_SIZE + 32];
     const char **contact_names;
 };
@@ -72,6 +77,19 @@ void rotor_lanes_fill(whirl_rotor *rotor);
 
 /// Fills in the functions of the rotor's system (rotor_system.c).
 void rotor_system_fill(whirl_rotor *rotor);
+
+/// As the rotor's system does, with other numbers [lanes.number_count] in the place of its own: the machine at another
+/// speed.
+void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
+                     const double *x, double *dxdt);
+void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values);
+void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
+                         double *friction);
+/// The derivatives of switch `index` by x, gradient [dimension].
+void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient);
+
+/// The rotor of a system, NULL where it is another machine.
+const whirl_rotor *rotor_of_system(const whirl_system *system);
 
 // ---------------------------------------------------------------- repeats
 // Revolutions after which phases that turn at ratios of the speed repeat.

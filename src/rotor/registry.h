@@ -36,7 +36,8 @@
     X(cubic_spring)                                                                                                    \
     X(friction)                                                                                                        \
     X(unbalance_grade)                                                                                                 \
-    X(runout)
+    X(runout)                                                                                                          \
+    X(drive)
 
 #define DECLARE(name) extern const element_type name##_element;
 ELEMENTS(DECLARE)

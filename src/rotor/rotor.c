@@ -82,7 +82,10 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
                            cut(block, &used, shafts->number_count * sizeof *shafts->numbers),
                            cut(block, &used, b->between_count * sizeof *rotor->between),
                            cut(block, &used, b->assembly.frequency_count * sizeof *rotor->frequencies),
-                           cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts)};
+                           cut(block, &used, b->assembly.runout_count * sizeof *rotor->runouts),
+                           cut(block, &used, b->assembly.degrees * sizeof *rotor->inertia),
+                           cut(block, &used, b->assembly.degrees * sizeof *rotor->unit),
+                           cut(block, &used, b->assembly.turning_count * sizeof *rotor->turnings)};
     if (!rotor) return used;
     rotor->elements = parts[0];
     rotor->numbers = parts[1];
@@ -105,6 +108,9 @@ static size_t lay_out(whirl_rotor *rotor, char *block, const building *b) {
     rotor->between = parts[18];
     rotor->frequencies = parts[19];
     rotor->runouts = parts[20];
+    rotor->inertia = parts[21];
+    rotor->unit = parts[22];
+    rotor->turnings = parts[23];
     return used;
 }
 
@@ -305,6 +311,13 @@ static whirl_rotor *finish(building *b) {
     rotor->frequency_count = b->assembly.frequency_count;
     if (b->assembly.frequencies)
         memcpy(rotor->frequencies, b->assembly.frequencies, rotor->frequency_count * sizeof *rotor->frequencies);
+    rotor->turning_count = b->assembly.turning_count;
+    if (b->assembly.turnings)
+        memcpy(rotor->turnings, b->assembly.turnings, rotor->turning_count * sizeof *rotor->turnings);
+    memcpy(rotor->inertia, b->assembly.inertia, b->assembly.degrees * sizeof *rotor->inertia);
+    memcpy(rotor->unit, b->assembly.unit, b->assembly.degrees * sizeof *rotor->unit);
+    memcpy(rotor->pull, b->assembly.pull, sizeof rotor->pull);
+    rotor->drive = b->assembly.drive;
     add_probes(rotor, b);
     add_runouts(rotor, &b->assembly);
     add_groups(rotor, &b->assembly);
@@ -442,6 +455,10 @@ double whirl_rotor_cross_coupling(const whirl_rotor *rotor) {
 }
 double whirl_rotor_length_scale(const whirl_rotor *rotor) {
     return rotor->length;
+}
+bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest) {
+    *highest = rotor->drive.given ? drive_highest(&rotor->drive) : 0.0;
+    return rotor->drive.given;
 }
 double whirl_rotor_clock(const whirl_rotor *rotor) {
     return rotor->clock;

@@ -20,6 +20,29 @@ static lanes_view view_at(const whirl_rotor *rotor, const double *forcing, const
     return view;
 }
 
+void rotor_flow_with(const whirl_rotor *rotor, const double *numbers, const double *forcing, const double *sides,
+                     const double *x, double *dxdt) {
+    const size_t degrees = rotor->lanes.degrees;
+    lanes_view view = view_at(rotor, forcing, sides, x);
+    view.numbers = numbers;
+    view.a = dxdt + degrees;
+    memcpy(dxdt, x + degrees, degrees * sizeof *dxdt);
+    machine_flow_scalar(&view);
+}
+
+void rotor_switches_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *values) {
+    lanes_view view = view_at(rotor, NULL, NULL, x);
+    view.numbers = numbers;
+    machine_switches_scalar(&view, values, NULL);
+}
+
+void rotor_contacts_with(const whirl_rotor *rotor, const double *numbers, const double *x, double *normal_force,
+                         double *friction) {
+    lanes_view view = view_at(rotor, NULL, NULL, x);
+    view.numbers = numbers;
+    machine_contacts_scalar(&view, normal_force, friction);
+}
+
 static void forcing_at(const void *model, double t, double *forcing) {
     machine_forcing_scalar(model, 1, 1, &t, forcing);
 }
@@ -153,6 +176,15 @@ static void switch_gradient(const void *model, double t, const double *x, size_t
     *by_time = 0.0;
     own->type->switch_gradient(own, &at, index, &by);
     spread(model, own, &by, gradient);
+}
+
+void rotor_gradient_with(const whirl_rotor *rotor, double *numbers, const double *x, size_t index, double *gradient) {
+    element own = *owner_of(rotor, &index);
+    const element_place at = see(rotor, &own, x);
+    element_place by = {.q = {0.0}};
+    own.number = numbers + own.first_number;
+    own.type->switch_gradient(&own, &at, index, &by);
+    spread(rotor, &own, &by, gradient);
 }
 
 static void switch_curvature(const void *model, double t, const double *x, size_t index, const double *u, double *out) {
@@ -339,6 +371,10 @@ static bool settles(const whirl_rotor *rotor) {
     for (size_t i = 0; i < rotor->element_count; i++)
         if (rotor->elements[i].type->settle || tells_time(&rotor->elements[i])) return true;
     return false;
+}
+
+const whirl_rotor *rotor_of_system(const whirl_system *system) {
+    return system->rhs == rhs ? system->model : NULL;
 }
 
 void rotor_system_fill(whirl_rotor *rotor) {

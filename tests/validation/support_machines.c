@@ -132,6 +132,7 @@ const element_machine element_machines[] = {
      "unbalance_grade: {planes: [rotor, stator], grade: 40 mm/s, service_speed: 900 rad/s, mass: 12 kg, "
      "to_first: 200 mm, to_second: 500 mm, angle: @70, second_angle: @40}",
      0},
+    {"drive", "drive: {inertia: 2 kg.m2, torque: 10 N.m, no_load_speed: 900 rad/s}", 0},
     {"runout", "runout: {at: rotor, amplitude: 10 um, angle: @70}", 0},
     {"segment",
      "disc: {at: rotor, outer: 200 mm, width: 10 mm}\n    - disc: {at: stator, outer: 100 mm, width: 10 mm}\n"

@@ -409,8 +409,8 @@ static const char *const elements[] = {
 };
 
 /// Forces by time alone, shafts of finite elements (tests of their own), what needs a misalignment.
-static const char *const others[] = {"unbalance", "force",           "gravity", "segment",
-                                     "runout",    "unbalance_grade", "joint",   "coupling_load"};
+static const char *const others[] = {"unbalance",       "force", "gravity",       "segment", "runout",
+                                     "unbalance_grade", "joint", "coupling_load", "drive"};
 
 static double distance(const whirl_system *system, const double *a, const double *b) {
     double square = 0.0;

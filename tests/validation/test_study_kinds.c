@@ -97,6 +97,9 @@ static const struct {
     {machine, "  critical_speeds: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
     {beam, "  stability: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
     {beam, "  statics: {parameter: kappa, from: 5, to: 20, points: 3}\n"},
+    {beam,
+     "  runup: {parameter: kappa, from: 5, to: 20, points: 3, rate: 40 rad/s2, speed_from: 50 rad/s, duration: 1 s, "
+     "rows: 8}\n"},
     {beam, "  unbalance: {parameter: omega, from: 100, to: 200, points: 3, antinodes_of: 1, running_to: 200 rad/s}\n"},
 };
 enum { STUDIES = sizeof studies / sizeof *studies };

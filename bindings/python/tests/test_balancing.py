@@ -455,7 +455,7 @@ GOOD = {
             {"modes": [{"speed": 300.0, "shape": [1, 1]}, {"speed": 400.0, "shape": [2, 2]}]},
             "planes do not tell the 2 modes apart",
         ),
-        ({"keep_rigid": "yes"}, r"keep_rigid: applies only to weight sets, expected modes, too"),
+        ({"keep_rigid": "yes"}, r"keep_rigid: applies only to weight sets: add modes"),
         (
             {"trials": [{"run": 1, "set": 2, "moment": 1e-3, "angle": 0.1}]},
             r"trials\[1\]\.set: is 2, and there are 0 mod",

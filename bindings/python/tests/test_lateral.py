@@ -127,7 +127,7 @@ def test_scaled_responses():
     seen = 2e-3 * table["unbalance/probe"][running][:, [0, 4]].max()
     limit = 25.4e-6
     axes = 2e-3 * table["unbalance/axes"][:, 2, 0] * min(6, limit / seen)
-    assert all(f"\n  {own}" in str(result) for own in result.statements())
+    assert all(("\n  " if own.table else "\n") + str(own) in str(result) for own in result.statements())
     (told,) = [own for own in result.statements() if own.what == "scaled responses"]
     assert told.values["found"] == pytest.approx((limit, seen, min(6, limit / seen)), rel=1e-9)
     assert f"the largest that a probe sees where the machine runs {seen * 1e6:.4g} µm p-p" in told.found

@@ -68,7 +68,7 @@ def test_films(parts):
     # ISO VG 32 of viscosity index 100 has 20.5 mm2/s at 50 degC by Walther's law between 32 and 5.36 mm2/s.
     v = lambda nu: np.log10(np.log10(nu + 0.7))  # noqa: E731
     slope = (v(32.0) - v(5.36)) / (np.log10(373.15) - np.log10(313.15))
-    walther = 10 ** 10 ** (v(32.0) - slope * (np.log10(323.15) - np.log10(313.15))) - 0.7
+    walther = 10**10 ** (v(32.0) - slope * (np.log10(323.15) - np.log10(313.15))) - 0.7
     pad = own["US"]["pads"]
     assert pad["diameter"] == pytest.approx(100 / 25.4) and pad["length"] == pytest.approx(60 / 25.4)
     assert pad["clearance"] == pytest.approx(0.1e3 / 25.4) and pad["assembled"] == pytest.approx(0.06e3 / 25.4)

@@ -36,7 +36,9 @@ SIGNS = {
     "pad_bearing": ("turned",),
     "tilting_pad": ("turned",),
 }
-ALIKE = "beam cubic_spring film floating_ring friction looseness mount rub seal shaft spring squeeze stage".split()
+ALIKE = (
+    "beam cubic_spring drive film floating_ring friction looseness mount rub seal shaft spring squeeze stage".split()
+)
 
 CASES = [path for path in sorted((ROOT / "cases").glob("*.yaml")) if "claims" not in path.name]
 CASES += sorted((ROOT / "tests/references/motions").glob("*.yaml"))

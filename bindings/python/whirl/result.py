@@ -230,8 +230,8 @@ class Result:
     @property
     def elsewhere(self) -> list[str]:
         """The tables of machines at rest with points that have another place of rest, to which that of the value before
-        or after leads. Field "ranges/elsewhere" of a table is how far each station is from where it is told to rest, and
-        "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
+        or after leads. Field "ranges/elsewhere" of a table has the distance of each station from its place of rest,
+        and "ranges/elsewhere_growth" the largest real part of the eigenvalues there, 1/s: stable below 0."""
         told = []
         for name, apart in self._rows_of(FIELD.RANGES_ELSEWHERE):
             found = np.isfinite(apart).any(axis=tuple(range(1, apart.ndim)))

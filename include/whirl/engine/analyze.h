@@ -14,6 +14,7 @@
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/linear.h"
 #include "whirl/engine/record.h"
+#include "whirl/engine/running.h"
 #include "whirl/engine/system.h"
 #include "whirl/engine/torus_branch.h"
 #include "whirl/engine/verdict.h"
@@ -97,7 +98,9 @@ typedef struct whirl_kind {
     study(stability, "decrements over the cross coupling of stages, its limit, and the effect of seals and impellers", \
           "Wachel, von Nimitz 1981; API 617", TURNING)                                                                 \
     study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings",             \
-          "Przemieniecki 1968", STILL)
+          "Przemieniecki 1968", STILL)                                                                                 \
+    study(runup, "run up or down: the motion over time while the speed changes, by a rate or by a drive",              \
+          "Lewis 1932; Sommerfeld 1902; Kononenko 1969", TURNING)
 // clang-format on
 
 /// Description of an analysis.
@@ -232,7 +235,10 @@ typedef struct whirl_resting {
     /// Makes the same machine with its coefficients at a frequency of whirl, rad/s.
     whirl_status (*at_frequency)(const void *context, double frequency, whirl_variant variant, double value,
                                  whirl_machine *machine);
-    const void *context;        ///< passed to at_speed and at_frequency
+    /// Makes the same machine with a speed that changes between two (rad/s). Errors as whirl_running_new.
+    whirl_status (*running)(const void *context, double lowest, double highest, whirl_running **running);
+    const void *context;        ///< passed to at_speed, at_frequency and running
+    const whirl_stop *stop;     ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
     size_t placed_count;        ///< number of placed unbalances
     const whirl_placed *placed; ///< [placed_count] unbalances that replace its own
     const double *rest;         ///< [dimension] equilibrium found from the start; may be NULL without `elsewhere`

@@ -54,6 +54,30 @@ size_t whirl_trace_torus_nodes(const whirl_trace_options *options);
 /// without a part.
 const whirl_member *whirl_trace_members(void);
 
+/// How a machine runs up or down.
+typedef struct whirl_runup_options {
+    double from, to;               ///< rad/s, speed at the beginning (0: at rest) and at the end of the rate (0: none)
+    double rate;                   ///< rad/s2, size of the rate; 0: the machine's drive turns the shaft
+    double duration;               ///< s; 0: until the speed `to` is reached
+    double angle;                  ///< rad, of the shaft at the beginning
+    char begin[WHIRL_NAME_SIZE];   ///< "rest", "centre" or "steady"
+    double settle;                 ///< turns at the first speed before a "steady" beginning
+    double trip_time, trip_speed;  ///< s and rad/s at which the motor is lost; 0: never
+    char loss_at[WHIRL_NAME_SIZE]; ///< station where an unbalance appears, or ""
+    double loss_moment, loss_angle, loss_time, loss_speed; ///< kg m, rad, s, rad/s
+    int rows;                                              ///< number of rows of the result over the time
+    int samples;                                           ///< samples of a turn
+    double rtol;                                           ///< relative tolerance
+    char method[WHIRL_NAME_SIZE];                          ///< name of whirl_method_at
+} whirl_runup_options;
+
+/// Returns the members of these options for cases (part "runup") and results; static, ended by a member without a part.
+const whirl_member *whirl_runup_members(void);
+
+/// Checks these options. WHIRL_BAD_INPUT with a sentence for options that mean nothing or contradict each other.
+/// driven: the machine has a drive, whose motor has the speed `no_load` without load, rad/s; 0: no such speed.
+whirl_status whirl_runup_check(const whirl_runup_options *options, bool driven, double no_load);
+
 /// Length and contents of the record of a motion.
 typedef struct whirl_record_options {
     int transient; ///< revolutions before the record, >= 0
@@ -87,6 +111,7 @@ typedef struct whirl_record_options {
     bool orbits;
     whirl_growth growth;       ///< costs one trajectory while watched, or as many as there are coordinates
     whirl_trace_options trace; ///< for branches only
+    whirl_runup_options runup; ///< options of run-ups
 } whirl_record_options;
 
 /// Returns the members of the options for cases (parts "integrate" and "keep", and "detail" for options that a detail

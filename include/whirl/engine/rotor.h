@@ -236,6 +236,10 @@ double whirl_rotor_cross_coupling(const whirl_rotor *rotor);
 
 double whirl_rotor_length_scale(const whirl_rotor *rotor); ///< m
 
+/// Returns whether a rotor has a drive, and the motor's speed without load, or the last of its table (rad/s; 0: it has
+/// no such speed).
+bool whirl_rotor_drive(const whirl_rotor *rotor, double *highest);
+
 /// Computes the equations of motion in SI, for programs with integrators of their own: x and dxdt are [4 stations], x
 /// and y of every station in m, then their derivatives by t in m/s; t in s. WHIRL_BAD_INPUT for a rotor with other
 /// states (tilts, phases that turn, nodes of shafts).

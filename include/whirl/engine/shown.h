@@ -21,6 +21,7 @@ typedef enum whirl_quantity {
     WHIRL_QUANTITY_FREQUENCY,   ///< rad/s of a motion; Hz
     WHIRL_QUANTITY_ANGULAR,     ///< rad/s; rad/s
     WHIRL_QUANTITY_RATE,        ///< 1/s
+    WHIRL_QUANTITY_TIME,        ///< s
     WHIRL_QUANTITY_LENGTH,      ///< m of displacements; unit of lengths in the case
     WHIRL_QUANTITY_SIZE,        ///< m of motions, zero to peak; unit as lengths, counted as chosen (0-p)
     WHIRL_QUANTITY_SPAN,        ///< m, peak to peak; um

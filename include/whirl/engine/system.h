@@ -267,6 +267,7 @@ typedef struct whirl_machine {
     double clock, speed;
     double length;         ///< m of one unit of displacement
     double cross_coupling; ///< N/m, sum over all stages
+    double drive_speed;    ///< rad/s, of the motor of its drive without load; 0: it has no such speed
     /// [probe_count] if requested (WHIRL_WITH_STATICS), else NULL; then also `influence`.
     const whirl_station_statics *statics;
     /// [probe_count][probe_count] N/m, change of the load of bearings at the first station by raising those at the

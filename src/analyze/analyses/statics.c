@@ -69,7 +69,7 @@ static const field_plan fields[FIELD_COUNT] = {
     [FILM] = {WHIRL_FIELD_STATICS_FILM, "length", "least radial thickness of the film at rest, over pads with a film",
               WHIRL_PER_STATION, 1, NULL},
     [PLACE] = {WHIRL_FIELD_STATICS_PLACE, "length",
-               "x, y (of the journal at rest, from the middle of its bearing or seal as assembled)", WHIRL_PER_STATION,
+               "x, y (of the journal at rest, from the centre of its bearing or seal as assembled)", WHIRL_PER_STATION,
                2, NULL},
     [SEAL] = {WHIRL_FIELD_STATICS_SEAL, "1", "1: the film is that of a seal, which carries nothing; else 0",
               WHIRL_PER_STATION, 1, NULL},

@@ -1,6 +1,7 @@
 // Descriptors of the recording options, and values that follow from them.
 #include <limits.h>
 #include <math.h>
+#include <string.h>
 
 #include "whirl/engine/analyze.h"
 #include "words.h"
@@ -126,6 +127,77 @@ const whirl_member *whirl_trace_members(void) {
     return traced;
 }
 
+#define RUNUP(TYPE, field, unit, kind, fallback, range, choices, meaning)                                              \
+    MEMBER(whirl_runup_options, TYPE, "runup_" #field, field, "runup", false, #field, "", unit, kind, false, fallback, \
+           range, choices, meaning, "")
+#define RUNUP_NUMBER(field, key, unit, fallback, range, meaning)                                                       \
+    MEMBER(whirl_runup_options, NUMBER, "runup_" #field, field, "runup", false, key, "", unit, WHIRL_KEY_NUMBER,       \
+           false, fallback, range, NULL, meaning, "")
+
+const whirl_member *whirl_runup_members(void) {
+    static const whirl_member runs[] = {
+        RUNUP_NUMBER(from, "speed_from", "rad/s", "0", WHIRL_NOT_NEGATIVE, "speed at the beginning; 0: at rest"),
+        RUNUP_NUMBER(to, "speed_to", "rad/s", "0", WHIRL_NOT_NEGATIVE,
+                     "speed at which the rate ends; from then on it stays until `duration`, or the run ends there"),
+        RUNUP_NUMBER(rate, "rate", "rad/s2", "0", WHIRL_NOT_NEGATIVE,
+                     "by which the speed changes towards speed_to; 0: the drive of the machine turns the shaft"),
+        RUNUP_NUMBER(duration, "duration", "s", "0", WHIRL_NOT_NEGATIVE, "of the run; 0: until speed_to is reached"),
+        RUNUP_NUMBER(angle, "angle", "rad", "0", WHIRL_ANY, "of the shaft at the beginning"),
+        RUNUP(WORD, begin, "", WHIRL_KEY_CHOICE, "rest", WHIRL_ANY, "rest|centre|steady",
+              "where the machine rests at the first speed, all stations in the centre, or the motion that has settled "
+              "at that speed"),
+        RUNUP_NUMBER(settle, "settle", "1", "500", WHIRL_FROM_TO(0, 1e7),
+                     "turns at the first speed before a steady beginning"),
+        RUNUP_NUMBER(trip_time, "trip_time", "s", "0", WHIRL_NOT_NEGATIVE,
+                     "when the motor is lost, its load is not; 0: never"),
+        RUNUP_NUMBER(trip_speed, "trip_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
+                     "speed at which the motor is lost when it is first passed; 0: never"),
+        RUNUP(WORD, loss_at, "", WHIRL_KEY_CHOICE, "", WHIRL_ANY, "",
+              "station where a blade is lost: an unbalance appears"),
+        RUNUP_NUMBER(loss_moment, "loss_moment", "kg m", "0", WHIRL_NOT_NEGATIVE, "that unbalance"),
+        RUNUP_NUMBER(loss_angle, "loss_angle", "rad", "0", WHIRL_ANY,
+                     "where it is on the shaft, as angles of unbalances"),
+        RUNUP_NUMBER(loss_time, "loss_time", "s", "0", WHIRL_NOT_NEGATIVE,
+                     "when; 0: at the beginning, or by loss_speed"),
+        RUNUP_NUMBER(loss_speed, "loss_speed", "rad/s", "0", WHIRL_NOT_NEGATIVE,
+                     "speed at which it is lost when it is first passed; 0: by loss_time"),
+        RUNUP(WHOLE, rows, "1", WHIRL_KEY_WHOLE, "400", WHIRL_FROM_TO(2, 100000), NULL,
+              "of the result, at equal times: each shows the last turn of the shaft before it ends"),
+        RUNUP(WHOLE, samples, "1", WHIRL_KEY_WHOLE, "128", WHIRL_FROM_TO(16, 65536), NULL,
+              "instants of a turn at which the motion is seen"),
+        RUNUP_NUMBER(rtol, "rtol", "1", "1e-8", WHIRL_ABOVE_TO(1e-14, 1e-2), "relative tolerance"),
+        RUNUP(WORD, method, "", WHIRL_KEY_CHOICE, "dop853", WHIRL_ANY, "dop853|rodas5p",
+              "of integration; rodas5p for machines whose fast modes are damped hard"),
+        {.part = NULL},
+    };
+    return runs;
+}
+
+whirl_status whirl_runup_check(const whirl_runup_options *o, bool driven, double no_load) {
+    if (o->rate > 0.0 && o->to == 0.0 && o->duration == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and no end, expected speed_to or duration");
+    if (o->rate > 0.0 && o->to > 0.0 && o->to == o->from)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run begins and ends at %.10g rad/s, expected two speeds", o->to);
+    if (o->rate == 0.0 && !driven)
+        return whirl_fail(WHIRL_BAD_INPUT, "nothing turns the shaft of the run, expected rate, or an element drive");
+    if (o->rate == 0.0 && o->duration == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run by the machine's drive has no end, expected duration");
+    if (o->rate == 0.0 && !(fmax(fmax(o->from, o->to), no_load) > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "the motor has the same torque at all speeds, expected speed_to with it");
+    if (strcmp(o->begin, "steady") == 0 && o->from == 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run begins steady at standstill, expected speed_from above 0");
+    if (*o->loss_at ? o->loss_moment == 0.0 : o->loss_moment != 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has %s, expected loss_at and loss_moment together",
+                          *o->loss_at ? "loss_at alone" : "loss_moment alone");
+    if (o->loss_time > 0.0 && o->loss_speed > 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has loss_time and loss_speed, expected one of them");
+    if (o->trip_time > 0.0 && o->trip_speed > 0.0)
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has trip_time and trip_speed, expected one of them");
+    if (o->rate > 0.0 && (o->trip_time > 0.0 || o->trip_speed > 0.0))
+        return whirl_fail(WHIRL_BAD_INPUT, "the run has a rate and a trip of its drive, expected one of them");
+    return whirl_ok();
+}
+
 const whirl_member *whirl_record_members(void) {
     return members;
 }
@@ -134,6 +206,7 @@ whirl_record_options whirl_record_default(void) {
     whirl_record_options options = {.settle = false};
     whirl_members_default(members, &options);
     whirl_members_default(whirl_trace_members(), &options.trace);
+    whirl_members_default(whirl_runup_members(), &options.runup);
     options.settle = false;
     return options;
 }

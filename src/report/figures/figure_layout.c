@@ -10,10 +10,6 @@ static const double BARE = 0.45, LABEL = 0.62, RIGHT = 0.3, BELOW = 0.95, APART 
 /// cm on the right for the colours of numbers.
 static const double SCALE = 2.0;
 
-double figure_text_width(const whirl_figure *figure, size_t letters) {
-    return 0.0195 * figure->font * (double)letters;
-}
-
 double figure_number_width(const whirl_figure *figure) {
     size_t most = 1;
     for (size_t p = 0; p < figure->count; p++) {

@@ -26,6 +26,10 @@ size_t figure_letters(const char *text) {
     return letters;
 }
 
+double figure_text_width(const whirl_figure *figure, size_t letters) {
+    return 0.0195 * figure->font * (double)letters;
+}
+
 /// Share of the axis below a value, as it is shown; NaN where a logarithmic axis has none.
 static double text_share(const whirl_axis *axis, double value) {
     if (axis->logarithmic) return value > 0.0 ? log(value / axis->low) / log(axis->high / axis->low) : (double)NAN;

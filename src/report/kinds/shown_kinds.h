@@ -29,7 +29,7 @@ void find_lines(const finder *of);
 int shown_modes_growing(const whirl_table *table, size_t point);
 
 extern const shown_kind shown_branches, shown_tori, shown_modes, shown_unbalance, shown_critical_speeds,
-    shown_stability, shown_statics;
+    shown_stability, shown_statics, shown_runup;
 
 /// Returns true for a mode with a damping ratio above WHIRL_OVERDAMPED_RATIO.
 bool mode_is_overdamped(const whirl_table *table, size_t point, size_t mode);

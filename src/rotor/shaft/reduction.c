@@ -384,6 +384,22 @@ static void reduce_terms(reducing *r) {
     free(old);
 }
 
+/// Inertia that turns with the shaft, as forces are.
+static void reduce_turnings(reducing *r) {
+    assembly *of = r->of;
+    const size_t count = of->turning_count;
+    turning_inertia *old = of->turnings;
+    of->turnings = NULL;
+    of->turning_count = of->turning_room = 0;
+    for (size_t t = 0; t < count; t++) {
+        const blend *row = &r->old[old[t].row];
+        for (size_t a = 0; a < row->count; a++)
+            assembly_inertial_row(
+                of, (turning_inertia){row->of[a], row->weight[a] * old[t].cos, row->weight[a] * old[t].sin});
+    }
+    free(old);
+}
+
 static size_t renamed(const reducing *r, size_t coordinate) {
     if (coordinate == NO_COORDINATE || !r->kept[coordinate]) return NO_COORDINATE;
     return r->old[coordinate].of[0];
@@ -422,6 +438,7 @@ static whirl_status reduce(reducing *r, element *elements, size_t element_count,
     reduce_body(r, matrix, matrix + r->degrees * r->degrees);
     reduce_masses(r, matrix);
     reduce_terms(r);
+    reduce_turnings(r);
     rename_all(r, elements, element_count);
     memcpy(r->of->inertia, r->inertia, r->degrees * sizeof *r->inertia);
     memcpy(r->of->unit, r->unit, r->degrees * sizeof *r->unit);

@@ -90,6 +90,14 @@ static whirl_status at_frequency(const void *context, double frequency, whirl_va
     return at_speed(&at, 0.0, variant, variant_value, machine);
 }
 
+static whirl_status as_given(const void *context, double speed, whirl_machine *machine) {
+    return at_speed(context, speed, WHIRL_AS_GIVEN, 0.0, machine);
+}
+
+static whirl_status make_running(const void *context, double lowest, double highest, whirl_running **running) {
+    return whirl_running_new(as_given, context, lowest, highest, running);
+}
+
 /// Returns true if other equilibria are looked for: for turning machines with their own bearings.
 static bool looks_elsewhere(const worker *w, const whirl_machine *machine) {
     return w->table->count > 1 && machine->speed != 0.0 &&
@@ -109,7 +117,9 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
                            .before = own->before,
                            .at_speed = at_speed,
                            .at_frequency = at_frequency,
+                           .running = make_running,
                            .context = &at,
+                           .stop = w->batch->integrate.stop,
                            .placed_count = w->batch->placed_count,
                            .placed = w->batch->placed};
     double *elsewhere = NULL;

@@ -150,7 +150,7 @@ static void test_refused(void **state) {
         "[CouplingElement_Hub]",
         "[CouplingElement_Far]\nm_l = 1\nm_r = 1\nIp_l = 1\nIp_r = 1\nn = 5\n[CouplingElement_Hub]",
         "r.toml:30: [CouplingElement_Far] n: is 5, expected a coupling between nodes of the shaft, 0 to 4, or "
-        "beside them");
+        "next to them");
     expect_refused(
         "[CouplingElement_Hub]",
         "[CouplingElement_End]\nm_l = 1\nm_r = 0\nIp_l = 1\nIp_r = 1\nn = 4\n[CouplingElement_Hub]",

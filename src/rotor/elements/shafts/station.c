@@ -81,8 +81,10 @@ void station_build(const key_value *values, assembly *to, size_t station) {
     assembly_gyroscopic(to, station, at->polar);
     if (to->balanced) return;
     if (values[SKEW].number > 0.0 && at->ratio != 1.0) to->aside = at->name;
-    if (values[SKEW].given)
-        assembly_turning(to, at->coordinate[AXIS_TILT_X], at->coordinate[AXIS_TILT_Y], moment,
-                         values[SKEW_ANGLE].number);
+    if (values[SKEW].given) {
+        const size_t x = at->coordinate[AXIS_TILT_X], y = at->coordinate[AXIS_TILT_Y];
+        assembly_turning(to, x, y, moment, values[SKEW_ANGLE].number);
+        assembly_inertial(to, x, y, (at->diametral - at->polar) * values[SKEW].number, values[SKEW_ANGLE].number);
+    }
 }
 #endif

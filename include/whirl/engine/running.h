@@ -1,0 +1,94 @@
+/// Machines whose speed changes: a rotor with the angle and the speed of its shaft among its states.
+///
+/// The shaft turns by a law of time, or a drive turns it: then
+///
+///     J theta'' = T - sum U_i g cos(theta + a_i) + sum u_i . q'',   u_i = U_i (sin(theta + a_i), -cos(theta + a_i)),
+///
+/// with T the torque of the drive less its load and the friction of contacts, and unbalances U_i at angles a_i. Their
+/// force is U_i theta'^2 (cos, sin)(theta + a_i) + u_i theta''. Where a torque turns a disc through its shaft it
+/// follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md). Coefficients of films,
+/// bearings and seals are those of the speed of the moment.
+///
+/// The equations go by the angle: d/dtheta in the place of d/dt, one revolution to 2 pi. A machine that begins at rest,
+/// or hardly turns, goes by time.
+#ifndef WHIRL_RUNNING_H
+#define WHIRL_RUNNING_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "whirl/engine/system.h"
+#include "whirl/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// How the shaft turns.
+typedef struct whirl_turning {
+    bool driven;  ///< by the torques of the machine's drive; else by the rate
+    double rate;  ///< rad/s2
+    bool tripped; ///< the motor of the drive is lost, its load is not
+    bool lost;    ///< unbalances that were set by `lose` have appeared
+} whirl_turning;
+
+/// Torques on the shaft, N m, in the sense of the rotation.
+typedef struct whirl_torques {
+    double motor, load, friction; ///< load and friction of contacts below 0 where they brake
+    double rotor;                 ///< of unbalances that the rotor's motion and the weight turn
+    double acceleration;          ///< rad/s2
+} whirl_torques;
+
+/// Such a machine; not to be shared between threads.
+typedef struct whirl_running whirl_running;
+
+/// What is known of one, and what it does.
+struct whirl_running {
+    /// The equations by the angle, [dimension]: the rotor's state, with derivatives by the angle, then the speed and
+    /// the time. Their period is the part that was last set, their time the angle from its beginning.
+    const whirl_system *by_angle;
+    const whirl_system *by_time; ///< by time: the rotor's state, with derivatives by time, then the speed and the angle
+    double unit;                 ///< rad/s in units of which speeds are counted; its inverse is the unit of time
+    double error;                ///< of numbers between the speeds that they were taken at, over the largest; 0: exact
+    size_t contact_count;        ///< of contacts
+
+    /// Sets how the shaft turns from now on.
+    void (*turn)(whirl_running *running, const whirl_turning *how);
+
+    /// Sets unbalances [count] that appear once whirl_turning.lost is true.
+    void (*lose)(whirl_running *running, size_t count, const whirl_placed *placed);
+
+    /// Lets the next revolution of both systems begin at that angle (or time) and be that long, in radians (or units of
+    /// time).
+    void (*part)(whirl_running *running, double from, double length);
+
+    /// Turns the derivatives of a state by time into those by the angle; its last number stays.
+    void (*to_angle)(const whirl_running *running, double *x);
+
+    /// Finds the torques on the shaft in a state by the angle, at that angle.
+    void (*torques)(const whirl_running *running, const double *x, double angle, whirl_torques *out);
+
+    /// Writes normal forces of contacts, N, in a state by the angle.
+    void (*contacts)(const whirl_running *running, const double *x, double *normal_force);
+
+    /// Gives the switch whose zero is where a contact closes.
+    size_t (*contact_switch)(const whirl_running *running, size_t contact);
+
+    /// Frees it.
+    void (*release)(whirl_running *running);
+};
+
+/// Makes the machine at a speed in rad/s, above 0. All have one structure and length scale.
+typedef whirl_status whirl_machine_at(const void *context, double speed, whirl_machine *machine);
+
+/// Finds how the numbers of a rotor go with its speed, from `lowest` (>= 0) to `highest` rad/s: as powers from -2 to 2
+/// where they do so to rounding, else as cubic splines (whirl_running.error). WHIRL_BAD_INPUT with a sentence where
+/// machines are no rotors, change their structure with the speed, or have a phase of their own; WHIRL_NO_MEMORY; errors
+/// of `machine`. Freed by its `release`.
+whirl_status whirl_running_new(whirl_machine_at *machine, const void *context, double lowest, double highest,
+                               whirl_running **out);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,277 @@
+// Run-ups: what is seen of a machine over time while its speed changes, as rows at equal times.
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "analysis.h"
+#include "runup/runup.h"
+#include "whirl/engine/linear.h"
+
+enum {
+    END,
+    END_TIME,
+    END_SPEED,
+    END_TURNS,
+    EVENTS,
+    NUMBERS_ERROR,
+    TIME,
+    SPEED,
+    TURNS,
+    TORQUE,
+    RADIUS,
+    CENTRE,
+    AMPLITUDE,
+    LAG,
+    WHIRL,
+    PLACE,
+    PEAK,
+    PEAK_TIME,
+    PEAK_SPEED,
+    FORCE,
+    SHARE,
+    CONTACT,
+    CONTACT_NUMBER,
+    FIELD_COUNT
+};
+
+/// Columns of fields of x and y, or of both ways to go round, at every order.
+enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
+
+static size_t every_row(const block_shape *shape) {
+    return (size_t)shape->options->runup.rows;
+}
+
+static const field_plan fields[FIELD_COUNT] = {
+    [END] =
+        {WHIRL_FIELD_RUNUP_END, "1",
+         "how the run ended: 0 as planned, 1 the shaft stood still, 2 the motion left all bounds, 3 the solver could "
+         "not go on",
+         WHIRL_PER_POINT, 1, NULL},
+    [END_TIME] = {WHIRL_FIELD_RUNUP_END_TIME, "s", "at the end of the run", WHIRL_PER_POINT, 1, NULL},
+    [END_SPEED] = {WHIRL_FIELD_RUNUP_END_SPEED, "rad/s", "of the shaft at the end of the run", WHIRL_PER_POINT, 1,
+                   NULL},
+    [END_TURNS] = {WHIRL_FIELD_RUNUP_END_TURNS, "1", "of the shaft in the run", WHIRL_PER_POINT, 1, NULL},
+    [EVENTS] = {WHIRL_FIELD_RUNUP_EVENTS, "s", "trip, loss (when the motor was lost, and the blade; missing: never)",
+                WHIRL_PER_POINT, 2, NULL},
+    [NUMBERS_ERROR] = {WHIRL_FIELD_RUNUP_ERROR, "1",
+                       "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
+                       WHIRL_PER_POINT, 1, NULL},
+    [TIME] = {WHIRL_FIELD_RUNUP_TIME, "s", "of the row: the middle of its turn (missing where no turn ended)",
+              WHIRL_PER_POINT, 1, every_row},
+    [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1, every_row},
+    [TURNS] = {WHIRL_FIELD_RUNUP_TURNS, "1", "of the shaft since the beginning, at its end", WHIRL_PER_POINT, 1,
+               every_row},
+    [TORQUE] = {WHIRL_FIELD_RUNUP_TORQUE, "N m",
+                "motor, load, friction, rotor (on the shaft at its end, in the sense of the rotation; the last by "
+                "unbalances that the motion and the weight turn)",
+                WHIRL_PER_POINT, 4, every_row},
+    [RADIUS] = {WHIRL_FIELD_RUNUP_RADIUS, "length", "largest distance from the centre since the row before",
+                WHIRL_PER_STATION, 1, every_row},
+    [CENTRE] = {WHIRL_FIELD_RUNUP_CENTRE, "length", "x, y (mean over the turn, from the centre)", WHIRL_PER_STATION, 2,
+                every_row},
+    [AMPLITUDE] =
+        {WHIRL_FIELD_RUNUP_AMPLITUDE, "length",
+         "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed, over the turn)",
+         WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+    [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg", "x1, y1, x2, y2, x3, y3, x4, y4 (by which these peaks come after the mark)",
+             WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+    [WHIRL] = {WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, "length",
+               "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes of "
+               "the circular parts of these motions, with and against the rotation)",
+               WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+    [PLACE] = {WHIRL_FIELD_RUNUP_PLACE, "length", "x, y (at the end of the run, from the centre)", WHIRL_PER_STATION, 2,
+               NULL},
+    [PEAK] = {WHIRL_FIELD_RUNUP_PEAK, "length", "largest distance from the centre in the run", WHIRL_PER_STATION, 1,
+              NULL},
+    [PEAK_TIME] = {WHIRL_FIELD_RUNUP_PEAK_TIME, "s", "of that", WHIRL_PER_STATION, 1, NULL},
+    [PEAK_SPEED] = {WHIRL_FIELD_RUNUP_PEAK_SPEED, "rad/s", "of the shaft at that time", WHIRL_PER_STATION, 1, NULL},
+    [FORCE] = {WHIRL_FIELD_RUNUP_FORCE, "force", "largest normal force at any instant since the row before",
+               WHIRL_PER_CONTACT, 1, every_row},
+    [SHARE] = {WHIRL_FIELD_RUNUP_SHARE, "1", "of the turn in contact", WHIRL_PER_CONTACT, 1, every_row},
+    [CONTACT] = {WHIRL_FIELD_RUNUP_CONTACT, "s", "first, last, time (closed first, opened last, closed in all)",
+                 WHIRL_PER_CONTACT, 3, NULL},
+    [CONTACT_NUMBER] = {WHIRL_FIELD_RUNUP_CONTACT_NUMBER, "1", "of times that the contact closed", WHIRL_PER_CONTACT, 1,
+                        NULL},
+};
+
+/// Rows as they fill.
+typedef struct filling {
+    const block_view *view;
+    const whirl_system *system;
+    size_t rows, contacts;
+    double duration, way;
+    double *radius, *force; ///< [probes], [contacts] largest since the row before
+    size_t row;             ///< of the last turn
+} filling;
+
+static double *at_row(const filling *f, size_t field, size_t which, size_t columns) {
+    return view_numbers(f->view, field, which) + f->row * columns;
+}
+
+static void fill_station(const filling *f, const runup_turn *turn, size_t probe) {
+    const runup_station *own = &turn->stations[probe];
+    double *amplitude = at_row(f, AMPLITUDE, probe, ORDER_COLUMNS), *lag = at_row(f, LAG, probe, ORDER_COLUMNS);
+    double *whirl = at_row(f, WHIRL, probe, ORDER_COLUMNS), *centre = at_row(f, CENTRE, probe, 2);
+    memcpy(centre, own->mean, sizeof own->mean);
+    for (size_t k = 0; k < RUNUP_ORDERS; k++) {
+        // x = Re((a - i b) e^(i k theta)) with the lag of its peak; z = x + i y = p e^(i k theta) + q e^(-i k theta).
+        const double *const parts[] = {own->x[k], own->y[k]};
+        for (size_t axis = 0; axis < 2; axis++) {
+            const double degrees = atan2(-parts[axis][1], parts[axis][0]) * (360.0 / 6.283185307179586);
+            amplitude[2 * k + axis] = hypot(parts[axis][0], parts[axis][1]);
+            lag[2 * k + axis] = degrees < 0.0 ? degrees + 360.0 : degrees;
+        }
+        const double p = 0.5 * hypot(own->x[k][0] - own->y[k][1], own->x[k][1] + own->y[k][0]);
+        const double q = 0.5 * hypot(own->x[k][0] + own->y[k][1], own->x[k][1] - own->y[k][0]);
+        whirl[2 * k] = f->way > 0.0 ? p : q;
+        whirl[2 * k + 1] = f->way > 0.0 ? q : p;
+    }
+}
+
+static void fill_row(void *context, const runup_turn *turn) {
+    filling *f = context;
+    const size_t probes = f->system->probe_count;
+    const double place = turn->end / f->duration * (double)f->rows;
+    const size_t row = place >= (double)f->rows ? f->rows - 1 : place > 0.0 ? (size_t)place : 0;
+    if (row != f->row || isnan(*at_row(f, TIME, 0, 1))) {
+        for (size_t p = 0; p < probes; p++) f->radius[p] = 0.0;
+        for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
+    }
+    f->row = row;
+    for (size_t p = 0; p < probes; p++) {
+        f->radius[p] = fmax(f->radius[p], turn->stations[p].radius);
+        *at_row(f, RADIUS, p, 1) = f->radius[p];
+        if (turn->whole) fill_station(f, turn, p);
+    }
+    for (size_t c = 0; c < f->contacts; c++) {
+        f->force[c] = fmax(f->force[c], turn->force[c]);
+        *at_row(f, FORCE, c, 1) = f->force[c];
+        *at_row(f, SHARE, c, 1) = turn->share[c];
+    }
+    *at_row(f, TIME, 0, 1) = turn->time;
+    *at_row(f, SPEED, 0, 1) = turn->speed;
+    *at_row(f, TURNS, 0, 1) = turn->turns;
+    double *torque = at_row(f, TORQUE, 0, 4);
+    torque[0] = turn->torques.motor;
+    torque[1] = turn->torques.load;
+    torque[2] = turn->torques.friction;
+    torque[3] = turn->torques.rotor;
+}
+
+/// The highest speed that the run may reach, by which numbers are laid out.
+static whirl_status highest_speed(const whirl_resting *point, const whirl_runup_options *o, double *highest) {
+    whirl_machine machine;
+    const whirl_status status = point->at_speed(point->context, fmax(o->from, o->to), WHIRL_AS_GIVEN, 0.0, &machine);
+    if (status.code != WHIRL_OK) return status;
+    const double drive = machine.drive_speed;
+    if (machine.release) machine.release(machine.owner);
+    *highest = fmax(o->from, o->to);
+    if (o->rate > 0.0 && o->to == 0.0) *highest = o->from + o->rate * o->duration;
+    if (o->rate == 0.0) *highest = fmax(*highest, drive);
+    return whirl_ok();
+}
+
+/// The lowest speed that it may have: a drive may let it fall to standstill.
+static double lowest_speed(const whirl_runup_options *o) {
+    return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
+}
+
+/// Where the run begins: derivatives by time over the unit of speed.
+static whirl_status find_start(const whirl_resting *point, const whirl_runup_options *o, double unit, double *start) {
+    whirl_machine machine;
+    whirl_status status =
+        point->at_speed(point->context, o->from > 0.0 ? o->from : unit / 256.0, WHIRL_AS_GIVEN, 0.0, &machine);
+    if (status.code != WHIRL_OK) return status;
+    const size_t d = machine.system->dimension;
+    memset(start, 0, d * sizeof *start);
+    if (strcmp(o->begin, "centre") != 0) {
+        memcpy(start, machine.start, d * sizeof *start);
+        status = whirl_equilibrium(machine.system, start);
+    }
+    if (machine.release) machine.release(machine.owner);
+    return status;
+}
+
+static size_t station_named(const whirl_system *system, const char *name) {
+    size_t p = 0;
+    while (p + 1 < system->probe_count && strcmp(system->probes[p].name, name) != 0) p++;
+    return p;
+}
+
+static void fill_end(const filling *f, const runup_run *run) {
+    const block_view *view = f->view;
+    *view_numbers(view, END, 0) = (double)run->end;
+    *view_numbers(view, END_TIME, 0) = run->time;
+    *view_numbers(view, END_SPEED, 0) = run->speed;
+    *view_numbers(view, END_TURNS, 0) = run->turns;
+    double *events = view_numbers(view, EVENTS, 0);
+    events[0] = run->trip, events[1] = run->loss;
+    for (size_t p = 0; p < f->system->probe_count; p++) {
+        for (size_t axis = 0; axis < 2; axis++)
+            view_numbers(view, PLACE, p)[axis] = whirl_probe_value(&f->system->probes[p], run->last, axis);
+        *view_numbers(view, PEAK, p) = run->peaks[p].radius;
+        *view_numbers(view, PEAK_TIME, p) = run->peaks[p].time;
+        *view_numbers(view, PEAK_SPEED, p) = run->peaks[p].speed;
+    }
+    for (size_t c = 0; c < f->contacts; c++) {
+        double *contact = view_numbers(view, CONTACT, c);
+        const runup_contact *own = &run->contacts[c];
+        contact[0] = own->first, contact[1] = own->last, contact[2] = own->time;
+        *view_numbers(view, CONTACT_NUMBER, c) = own->count;
+    }
+}
+
+static whirl_status run_machine(whirl_running *running, const whirl_resting *point, const whirl_runup_options *o,
+                                double highest, const block_view *view) {
+    const whirl_system *system = running->by_angle;
+    const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
+    double *numbers = calloc(2 * d + probes + contacts + 1, sizeof *numbers);
+    runup_peak *peaks = calloc(probes + 1, sizeof *peaks);
+    runup_contact *touched = calloc(contacts + 1, sizeof *touched);
+    runup_run run = {.peaks = peaks, .contacts = touched, .last = numbers};
+    filling f = {.view = view, .system = system, .rows = (size_t)o->rows, .contacts = contacts, .way = 1.0};
+    runup_plan plan = {
+        .options = o, .integrate = whirl_integrate_default(), .angle = o->angle, .see = fill_row, .context = &f};
+    whirl_status status = numbers && peaks && touched ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
+    if (status.code == WHIRL_OK) {
+        f.radius = numbers + 2 * d;
+        f.force = f.radius + probes;
+        f.duration = o->duration > 0.0 ? o->duration : fabs(o->to - o->from) / o->rate;
+        if (probes > 0) f.way = whirl_probe_way(&system->probes[0]);
+        plan.start = numbers + d;
+        plan.integrate.stop = point->stop;
+        plan.integrate.rtol = o->rtol;
+        plan.integrate.atol = 1e-3 * o->rtol;
+        plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
+        memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
+        status = find_start(point, o, highest, numbers + d);
+    }
+    if (status.code == WHIRL_OK && *o->loss_at) {
+        plan.loss_station = station_named(system, o->loss_at);
+        const whirl_placed lost = {plan.loss_station, o->loss_moment, o->loss_angle};
+        running->lose(running, 1, &lost);
+    }
+    if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
+    if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
+    if (status.code == WHIRL_OK) fill_end(&f, &run);
+    free(numbers);
+    free(peaks);
+    free(touched);
+    return status;
+}
+
+static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+    const whirl_runup_options *o = &options->runup;
+    whirl_running *running = NULL;
+    double highest = 0.0;
+    whirl_status status = highest_speed(point, o, &highest);
+    if (status.code == WHIRL_OK) status = point->running(point->context, lowest_speed(o), highest, &running);
+    if (status.code == WHIRL_OK) {
+        *view_numbers(view, NUMBERS_ERROR, 0) = running->error;
+        status = run_machine(running, point, o, highest, view);
+    }
+    if (running) running->release(running);
+    return status;
+}
+
+const analysis_plan runup_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};

@@ -1,0 +1,79 @@
+/// A run of a machine whose speed changes: it is carried turn by turn, with events landed on exactly, and what is seen
+/// of each turn goes to rows over the time.
+#ifndef ANALYZE_RUNUP_H
+#define ANALYZE_RUNUP_H
+
+#include "whirl/engine/integrate.h"
+#include "whirl/engine/record.h"
+#include "whirl/engine/running.h"
+
+/// Orders of the speed whose amplitudes are tracked, from 1 on.
+enum { RUNUP_ORDERS = 4 };
+
+/// How a run came to its end.
+typedef enum runup_end {
+    RUNUP_DONE,     ///< at its time or its last speed
+    RUNUP_STALLED,  ///< the shaft came to rest, or never turned
+    RUNUP_DIVERGED, ///< the motion left all bounds
+    RUNUP_STUCK,    ///< the solver could not go on
+    RUNUP_STOPPED   ///< somebody asked for it: what is there means nothing
+} runup_end;
+
+/// What a turn of the shaft shows of a station, lengths in those of the machine.
+typedef struct runup_station {
+    double radius;  ///< largest distance from the centre
+    double mean[2]; ///< of x and y over the turn
+    double x[RUNUP_ORDERS][2],
+        y[RUNUP_ORDERS][2]; ///< of x and y: 2/turn times the integral by exp(-i k theta): real, imaginary
+} runup_station;
+
+/// A turn of the shaft.
+typedef struct runup_turn {
+    double time, speed;            ///< s, rad/s, at its middle
+    double end;                    ///< s, at its end
+    double turns;                  ///< of the shaft since the beginning
+    bool whole;                    ///< no event parts it: means and orders count
+    whirl_torques torques;         ///< at its end
+    const runup_station *stations; ///< [probe_count]
+    const double *force;           ///< [contact_count] N, largest normal force
+    const double *share;           ///< [contact_count] of the turn in contact
+} runup_turn;
+
+/// What a contact did over the run. Times in s; NaN where there was none.
+typedef struct runup_contact {
+    double first, last; ///< when it closed first, and opened last
+    double count, time; ///< how often it closed, and how long it was closed
+} runup_contact;
+
+/// The largest distance of a station from the centre.
+typedef struct runup_peak {
+    double radius, time, speed;
+} runup_peak;
+
+typedef struct runup_run {
+    runup_end end;
+    double time, speed, turns; ///< when it ended
+    double trip, loss;         ///< s, when these happened; NaN: never
+    runup_peak *peaks;         ///< [probe_count] located
+    runup_contact *contacts;   ///< [contact_count] located
+    double *last;              ///< [dimension of the rotor + 2] the last state: by the angle, then speed and time
+} runup_run;
+
+/// Is shown a turn.
+typedef void runup_see(void *context, const runup_turn *turn);
+
+/// How it is run.
+typedef struct runup_plan {
+    const whirl_runup_options *options;
+    whirl_integrate_options integrate;
+    const double *start; ///< [dimension of the rotor] displacements and velocities by time over the unit of speed
+    double angle;        ///< rad of the first state
+    size_t loss_station; ///< index of the probe; with a moment of 0: none
+    runup_see *see;
+    void *context;
+} runup_plan;
+
+/// Runs it. peaks, contacts and last are the caller's. WHIRL_NO_MEMORY, and errors of integrators.
+whirl_status runup_carry(whirl_running *running, const runup_plan *plan, runup_run *run);
+
+#endif

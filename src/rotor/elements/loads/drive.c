@@ -1,0 +1,90 @@
+// What turns the shaft in a run-up: a motor and a load. It acts on no coordinate of its own.
+#include "registry.h"
+
+#if VECTOR_ISA == VECTOR_SCALAR
+#include <math.h>
+
+#include "table.h"
+
+enum { INERTIA, TORQUE, NO_LOAD, SPEEDS, TORQUES, LOAD, LINEAR, QUADRATIC, KEY_COUNT };
+
+static const whirl_key keys[KEY_COUNT] = {
+    [INERTIA] = NUMBER_KEY("inertia", "J", "kg m2", REQUIRED, WHIRL_POSITIVE,
+                           "polar moment of inertia of all that turns, about axes through its centres of mass"),
+    [TORQUE] = NUMBER_KEY("torque", "T", "N m", OPTIONAL, WHIRL_ANY, "torque of the motor at standstill"),
+    [NO_LOAD] = CITED_NUMBER_KEY("no_load_speed", "", "rad/s", OPTIONAL, WHIRL_POSITIVE,
+                                 "speed at which that torque has fallen to 0 along a line; it stays where absent",
+                                 "Kononenko 1969"),
+    [SPEEDS] =
+        CITED_NUMBERS_KEY("speeds", "", "rad/s", OPTIONAL, WHIRL_NOT_NEGATIVE,
+                          "rising, at which `torques` are given, in place of torque; between them monotone cubics",
+                          "Fritsch, Butland 1984"),
+    [TORQUES] = CITED_NUMBERS_KEY("torques", "", "N m", OPTIONAL, WHIRL_ANY, "of the motor at these speeds", ""),
+    [LOAD] =
+        NUMBER_KEY("load", "", "N m", DEFAULT("0"), WHIRL_NOT_NEGATIVE, "torque of dry friction against the rotation"),
+    [LINEAR] = NUMBER_KEY("load_linear", "", "N m s", DEFAULT("0"), WHIRL_ANY, "load torque over the speed"),
+    [QUADRATIC] = NUMBER_KEY("load_quadratic", "b", "N m s2", DEFAULT("0"), WHIRL_ANY,
+                             "load torque over the square of the speed, as of fans and pumps"),
+};
+
+static bool rises(const key_value *list) {
+    for (size_t i = 1; i < list->count; i++)
+        if (!(list->list[i] > list->list[i - 1])) return false;
+    return true;
+}
+
+static whirl_status build(const key_value *values, assembly *to, element *out) {
+    const key_value *speeds = &values[SPEEDS], *torques = &values[TORQUES];
+    shaft_drive *drive = &to->drive;
+    (void)out;
+    if (drive->given) return whirl_fail(WHIRL_BAD_INPUT, "is a second drive, expected one");
+    if (speeds->given != torques->given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s alone, expected speeds and torques together",
+                          speeds->given ? "speeds" : "torques");
+    if (speeds->given && (values[TORQUE].given || values[NO_LOAD].given))
+        return whirl_fail(WHIRL_BAD_INPUT, "has %s and a table of torques, expected one of them",
+                          values[TORQUE].given ? "torque" : "no_load_speed");
+    if (speeds->given && (speeds->count < 2 || speeds->count != torques->count || speeds->rows > 1 || !rises(speeds)))
+        return whirl_fail(WHIRL_BAD_INPUT,
+                          "has %zu speeds and %zu torques, expected as many of both, at least 2, the "
+                          "speeds rising",
+                          speeds->count, torques->count);
+    if (values[NO_LOAD].given && !values[TORQUE].given)
+        return whirl_fail(WHIRL_BAD_INPUT, "has no_load_speed without torque, expected both");
+    *drive = (shaft_drive){.given = true,
+                           .inertia = values[INERTIA].number,
+                           .torque = values[TORQUE].given ? values[TORQUE].number : 0.0,
+                           .no_load = values[NO_LOAD].given ? values[NO_LOAD].number : 0.0,
+                           .count = speeds->given ? speeds->count : 0,
+                           .load = values[LOAD].number,
+                           .linear = values[LINEAR].number,
+                           .quadratic = values[QUADRATIC].number};
+    for (size_t i = 0; i < drive->count; i++) {
+        drive->speeds[i] = speeds->list[i];
+        drive->torques[i] = torques->list[i];
+    }
+    return whirl_ok();
+}
+
+double drive_torque(const shaft_drive *drive, double speed) {
+    if (drive->count > 0) {
+        const double low = drive->speeds[0], high = drive->speeds[drive->count - 1];
+        return table_value(drive->count, drive->speeds, drive->torques, fmin(fmax(speed, low), high));
+    }
+    return drive->no_load > 0.0 ? drive->torque * (1.0 - speed / drive->no_load) : drive->torque;
+}
+
+double drive_load(const shaft_drive *drive, double speed) {
+    return drive->load + speed * (drive->linear + drive->quadratic * fabs(speed));
+}
+
+double drive_highest(const shaft_drive *drive) {
+    return drive->count > 0 ? drive->speeds[drive->count - 1] : drive->no_load;
+}
+
+const element_type drive_element = {
+    .group = {"drive", "what turns the shaft in a run-up: the torque of a motor over the speed, and a load",
+              "Sommerfeld 1902; Kononenko 1969", keys, KEY_COUNT, NULL, NULL},
+    .build = build,
+};
+#endif

@@ -1,0 +1,327 @@
+// Run-ups: speeds that change by a rate or by a drive, rubs, lost blades, against digits of independent computations.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support_check.h"
+#include "support_study.h"
+#include "whirl/engine/fields.h"
+#include "whirl/engine/result.h"
+#include "whirl/engine/study.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define COUNT_OF(array) (sizeof(array) / sizeof *(array))
+
+enum { SIZE = 4096 };
+
+static const double two_pi = 6.283185307179586476925;
+
+/// Of the first point of a result's first table.
+static double number(const whirl_result *result, const char *field, size_t which, size_t column) {
+    const double *own = whirl_table_field(&result->tables[0], 0, field, which);
+    assert_non_null(own);
+    return own[column];
+}
+
+// ---------------------------------------------------------------- a drive
+
+/// Two discs with unbalances at 0 and 120 degrees on one shaft that a drive turns, from rest.
+static whirl_result *run_two(double weight, double duration, const char *more, const char *rotor) {
+    char text[SIZE];
+    snprintf(text, sizeof text,
+             "whirl: 1\n"
+             "rotor:\n"
+             "  speed: 1 rad/s\n"
+             "  length_scale: 1 m\n"
+             "%s"
+             "  stations:\n"
+             "    one: {mass: 1 kg, damping: 0.06 N.s/m, eccentricity: 1 m}\n"
+             "    two: {mass: 1.5 kg, damping: 0.06 N.s/m, eccentricity: 0.6 m, eccentricity_angle: %s120 deg}\n"
+             "  elements:\n"
+             "    - spring: {between: [one, ground], stiffness: 1 N/m}\n"
+             "    - spring: {between: [one, two], stiffness: 0.8 N/m}\n"
+             "    - spring: {between: [two, ground], stiffness: 1.2 N/m}\n"
+             "    - gravity: %g m/s2\n"
+             "    - drive: {inertia: 900 kg.m2, torque: 60 N.m, no_load_speed: 4 rad/s, load_quadratic: 2 N.m.s2}\n"
+             "study:\n"
+             "  runup: {duration: %g s, rtol: 1e-12, rows: 20, samples: 16%s}\n",
+             rotor, *rotor ? "-" : "", weight, duration, more);
+    return result_of_text(text);
+}
+
+/// A Schur complement by extrapolation, and a mass matrix solved at every instant, agree on these to 1e-10.
+static void two_discs_on_one_shaft(void **state) {
+    static const struct {
+        double weight, duration;
+        const char *angle, *speed, *place[4];
+    } known[] = {
+        {0.0, 50.0, "57.1892569817", "1.729858933", {"-10.0321147", "-4.70468235", "5.17220671", "2.92984634"}},
+        {0.0, 100.0, "171.671747326", "2.607955117", {"-1.28121349", "-2.49948742", "1.51329468", ".9745196"}},
+        {0.0, 800.0, "2173.35404703", "2.872403117", {"-1.0593108", ".8193033", ".0199108", "-.7745873"}},
+        {0.8, 50.0, "57.2018502489", "1.72966893", {"-9.97295396", "-5.67145004", "5.14719525", "2.04465552"}},
+        {0.8, 300.0, "737.204417205", "2.871638962", {".595681", "-2.0551468", ".3157369", "-.2395997"}},
+        {0.8, 800.0, "2173.38077384", "2.872297725", {"-1.0807642", "-.0741124", ".0405602", "-1.7197182"}},
+    };
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++) {
+        whirl_result *result = run_two(known[i].weight, known[i].duration, "", "");
+        char at[64];
+        snprintf(at, sizeof at, "two discs, weight %g, at %g s", known[i].weight, known[i].duration);
+        check_digits("Run-up", words("%s: angle", at), known[i].angle,
+                     two_pi * number(result, WHIRL_FIELD_RUNUP_END_TURNS, 0, 0));
+        check_digits("Run-up", words("%s: speed", at), known[i].speed,
+                     number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0));
+        for (size_t k = 0; k < 4; k++)
+            check_digits("Run-up", words("%s: %s%zu", at, k % 2 ? "y" : "x", k / 2 + 1), known[i].place[k],
+                         number(result, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2));
+        whirl_result_free(result);
+    }
+}
+
+/// Mirrored rotation and another method change nothing.
+static void two_discs_otherwise(void **state) {
+    (void)state;
+    whirl_result *own = run_two(0.8, 50.0, "", ""), *other = run_two(0.8, 50.0, ", method: rodas5p", "");
+    check_within("Run-up", "speed, by rodas5p", number(own, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 number(other, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-8);
+    whirl_result_free(own);
+    whirl_result_free(other);
+    // Without weight nothing tells left from right.
+    own = run_two(0.0, 50.0, "", "");
+    whirl_result *mirrored = run_two(0.0, 50.0, "", "  rotation: clockwise\n");
+    check_within("Run-up", "speed, mirrored", number(own, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0),
+                 number(mirrored, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0), 1e-12);
+    for (size_t k = 0; k < 4; k++)
+        check_within("Run-up", words("place %zu, mirrored", k),
+                     (k % 2 ? -1.0 : 1.0) * number(own, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2),
+                     number(mirrored, WHIRL_FIELD_RUNUP_PLACE, k / 2, k % 2), 1e-9);
+    whirl_result_free(own);
+    whirl_result_free(mirrored);
+}
+
+static const char disc[] = "whirl: 1\n"
+                           "rotor:\n"
+                           "  speed: 1 rad/s\n"
+                           "  length_scale: %s\n"
+                           "  stations:\n"
+                           "    disc: {mass: 1 kg, damping: %g N.s/m, eccentricity: %g m}\n"
+                           "  elements:\n"
+                           "    - spring: {between: [disc, ground], stiffness: 1 N/m}\n"
+                           "    - %s\n"
+                           "study:\n"
+                           "  runup: {%s, rtol: 1e-13, rows: 20, samples: 64}\n";
+
+static whirl_result *run_disc(const char *scale, double damping, double eccentricity, const char *element,
+                              const char *study) {
+    char text[SIZE];
+    snprintf(text, sizeof text, disc, scale, damping, eccentricity, element, study);
+    return result_of_text(text);
+}
+
+/// Sommerfeld's effect: DOP853 at 1e-12 and LSODA agree on these to 9 digits.
+static void sommerfeld(void **state) {
+    static const struct {
+        double torque, duration;
+        const char *speed;
+    } known[] = {{20.0, 200.0, ".950068125"},   {20.0, 1000.0, ".977329471"},  {20.0, 1500.0, ".977594196"},
+                 {25.0, 200.0, ".975819831"},   {25.0, 1000.0, ".981264955"},  {25.0, 1500.0, ".981636508"},
+                 {30.0, 200.0, "1.430713435"},  {30.0, 1000.0, "1.989096267"}, {40.0, 100.0, "1.151010995"},
+                 {40.0, 1000.0, "1.992782895"}, {52.0, 100.0, "1.402691107"},  {52.0, 1000.0, "1.994523861"}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++) {
+        char element[SIZE / 8], study[SIZE / 8];
+        snprintf(element, sizeof element, "drive: {inertia: 2000 kg.m2, torque: %g N.m, no_load_speed: 2 rad/s}",
+                 known[i].torque);
+        snprintf(study, sizeof study, "duration: %g s", known[i].duration);
+        whirl_result *result = run_disc("1 m", 0.04, 1.0, element, study);
+        check_digits("Run-up", words("Sommerfeld, T0 %g, speed at %g", known[i].torque, known[i].duration),
+                     known[i].speed, number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0));
+        whirl_result_free(result);
+    }
+}
+
+// ---------------------------------------------------------------- a rate
+
+/// Lewis 1932, up from rest and down from a steady motion.
+static void lewis(void **state) {
+    static const struct {
+        const char *study;
+        double radius;
+        const char *speed;
+    } known[] = {
+        {"rate: 0.001 rad/s2, speed_to: 1.3 rad/s, begin: centre", 20.283729640233, "1.0492"},
+        {"rate: 0.005 rad/s2, speed_to: 1.3 rad/s, begin: centre", 13.999741706287, "1.1314"},
+        {"rate: 0.002 rad/s2, speed_from: 1.8 rad/s, speed_to: 0.5 rad/s, begin: steady", 16.623628889, ".929121"}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++) {
+        whirl_result *result = run_disc("1 m", 0.04, 1.0, "gravity: 0", known[i].study);
+        check_within("Run-up", words("Lewis, %s: largest radius", known[i].study), known[i].radius,
+                     number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0), 1e-8);
+        check_digits("Run-up", words("Lewis, %s: speed there", known[i].study), known[i].speed,
+                     number(result, WHIRL_FIELD_RUNUP_PEAK_SPEED, 0, 0));
+        whirl_result_free(result);
+    }
+}
+
+/// Both of two computations locate every contact: 12 digits. The second last release is printed as 352.7364653655,
+/// which the time in contact contradicts (155.2863251016 from first to second, 5.7399497916 after it); the classical
+/// method in extended precision has 352.73646535555.
+static void rubs(void **state) {
+    static const struct {
+        double gap, stiffness, friction;
+        const char *study, *radius, *time, *speed, *first, *last, *closed, *x, *y;
+        double count; ///< of contacts
+    } known[] = {{4.0, 1.0, 0.05, "rate: 0.003 rad/s2, duration: 700 s", "10.022906757", "441.292571", "1.3238777136",
+                  "309.551555367", "469.81618010", "160.26462473", "-1.28768909", ".09284857", 1.0},
+                 {4.0, 2.0, 0.02, "rate: 0.005 rad/s2, duration: 500 s", "12.321112867", "322.588338", "1.6129416883",
+                  "188.943563081", "352.736465356", "161.02627489", "1.17974485", "-.1519799", 2.0},
+                 {4.0, 5.0, 0.1,
+                  "rate: 0.003 rad/s2, speed_from: 2 rad/s, speed_to: 0.1 rad/s, begin: steady, duration: 500 s",
+                  "4.80191054767", "305.560076", "1.08331977", "291.500588548", "366.625073446", "74.201688578",
+                  "-.328343966", ".068588858", 2.0}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++)
+        for (size_t unit = 0; unit < 2; unit++) {
+            char rub[SIZE / 8];
+            snprintf(rub, sizeof rub, "rub: {at: disc, gap: %g m, stiffness: %g N/m, friction: %g, law: paper}",
+                     known[i].gap, known[i].stiffness, known[i].friction);
+            const double length = unit ? 3.7 : 1.0;
+            whirl_result *result = run_disc(unit ? "3.7 m" : "1 m", 0.1, 1.0, rub, known[i].study);
+            char at[64];
+            snprintf(at, sizeof at, "rub %zu, length scale %g", i + 1, length);
+            check_digits("Run-up", words("%s: largest radius", at), known[i].radius,
+                         length * number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0));
+            check_digits("Run-up", words("%s: when", at), known[i].time,
+                         number(result, WHIRL_FIELD_RUNUP_PEAK_TIME, 0, 0));
+            check_digits("Run-up", words("%s: speed there", at), known[i].speed,
+                         number(result, WHIRL_FIELD_RUNUP_PEAK_SPEED, 0, 0));
+            check_digits("Run-up", words("%s: first contact", at), known[i].first,
+                         number(result, WHIRL_FIELD_RUNUP_CONTACT, 0, 0));
+            check_digits("Run-up", words("%s: last release", at), known[i].last,
+                         number(result, WHIRL_FIELD_RUNUP_CONTACT, 0, 1));
+            check_within("Run-up", words("%s: contacts", at), known[i].count,
+                         number(result, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, 0, 0), 0.0);
+            check_digits("Run-up", words("%s: time in contact", at), known[i].closed,
+                         number(result, WHIRL_FIELD_RUNUP_CONTACT, 0, 2));
+            check_digits("Run-up", words("%s: x at the end", at), known[i].x,
+                         length * number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 0));
+            check_digits("Run-up", words("%s: y at the end", at), known[i].y,
+                         length * number(result, WHIRL_FIELD_RUNUP_PLACE, 0, 1));
+            whirl_result_free(result);
+        }
+}
+
+// ---------------------------------------------------------------- events
+
+/// A blade is lost at constant speed: closed form, complex exponentials in 40 digits.
+static void blade_loss(void **state) {
+    static const struct {
+        double damping;
+        const char *study, *radius, *time;
+    } known[] = {{0.04, "rate: 1e-14 rad/s2, speed_from: 3 rad/s, duration: 30 s", "4.39626100286", "1.56098834404"},
+                 {0.10, "rate: 1e-14 rad/s2, speed_from: 1.5 rad/s, duration: 30 s", "3.6979511037", "4.9633293014"}};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(known); i++) {
+        char study[SIZE / 8];
+        snprintf(study, sizeof study, "%s, loss_at: disc, loss_moment: 1 kg.m", known[i].study);
+        whirl_result *result = run_disc("1 m", known[i].damping, 0.0, "gravity: 0", study);
+        check_digits("Run-up", words("blade loss %zu: largest radius", i + 1), known[i].radius,
+                     number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0));
+        check_digits("Run-up", words("blade loss %zu: when", i + 1), known[i].time,
+                     number(result, WHIRL_FIELD_RUNUP_PEAK_TIME, 0, 0));
+        whirl_result_free(result);
+    }
+}
+
+/// The blade is lost, and with it the drive: a machine at 3 with an unbalance of .05 gets 1, and runs down.
+static void blade_loss_and_trip(void **state) {
+    (void)state;
+    whirl_result *result = run_disc(
+        "1 m", 0.04, 0.05, "drive: {inertia: 2000 kg.m2, torque: 36 N.m, load_quadratic: 4 N.m.s2}",
+        "speed_from: 3 rad/s, speed_to: 0.01 rad/s, begin: steady, settle: 400, duration: 800 s, loss_at: disc, "
+        "loss_moment: 0.95 kg.m, trip_time: 1e-12 s");
+    check_digits("Run-up", "trip: passing", "12.43539666", number(result, WHIRL_FIELD_RUNUP_PEAK, 0, 0));
+    check_digits("Run-up", "trip: when", "321.60073", number(result, WHIRL_FIELD_RUNUP_PEAK_TIME, 0, 0));
+    check_digits("Run-up", "trip: speed there", ".85917618", number(result, WHIRL_FIELD_RUNUP_PEAK_SPEED, 0, 0));
+    check_digits("Run-up", "trip: speed at 800", ".47735942", number(result, WHIRL_FIELD_RUNUP_END_SPEED, 0, 0));
+    whirl_result_free(result);
+}
+
+/// Two events at one instant both happen there, at a time in the middle of a turn.
+static void events_at_one_instant(void **state) {
+    (void)state;
+    whirl_result *result = run_disc("1 m", 0.04, 0.05, "drive: {inertia: 2000 kg.m2, torque: 36 N.m}",
+                                    "speed_from: 3 rad/s, speed_to: 9 rad/s, duration: 40 s, loss_at: disc, loss_time: "
+                                    "17 s, loss_moment: 0.95 kg.m, trip_time: 17 s");
+    check_within("Run-up", "trip at", 17.0, number(result, WHIRL_FIELD_RUNUP_EVENTS, 0, 0), 1e-11);
+    check_within("Run-up", "loss at", 17.0, number(result, WHIRL_FIELD_RUNUP_EVENTS, 0, 1), 1e-11);
+    whirl_result_free(result);
+}
+
+// ---------------------------------------------------------------- beside a steady machine
+
+/// A slow run through a shaft of finite elements with a disc, and bearings whose coefficients are a table over the
+/// speed, meets the response at constant speed; the difference falls with the rate.
+static void slow_runs_meet_the_response(void **state) {
+    static const char machine[] =
+        "whirl: 1\n"
+        "parameters: {omega: 200 rad/s}\n"
+        "rotor:\n"
+        "  speed: = omega\n"
+        "  length_scale: 1 mm\n"
+        "  stations:\n"
+        "    a: {position: 0 m}\n"
+        "    b: {position: 0.6 m}\n"
+        "    c: {position: 1 m}\n"
+        "  elements:\n"
+        "    - segment: {length: 1 m, outer: 50 mm}\n"
+        "    - disc: {at: b, outer: 0.4 m, inner: 50 mm, width: 60 mm, eccentricity: 10 um}\n"
+        "    - bearing: {at: a, speeds: [100 rad/s, 150 rad/s, 400 rad/s], kxx: [1e7 N/m, 2e7 N/m, 3e7 N/m], kyy: [2e7 "
+        "N/m, 3e7 N/m, 5e7 N/m], cxx: [3e4 N.s/m, 2e4 N.s/m, 1e4 N.s/m], cyy: [3e4 N.s/m, 2e4 N.s/m, 1e4 N.s/m]}\n"
+        "    - bearing: {at: c, kxx: 2e7 N/m, kyy: 2e7 N/m, cxx: 2e4 N.s/m, cyy: 2e4 N.s/m}\n"
+        "study:\n";
+    static const double rates[] = {8.0, 2.0};
+    double misses[COUNT_OF(rates)] = {0.0};
+    (void)state;
+    for (size_t i = 0; i < COUNT_OF(rates); i++) {
+        char text[SIZE];
+        snprintf(text, sizeof text,
+                 "%s  runup: {rate: %g rad/s2, speed_from: 230 rad/s, speed_to: 260 rad/s, begin: steady, rows: 12, "
+                 "samples: 32}\n",
+                 machine, rates[i]);
+        whirl_result *run = result_of_text(text);
+        const double *speeds = whirl_table_field(&run->tables[0], 0, WHIRL_FIELD_RUNUP_SPEED, 0);
+        const double *sizes = whirl_table_field(&run->tables[0], 0, WHIRL_FIELD_RUNUP_AMPLITUDE, 1);
+        for (size_t row = 3; row < 12; row += 4) {
+            snprintf(text, sizeof text, "%s  unbalance: {parameter: omega, values: [%.17g]}\n", machine, speeds[row]);
+            whirl_result *steady = result_of_text(text);
+            const double *response = whirl_table_field(&steady->tables[0], 0, WHIRL_FIELD_UNBALANCE_AMPLITUDE, 1);
+            assert_non_null(response);
+            misses[i] = fmax(misses[i], fabs(sizes[8 * row] / response[0] - 1.0));
+            whirl_result_free(steady);
+        }
+        check_within("Run-up", words("at %g rad/s2, off the response at constant speed, share", rates[i]), 0.0,
+                     misses[i], 0.02 * rates[i] / 8.0);
+        whirl_result_free(run);
+    }
+    check_holds("Run-up", "a slower run is nearer to the response", misses[1] < 0.5 * misses[0]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(two_discs_on_one_shaft),
+                                       cmocka_unit_test(two_discs_otherwise),
+                                       cmocka_unit_test(sommerfeld),
+                                       cmocka_unit_test(lewis),
+                                       cmocka_unit_test(rubs),
+                                       cmocka_unit_test(blade_loss),
+                                       cmocka_unit_test(blade_loss_and_trip),
+                                       cmocka_unit_test(events_at_one_instant),
+                                       cmocka_unit_test(slow_runs_meet_the_response)};
+    return cmocka_run_group_tests_name("run-ups", tests, NULL, NULL);
+}
