@@ -368,7 +368,7 @@ static void tell_jump(const finder *of, const line_side *side, whirl_phrase *fou
 /// A row and a statement for a jump on the way up, one on the way down, or both with the hysteresis between them.
 static void jump_row(const finder *of, const line_side *side, whirl_sheet *sheet, const line_jump *up,
                      const line_jump *down) {
-    const double order = side->seen[up ? up->before : down->before].order;
+    const double order = up ? side->seen[up->before].order : down ? side->seen[down->before].order : (double)NAN;
     const double apart = up && down ? fabs(jump_middle(of, up) - jump_middle(of, down)) : (double)NAN;
     sheet_row(of, sheet);
     cell_number(of, sheet, order);

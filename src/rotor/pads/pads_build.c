@@ -164,7 +164,7 @@ static whirl_status put_yields(const key_value *values, const assembly *to, doub
 
 whirl_status pads_build(const key_value *values, bool tilting, assembly *to, element *out) {
     const oil own = oil_of(values);
-    whirl_pads bearing;
+    whirl_pads bearing = {.count = 0};
     double viscosity, ratio;
     whirl_status status = journal_ratio(values, to, &ratio);
     if (status.code == WHIRL_OK) status = pads_of_keys(values, tilting, ratio * to->turn < 0.0, &bearing);
