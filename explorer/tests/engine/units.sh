@@ -17,7 +17,7 @@ trap 'rm -rf "$work"' EXIT
 sources=(explorer/tests/engine/units_probe.c src/case/values/quantity.c src/case/yaml/{problem,node,tree,source}.c
     src/base/{arena,input,room,status}.c src/base/words/{words,descriptor}.c)
 options=(-std=c17 -O1 -ffp-contract=off -D_POSIX_C_SOURCE=200809L -D_XOPEN_SOURCE=700 -Isrc/case/values -Isrc/case/yaml -Isrc/base
-    -Isrc/base/words -Iinclude
+    -Isrc/base/words -Iinclude -Isrc/include
     -I"$build/include")
 ${CC:-cc} "${options[@]}" "${sources[@]}" -o "$work/library" -ludunits2 -lyaml -lm
 ${CC:-cc} "${options[@]}" -Iexplorer/core/include -I"$build/explorer/include" "${sources[@]}" explorer/core/units.c \
