@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "machine.h"
+#include "matrix.h"
 
 /// Powers of the speed that numbers are sums of, from -2 on.
 enum { POWERS = 5, LOWEST_POWER = -2 };
@@ -30,7 +31,7 @@ typedef struct number_of_speed {
 } number_of_speed;
 
 /// A running rotor.
-typedef struct runner {
+typedef struct running_rotor {
     whirl_running shown;   ///< first, so that it is this
     whirl_machine machine; ///< at the unit of speed, whose structure all have
     const whirl_rotor *rotor;
@@ -46,43 +47,28 @@ typedef struct runner {
     /// unit of the coordinate; of those that are lost the same.
     double *own_cos, *own_sin, *force_cos, *force_sin;
     double *lost_cos, *lost_sin, *lost_force_cos, *lost_force_sin;
-    double *block;         ///< these
-    double *place, *slope; ///< [dimension] workspace
-    double *friction;      ///< [contact_count][3] workspace
+    double *lever_force, *lever_acceleration; ///< [degrees] workspace: of a coordinate by a unit of theta''
+    double *pull;                             ///< [degrees] m/s2, of gravity; 0 for tilts and nodes between stations
+    double *block;                            ///< these
+    double *place, *slope;                    ///< [dimension] workspace
+    double *friction;                         ///< [contact_count][3] workspace
     whirl_system by_angle, by_time;
     double from; ///< where the part of a revolution begins
-} runner;
+} running_rotor;
 
 // ---------------------------------------------------------------- numbers over the speed
 
-/// Solves for the powers `of` [count] that give y [count] at w [count]; powers of one another are far enough apart.
-static void fit_powers(size_t count, const int *of, const double *w, const double *y, double *out) {
-    double a[POWERS][POWERS + 1];
-    for (size_t i = 0; i < count; i++) {
-        for (size_t j = 0; j < count; j++) a[i][j] = pow(w[i], of[j]);
-        a[i][count] = y[i];
-    }
-    for (size_t k = 0; k < count; k++) {
-        size_t best = k;
-        for (size_t i = k + 1; i < count; i++)
-            if (fabs(a[i][k]) > fabs(a[best][k])) best = i;
-        for (size_t j = 0; j <= count; j++) {
-            const double swapped = a[k][j];
-            a[k][j] = a[best][j];
-            a[best][j] = swapped;
-        }
-        for (size_t i = k + 1; i < count; i++)
-            for (size_t j = count + 1; j-- > k;) a[i][j] -= a[i][k] / a[k][k] * a[k][j];
-    }
-    for (size_t k = count; k-- > 0;) {
-        out[k] = a[k][count];
-        for (size_t j = k + 1; j < count; j++) out[k] -= a[k][j] * out[j];
-        out[k] /= a[k][k];
-    }
+/// Solves for the powers `of` [count] that give y [count] at w [count]. False where they do not tell them apart.
+static bool running_fit_powers(size_t count, const int *of, const double *w, const double *y, double *out) {
+    double a[POWERS * POWERS];
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j < count; j++) a[i * count + j] = pow(w[i], of[j]);
+    memcpy(out, y, count * sizeof *out);
+    return matrix_solve(count, a, 1, out);
 }
 
 /// Finds the fewest powers whose sum the number is, at all of w [POWER_SPEEDS]. False where it is none.
-static bool find_powers(const double *w, const double *y, double power[POWERS]) {
+static bool running_find_powers(const double *w, const double *y, double power[POWERS]) {
     double largest = 0.0;
     for (size_t i = 0; i < POWER_SPEEDS; i++) largest = fmax(largest, fabs(y[i]));
     for (size_t count = 1; count <= POWERS; count++)
@@ -90,7 +76,7 @@ static bool find_powers(const double *w, const double *y, double power[POWERS]) 
             int of[POWERS];
             double found[POWERS], at[POWERS], value[POWERS];
             size_t size = 0;
-            bool holds = true;
+            bool holds;
             for (int k = 0; k < POWERS; k++)
                 if (set >> k & 1) of[size++] = k + LOWEST_POWER;
             if (size != count) continue;
@@ -100,7 +86,7 @@ static bool find_powers(const double *w, const double *y, double power[POWERS]) 
                 at[i] = w[pick];
                 value[i] = y[pick];
             }
-            fit_powers(count, of, at, value, found);
+            holds = running_fit_powers(count, of, at, value, found);
             for (size_t i = 0; i < POWER_SPEEDS && holds; i++) {
                 double sum = 0.0;
                 for (size_t j = 0; j < count; j++) sum += found[j] * pow(w[i], of[j]);
@@ -115,7 +101,7 @@ static bool find_powers(const double *w, const double *y, double power[POWERS]) 
 }
 
 /// Second derivatives of the cubic spline through y at equal distances h, with parabolas at its ends.
-static void bend(double h, const double *y, double *curvature) {
+static void spline_bend(double h, const double *y, double *curvature) {
     double diagonal[SPLINE_NODES], right[SPLINE_NODES];
     const size_t last = SPLINE_NODES - 1;
     for (size_t i = 1; i < last; i++) {
@@ -133,7 +119,7 @@ static void bend(double h, const double *y, double *curvature) {
     curvature[last] = curvature[last - 1];
 }
 
-static double spline_at(const runner *r, const number_of_speed *of, double w) {
+static double spline_at(const running_rotor *r, const number_of_speed *of, double w) {
     const double place = (w - r->lowest_node) / r->node_distance;
     const double bounded = fmin(fmax(place, 0.0), SPLINE_NODES - 1.0);
     const size_t i = bounded >= SPLINE_NODES - 1 ? SPLINE_NODES - 2 : (size_t)bounded;
@@ -142,22 +128,22 @@ static double spline_at(const runner *r, const number_of_speed *of, double w) {
            ((a * a * a - a) * of->curvature[i] + (b * b * b - b) * of->curvature[i + 1]) * h * h / 6.0;
 }
 
-static double number_at(const runner *r, const number_of_speed *of, double w) {
+static double running_number_at(const running_rotor *r, const number_of_speed *of, double w) {
     const double *c = of->power;
     if (of->value) return spline_at(r, of, w) / (w * w);
     return ((c[0] / w + c[1]) / w + c[2]) + w * (c[3] + w * c[4]);
 }
 
 /// Brings the numbers, which are workspace, to a speed.
-static double *numbers_at(const runner *r, double w) {
+static double *running_numbers_at(const running_rotor *r, double w) {
     const double bounded = fmax(w, slowest);
     for (size_t i = 0; i < r->varying_count && bounded != *r->at; i++)
-        r->numbers[r->varying[i].index] = number_at(r, &r->varying[i], bounded);
+        r->numbers[r->varying[i].index] = running_number_at(r, &r->varying[i], bounded);
     *r->at = bounded;
     return r->numbers;
 }
 
-static whirl_status check_machine(const runner *r, const whirl_machine *machine) {
+static whirl_status running_check_machine(const running_rotor *r, const whirl_machine *machine) {
     const whirl_rotor *rotor = rotor_of_system(machine->system);
     if (!rotor)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -179,15 +165,15 @@ static whirl_status check_machine(const runner *r, const whirl_machine *machine)
 }
 
 /// Writes the numbers of the machine at speeds w [count], over the unit: out [count][number_count].
-static whirl_status sample(const runner *r, whirl_machine_at *make, const void *context, size_t count, const double *w,
-                           double *out) {
+static whirl_status running_sample(const running_rotor *r, whirl_machine_at *make, const void *context, size_t count,
+                                   const double *w, double *out) {
     const size_t numbers = r->rotor->lanes.number_count;
     whirl_status status = whirl_ok();
     for (size_t i = 0; i < count && status.code == WHIRL_OK; i++) {
         whirl_machine machine = {.system = NULL};
         status = make(context, w[i] * r->unit, &machine);
         if (status.code != WHIRL_OK) return status;
-        status = check_machine(r, &machine);
+        status = running_check_machine(r, &machine);
         if (status.code == WHIRL_OK)
             memcpy(out + i * numbers, rotor_of_system(machine.system)->numbers, numbers * sizeof *out);
         if (machine.release) machine.release(machine.owner);
@@ -196,7 +182,7 @@ static whirl_status sample(const runner *r, whirl_machine_at *make, const void *
 }
 
 /// Those that are no sums of powers, as splines: y [SPLINE_SPEEDS][number_count].
-static void fit_splines(runner *r, const double *w, const double *y) {
+static void running_fit_splines(running_rotor *r, const double *w, const double *y) {
     const size_t numbers = r->rotor->lanes.number_count;
     double *next = r->splines;
     for (size_t v = 0; v < r->varying_count; v++) {
@@ -207,7 +193,7 @@ static void fit_splines(runner *r, const double *w, const double *y) {
         own->curvature = next + SPLINE_NODES;
         next += SPLINE_NUMBERS;
         for (size_t i = 0; i < SPLINE_NODES; i++) own->value[i] = w[2 * i] * w[2 * i] * y[2 * i * numbers + own->index];
-        bend(r->node_distance, own->value, own->curvature);
+        spline_bend(r->node_distance, own->value, own->curvature);
         for (size_t i = 0; i < SPLINE_SPEEDS; i++)
             largest = fmax(largest, fabs(w[i] * w[i] * y[i * numbers + own->index]));
         for (size_t i = 1; i < SPLINE_SPEEDS; i += 2) {
@@ -217,7 +203,7 @@ static void fit_splines(runner *r, const double *w, const double *y) {
     }
 }
 
-static whirl_status add_splines(runner *r, whirl_machine_at *make, const void *context, size_t count) {
+static whirl_status running_add_splines(running_rotor *r, whirl_machine_at *make, const void *context, size_t count) {
     const size_t numbers = r->rotor->lanes.number_count;
     double w[SPLINE_SPEEDS], *y = malloc(SPLINE_SPEEDS * numbers * sizeof *y);
     r->splines = malloc(SPLINE_NUMBERS * count * sizeof *r->splines);
@@ -225,13 +211,13 @@ static whirl_status add_splines(runner *r, whirl_machine_at *make, const void *c
     for (size_t i = 0; i < SPLINE_SPEEDS; i++) w[i] = r->lowest_node + 0.5 * (double)i * r->node_distance;
     whirl_status status =
         y && r->splines ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speed");
-    if (status.code == WHIRL_OK) status = sample(r, make, context, SPLINE_SPEEDS, w, y);
-    if (status.code == WHIRL_OK) fit_splines(r, w, y);
+    if (status.code == WHIRL_OK) status = running_sample(r, make, context, SPLINE_SPEEDS, w, y);
+    if (status.code == WHIRL_OK) running_fit_splines(r, w, y);
     free(y);
     return status;
 }
 
-static whirl_status find_numbers(runner *r, whirl_machine_at *make, const void *context) {
+static whirl_status running_find_numbers(running_rotor *r, whirl_machine_at *make, const void *context) {
     static const double share[POWER_SPEEDS] = {1.0, 0.91, 0.78, 0.65, 0.55, 0.42, 0.33, 0.24, 0.15, 0.08, 0.0};
     const double low = fmax(r->lowest_node, 0.17); // powers hold below it, too
     double w[POWER_SPEEDS];
@@ -245,8 +231,11 @@ static whirl_status find_numbers(runner *r, whirl_machine_at *make, const void *
     whirl_status status = y && r->numbers && r->varying
                               ? whirl_ok()
                               : whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine over its speed");
-    if (status.code == WHIRL_OK) status = sample(r, make, context, POWER_SPEEDS, w, y);
-    if (status.code == WHIRL_OK) memcpy(r->numbers, r->rotor->numbers, numbers * sizeof *r->numbers);
+    if (status.code == WHIRL_OK) { // the first speed is that of the machine at hand
+        memcpy(r->numbers, r->rotor->numbers, numbers * sizeof *r->numbers);
+        memcpy(y, r->rotor->numbers, numbers * sizeof *y);
+        status = running_sample(r, make, context, POWER_SPEEDS - 1, w + 1, y + numbers);
+    }
     for (size_t n = 0; n < numbers && status.code == WHIRL_OK; n++) {
         number_of_speed own = {.index = n};
         double values[POWER_SPEEDS];
@@ -256,21 +245,21 @@ static whirl_status find_numbers(runner *r, whirl_machine_at *make, const void *
             varies = varies || values[i] != values[0];
         }
         if (!varies) continue;
-        if (!find_powers(w, values, own.power)) {
+        if (!running_find_powers(w, values, own.power)) {
             own.value = r->numbers; // says that there is one, until it is made
             splines++;
         }
         r->varying[r->varying_count++] = own;
     }
-    if (status.code == WHIRL_OK && splines > 0) status = add_splines(r, make, context, splines);
+    if (status.code == WHIRL_OK && splines > 0) status = running_add_splines(r, make, context, splines);
     free(y);
     return status;
 }
 
 // ---------------------------------------------------------------- what turns with the shaft
 
-/// Accelerations of forces on coordinates, in place: where masses couple, by all of them.
-static void accelerate(const whirl_rotor *rotor, const double *force, double *out) {
+/// Finds the accelerations that forces give coordinates, where masses couple by all of them.
+static void running_accelerate(const whirl_rotor *rotor, const double *force, double *out) {
     const coupling *by = &rotor->coupled;
     const size_t degrees = rotor->lanes.degrees;
     for (size_t d = 0; d < degrees; d++) out[d] = force[d] / (rotor->inertia[d] * rotor->unit[d]);
@@ -285,33 +274,40 @@ static void accelerate(const whirl_rotor *rotor, const double *force, double *ou
     }
 }
 
-static whirl_status add_turnings(runner *r) {
+/// Returns true if a station moves along x (way: 0) or y (1).
+static bool running_probe_moves(const whirl_probe *probe, size_t way) {
+    return probe->x != probe->y || (way == 1) == probe->along_y;
+}
+
+static whirl_status running_add_turnings(running_rotor *r) {
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
-    r->block = calloc(8 * n + 2 * (d + 2) + 3 * rotor->contact_count + 1, sizeof *r->block);
+    r->block = calloc(11 * n + 2 * (d + 2) + 3 * rotor->contact_count + 1, sizeof *r->block);
     if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
-    double **const parts[] = {&r->own_cos,  &r->own_sin,  &r->force_cos,      &r->force_sin,
-                              &r->lost_cos, &r->lost_sin, &r->lost_force_cos, &r->lost_force_sin};
-    for (size_t i = 0; i < 8; i++) *parts[i] = r->block + i * n;
-    r->place = r->block + 8 * n;
+    double **const parts[] = {
+        &r->own_cos,        &r->own_sin,        &r->force_cos,   &r->force_sin,          &r->lost_cos, &r->lost_sin,
+        &r->lost_force_cos, &r->lost_force_sin, &r->lever_force, &r->lever_acceleration, &r->pull};
+    enum { PARTS = sizeof parts / sizeof *parts };
+    for (size_t i = 0; i < PARTS; i++) *parts[i] = r->block + i * n;
+    r->place = r->block + PARTS * n;
     r->slope = r->place + d + 2;
     r->friction = r->slope + d + 2;
     for (size_t i = 0; i < rotor->turning_count; i++) {
         r->force_cos[rotor->turnings[i].row] += rotor->turnings[i].cos;
         r->force_sin[rotor->turnings[i].row] += rotor->turnings[i].sin;
     }
-    accelerate(rotor, r->force_cos, r->own_cos);
-    accelerate(rotor, r->force_sin, r->own_sin);
+    for (size_t p = 0; p < rotor->station_count; p++) {
+        const whirl_probe *probe = &rotor->probes[p];
+        if (running_probe_moves(probe, 0)) r->pull[probe->x] = rotor->pull[0];
+        if (running_probe_moves(probe, 1)) r->pull[probe->y] = rotor->pull[1];
+    }
+    running_accelerate(rotor, r->force_cos, r->own_cos);
+    running_accelerate(rotor, r->force_sin, r->own_sin);
     return whirl_ok();
 }
 
-/// Returns true if a station moves along x (way: 0) or y (1).
-static bool probe_moves(const whirl_probe *probe, size_t way) {
-    return probe->x != probe->y || (way == 1) == probe->along_y;
-}
-
 static void running_lose(whirl_running *running, size_t count, const whirl_placed *placed) {
-    runner *r = (runner *)running;
+    running_rotor *r = (running_rotor *)running;
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees;
     memset(r->lost_force_cos, 0, n * sizeof *r->lost_force_cos);
@@ -319,30 +315,30 @@ static void running_lose(whirl_running *running, size_t count, const whirl_place
     for (size_t i = 0; i < count; i++) {
         const whirl_probe *probe = &rotor->probes[placed[i].station];
         const double c = placed[i].moment * cos(placed[i].angle), s = placed[i].moment * sin(placed[i].angle);
-        if (probe_moves(probe, 0)) {
+        if (running_probe_moves(probe, 0)) {
             r->lost_force_cos[probe->x] += c;
             r->lost_force_sin[probe->x] -= s;
         }
-        if (probe_moves(probe, 1)) {
+        if (running_probe_moves(probe, 1)) {
             r->lost_force_cos[probe->y] += s;
             r->lost_force_sin[probe->y] += c;
         }
     }
-    accelerate(rotor, r->lost_force_cos, r->lost_cos);
-    accelerate(rotor, r->lost_force_sin, r->lost_sin);
+    running_accelerate(rotor, r->lost_force_cos, r->lost_cos);
+    running_accelerate(rotor, r->lost_force_sin, r->lost_sin);
 }
 
 // ---------------------------------------------------------------- the equation of the shaft
 
 /// What turns the shaft: the motor and its load, without what the rotor does.
-static void drive_at(const runner *r, double w, whirl_torques *out) {
+static void running_drive_at(const running_rotor *r, double w, whirl_torques *out) {
     const shaft_drive *drive = &r->rotor->drive;
     const double speed = w * r->unit;
     out->motor = r->how.tripped ? 0.0 : drive_torque(drive, speed);
     out->load = -drive_load(drive, speed);
 }
 
-static double friction_at(const runner *r, const double *x, const double *numbers) {
+static double running_friction_at(const running_rotor *r, const double *x, const double *numbers) {
     const size_t contacts = r->rotor->contact_count;
     double torque = 0.0;
     if (contacts == 0) return torque;
@@ -354,64 +350,54 @@ static double friction_at(const runner *r, const double *x, const double *number
     return torque;
 }
 
-/// Force and acceleration of coordinate i by a unit of theta'', with the values of time C and S.
-typedef struct lever {
-    double force, acceleration;
-} lever;
-
-static lever lever_of(const runner *r, size_t i, double way, const double *forcing) {
-    const double c = forcing[COS_TAU], s = forcing[SIN_TAU];
-    lever own = {way * (r->force_cos[i] * s - r->force_sin[i] * c), way * (r->own_cos[i] * s - r->own_sin[i] * c)};
-    if (r->how.lost) {
-        own.force += way * (r->lost_force_cos[i] * s - r->lost_force_sin[i] * c);
-        own.acceleration += way * (r->lost_cos[i] * s - r->lost_sin[i] * c);
+/// Finds the levers: force and acceleration of every coordinate by a unit of theta'', with the values of time C and S.
+static void running_find_levers(const running_rotor *r, const double *forcing) {
+    const double way = r->rotor->way, c = way * forcing[COS_TAU], s = way * forcing[SIN_TAU];
+    for (size_t i = 0; i < r->rotor->lanes.degrees; i++) {
+        r->lever_force[i] = r->force_cos[i] * s - r->force_sin[i] * c;
+        r->lever_acceleration[i] = r->own_cos[i] * s - r->own_sin[i] * c;
+        if (!r->how.lost) continue;
+        r->lever_force[i] += r->lost_force_cos[i] * s - r->lost_force_sin[i] * c;
+        r->lever_acceleration[i] += r->lost_cos[i] * s - r->lost_sin[i] * c;
     }
-    return own;
 }
 
-/// theta'' over the square of the unit of speed, at the speed `exact`, w where numbers are taken. a [degrees]:
-/// accelerations by the angle without it.
-static double turn(const runner *r, double exact, double w, const double *forcing, const double *numbers,
-                   const double *x, const double *a, whirl_torques *torques) {
+/// Gives theta'' over the square of the unit of speed, at the speed `exact`, with numbers of the speed w. a [degrees]:
+/// accelerations by the angle without it. torques: those that a drive has, else nothing is written.
+static double running_faster(const running_rotor *r, double exact, double w, const double *numbers, const double *x,
+                             const double *a, whirl_torques *torques) {
     const whirl_rotor *rotor = r->rotor;
     const double square = r->unit * r->unit;
     if (!r->how.driven) return r->how.rate / square;
-    double reaction = 0.0, inertia = rotor->drive.inertia, own_mass = 0.0;
+    double reaction = 0.0, inertia = rotor->drive.inertia;
     for (size_t i = 0; i < rotor->lanes.degrees; i++) {
-        const lever u = lever_of(r, i, rotor->way, forcing);
-        if (u.force == 0.0) continue;
-        reaction += u.force * rotor->unit[i] * w * w * a[i];
-        inertia -= u.force * rotor->unit[i] * u.acceleration;
-        own_mass += u.force * u.force / rotor->inertia[i];
+        const double u = r->lever_force[i];
+        if (u == 0.0) continue;
+        reaction += u * (rotor->unit[i] * w * w * a[i] - r->pull[i] / square);
+        inertia += u * (u / rotor->inertia[i] - rotor->unit[i] * r->lever_acceleration[i]);
     }
-    inertia += own_mass;
-    for (size_t p = 0; p < rotor->station_count; p++) {
-        const whirl_probe *probe = &rotor->probes[p];
-        if (probe_moves(probe, 0))
-            reaction -= lever_of(r, probe->x, rotor->way, forcing).force * rotor->pull[0] / square;
-        if (probe_moves(probe, 1))
-            reaction -= lever_of(r, probe->y, rotor->way, forcing).force * rotor->pull[1] / square;
-    }
-    drive_at(r, exact, torques);
-    torques->friction = friction_at(r, x, numbers);
+    running_drive_at(r, exact, torques);
+    torques->friction = running_friction_at(r, x, numbers);
     torques->rotor = reaction * square;
     return ((torques->motor + torques->load + torques->friction) / square + reaction) / inertia;
 }
 
-/// Slopes of the rotor by the angle at a speed that is held, x by the angle: dxdt [dimension of the rotor].
-static const double *flow(const runner *r, double w, const double *forcing, const double *sides, const double *x,
-                          double *dxdt) {
-    const double *numbers = numbers_at(r, w);
+/// Finds the levers, and the slopes of the rotor by the angle at a speed that is held, x by the angle: dxdt [dimension
+/// of the rotor]. Gives the numbers of that speed.
+static const double *running_flow(const running_rotor *r, double w, const double *forcing, const double *sides,
+                                  const double *x, double *dxdt) {
+    const double *numbers = running_numbers_at(r, w);
     const size_t n = r->rotor->lanes.degrees;
+    running_find_levers(r, forcing);
     rotor_flow_with(r->rotor, numbers, forcing, sides, x, dxdt);
     for (size_t i = 0; i < n && r->how.lost; i++)
         dxdt[n + i] += r->lost_cos[i] * forcing[COS_TAU] + r->lost_sin[i] * forcing[SIN_TAU];
     return numbers;
 }
 
-static void rhs_by_angle(const void *model, double t, const double *given, const double *x, const double *sides,
-                         double *dxdt) {
-    const runner *r = model;
+static void running_rhs_by_angle(const void *model, double t, const double *given, const double *x, const double *sides,
+                                 double *dxdt) {
+    const running_rotor *r = model;
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
     const double w = x[d], angle = r->from + t;
@@ -419,29 +405,29 @@ static void rhs_by_angle(const void *model, double t, const double *given, const
     whirl_torques torques;
     (void)given;
     rotor->system.forcing(rotor, angle, forcing);
-    const double *numbers = flow(r, w, forcing, sides, x, dxdt);
-    const double faster = turn(r, w, w, forcing, numbers, x, dxdt + n, &torques), share = faster / (w * w);
-    for (size_t i = 0; i < n; i++) dxdt[n + i] += share * (lever_of(r, i, rotor->way, forcing).acceleration - x[n + i]);
+    const double *numbers = running_flow(r, w, forcing, sides, x, dxdt);
+    const double faster = running_faster(r, w, w, numbers, x, dxdt + n, &torques), share = faster / (w * w);
+    for (size_t i = 0; i < n; i++) dxdt[n + i] += share * (r->lever_acceleration[i] - x[n + i]);
     dxdt[d] = faster / w;
     dxdt[d + 1] = 1.0 / w;
 }
 
-static void scale_to_angle(const runner *r, double *x) {
+static void running_scale_to_angle(const running_rotor *r, double *x) {
     const size_t n = r->rotor->lanes.degrees;
     const double w = fmax(x[r->rotor->system.dimension], slowest);
     for (size_t i = n; i < 2 * n; i++) x[i] /= w;
 }
 
 /// A state by time as one by the angle, in the workspace.
-static const double *placed_by_angle(const runner *r, const double *x) {
+static const double *running_placed_by_angle(const running_rotor *r, const double *x) {
     memcpy(r->place, x, (r->rotor->system.dimension + 2) * sizeof *r->place);
-    scale_to_angle(r, r->place);
+    running_scale_to_angle(r, r->place);
     return r->place;
 }
 
-static void rhs_by_time(const void *model, double t, const double *given, const double *x, const double *sides,
-                        double *dxdt) {
-    const runner *r = model;
+static void running_rhs_by_time(const void *model, double t, const double *given, const double *x, const double *sides,
+                                double *dxdt) {
+    const running_rotor *r = model;
     const whirl_rotor *rotor = r->rotor;
     const size_t n = rotor->lanes.degrees, d = rotor->system.dimension;
     const double w = fmax(x[d], slowest);
@@ -449,138 +435,138 @@ static void rhs_by_time(const void *model, double t, const double *given, const 
     whirl_torques torques;
     (void)given, (void)t;
     rotor->system.forcing(rotor, x[d + 1], forcing);
-    const double *place = placed_by_angle(r, x);
-    const double *numbers = flow(r, w, forcing, sides, place, dxdt);
-    const double faster = turn(r, x[d], w, forcing, numbers, place, dxdt + n, &torques);
+    const double *place = running_placed_by_angle(r, x);
+    const double *numbers = running_flow(r, w, forcing, sides, place, dxdt);
+    const double faster = running_faster(r, x[d], w, numbers, place, dxdt + n, &torques);
     for (size_t i = 0; i < n; i++) {
         dxdt[i] = x[n + i];
-        dxdt[n + i] = w * w * dxdt[n + i] + faster * lever_of(r, i, rotor->way, forcing).acceleration;
+        dxdt[n + i] = w * w * dxdt[n + i] + faster * r->lever_acceleration[i];
     }
     for (size_t i = 2 * n; i < d; i++) dxdt[i] *= w;
     dxdt[d] = faster;
     dxdt[d + 1] = x[d];
 }
 
-static void free_by_angle(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    rhs_by_angle(model, t, forcing, x, NULL, dxdt);
+static void running_free_by_angle(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    running_rhs_by_angle(model, t, forcing, x, NULL, dxdt);
 }
 
-static void free_by_time(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
-    rhs_by_time(model, t, forcing, x, NULL, dxdt);
+static void running_free_by_time(const void *model, double t, const double *forcing, const double *x, double *dxdt) {
+    running_rhs_by_time(model, t, forcing, x, NULL, dxdt);
 }
 
 // ---------------------------------------------------------------- switches
 
-static void switches_by_angle(const void *model, double t, const double *x, double *values) {
-    const runner *r = model;
+static void running_switches_by_angle(const void *model, double t, const double *x, double *values) {
+    const running_rotor *r = model;
     (void)t;
-    rotor_switches_with(r->rotor, numbers_at(r, x[r->rotor->system.dimension]), x, values);
+    rotor_switches_with(r->rotor, running_numbers_at(r, x[r->rotor->system.dimension]), x, values);
 }
 
-static void switches_by_time(const void *model, double t, const double *x, double *values) {
-    const runner *r = model;
-    switches_by_angle(r, t, placed_by_angle(r, x), values);
+static void running_switches_by_time(const void *model, double t, const double *x, double *values) {
+    const running_rotor *r = model;
+    running_switches_by_angle(r, t, running_placed_by_angle(r, x), values);
 }
 
 /// By the speed, too: a quotient of differences, since switches go with it by numbers.
-static void gradient_at(const runner *r, const double *x, size_t index, double *gradient) {
+static void running_gradient_at(const running_rotor *r, const double *x, size_t index, double *gradient) {
     const size_t d = r->rotor->system.dimension;
     const double w = x[d], step = 1e-6 * fmax(w, slowest);
     double values[2][WHIRL_MAX_SWITCHES];
-    rotor_gradient_with(r->rotor, numbers_at(r, w), x, index, gradient);
-    rotor_switches_with(r->rotor, numbers_at(r, w + step), x, values[0]);
-    rotor_switches_with(r->rotor, numbers_at(r, w - step), x, values[1]);
+    rotor_gradient_with(r->rotor, running_numbers_at(r, w), x, index, gradient);
+    rotor_switches_with(r->rotor, running_numbers_at(r, w + step), x, values[0]);
+    rotor_switches_with(r->rotor, running_numbers_at(r, w - step), x, values[1]);
     gradient[d] = (values[0][index] - values[1][index]) / (2.0 * step);
     gradient[d + 1] = 0.0;
 }
 
-static void gradient_by_angle(const void *model, double t, const double *x, size_t index, double *gradient,
-                              double *by_time) {
+static void running_gradient_by_angle(const void *model, double t, const double *x, size_t index, double *gradient,
+                                      double *by_time) {
     (void)t;
     *by_time = 0.0;
-    gradient_at(model, x, index, gradient);
+    running_gradient_at(model, x, index, gradient);
 }
 
-static void gradient_by_time(const void *model, double t, const double *x, size_t index, double *gradient,
-                             double *by_time) {
-    const runner *r = model;
+static void running_gradient_by_time(const void *model, double t, const double *x, size_t index, double *gradient,
+                                     double *by_time) {
+    const running_rotor *r = model;
     const size_t n = r->rotor->lanes.degrees, d = r->rotor->system.dimension;
     const double w = fmax(x[d], slowest);
     (void)t;
     *by_time = 0.0;
-    gradient_at(r, placed_by_angle(r, x), index, gradient);
+    running_gradient_at(r, running_placed_by_angle(r, x), index, gradient);
     for (size_t i = n; i < 2 * n; i++) {
         gradient[d] -= gradient[i] * x[i] / (w * w);
         gradient[i] /= w;
     }
 }
 
-static bool touches(const void *model, size_t index) {
-    const runner *r = model;
+static bool running_touches(const void *model, size_t index) {
+    const running_rotor *r = model;
     return r->rotor->system.switch_touches(r->rotor, index);
 }
 
 // ---------------------------------------------------------------- the machine
 
-static void fill_systems(runner *r) {
+static void running_fill_systems(running_rotor *r) {
     const whirl_system *own = &r->rotor->system;
     whirl_system both = {.dimension = own->dimension + 2,
                          .period = own->period,
                          .kinked = own->kinked,
                          .switch_count = own->switch_count,
-                         .switch_touches = own->switch_count > 0 ? touches : NULL,
+                         .switch_touches = own->switch_count > 0 ? running_touches : NULL,
                          .probe_count = own->probe_count,
                          .probes = own->probes,
                          .model = r};
     r->by_angle = r->by_time = both;
-    r->by_angle.rhs = free_by_angle;
-    r->by_angle.rhs_on_sides = rhs_by_angle;
-    r->by_angle.switches = switches_by_angle;
-    r->by_angle.switch_gradient = gradient_by_angle;
-    r->by_time.rhs = free_by_time;
-    r->by_time.rhs_on_sides = rhs_by_time;
-    r->by_time.switches = switches_by_time;
-    r->by_time.switch_gradient = gradient_by_time;
+    r->by_angle.rhs = running_free_by_angle;
+    r->by_angle.rhs_on_sides = running_rhs_by_angle;
+    r->by_angle.switches = running_switches_by_angle;
+    r->by_angle.switch_gradient = running_gradient_by_angle;
+    r->by_time.rhs = running_free_by_time;
+    r->by_time.rhs_on_sides = running_rhs_by_time;
+    r->by_time.switches = running_switches_by_time;
+    r->by_time.switch_gradient = running_gradient_by_time;
 }
 
-static void running_turn(whirl_running *running, const whirl_turning *how) {
-    ((runner *)running)->how = *how;
+static void running_set(whirl_running *running, const whirl_turning *how) {
+    ((running_rotor *)running)->how = *how;
 }
 
 static void running_part(whirl_running *running, double from, double length) {
-    runner *r = (runner *)running;
+    running_rotor *r = (running_rotor *)running;
     r->from = from;
     r->by_angle.period = r->by_time.period = length;
 }
 
 static void running_to_angle(const whirl_running *running, double *x) {
-    scale_to_angle((const runner *)running, x);
+    running_scale_to_angle((const running_rotor *)running, x);
 }
 
 static void running_torques(const whirl_running *running, const double *x, double angle, whirl_torques *out) {
-    const runner *r = (const runner *)running;
+    const running_rotor *r = (const running_rotor *)running;
     const double w = x[r->rotor->system.dimension], bounded = fmax(w, slowest);
     double forcing[FORCING_COUNT];
-    *out = (whirl_torques){.motor = 0.0};
+    *out = (whirl_torques){.motor = NAN, .load = NAN, .friction = NAN, .rotor = NAN};
     r->rotor->system.forcing(r->rotor, angle, forcing);
-    const double *numbers = flow(r, bounded, forcing, NULL, x, r->slope);
+    const double *numbers = running_flow(r, bounded, forcing, NULL, x, r->slope);
     out->acceleration =
-        r->unit * r->unit * turn(r, w, bounded, forcing, numbers, x, r->slope + r->rotor->lanes.degrees, out);
+        r->unit * r->unit * running_faster(r, w, bounded, numbers, x, r->slope + r->rotor->lanes.degrees, out);
 }
 
 static size_t running_switch(const whirl_running *running, size_t contact) {
-    const whirl_rotor *rotor = ((const runner *)running)->rotor;
+    const whirl_rotor *rotor = ((const running_rotor *)running)->rotor;
     return rotor->elements[rotor->contacts[contact]].first_switch;
 }
 
 static void running_contacts(const whirl_running *running, const double *x, double *normal_force) {
-    const runner *r = (const runner *)running;
+    const running_rotor *r = (const running_rotor *)running;
     if (r->rotor->contact_count == 0) return;
-    rotor_contacts_with(r->rotor, numbers_at(r, x[r->rotor->system.dimension]), x, normal_force, NULL);
+    rotor_contacts_with(r->rotor, running_numbers_at(r, x[r->rotor->system.dimension]), x, normal_force, NULL);
 }
 
 static void running_release(whirl_running *running) {
-    runner *r = (runner *)running;
+    running_rotor *r = (running_rotor *)running;
     if (r->machine.release) r->machine.release(r->machine.owner);
     free(r->numbers);
     free(r->varying);
@@ -591,28 +577,28 @@ static void running_release(whirl_running *running) {
 
 whirl_status whirl_running_new(whirl_machine_at *make, const void *context, double lowest, double highest,
                                whirl_running **out) {
-    runner *r = calloc(1, sizeof *r);
+    running_rotor *r = calloc(1, sizeof *r);
     *out = NULL;
     if (!r) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a machine whose speed changes");
     r->unit = highest;
     r->lowest_node = fmin(fmax(lowest / highest, 1.0 / 256.0), 0.999);
     whirl_status status = make(context, highest, &r->machine);
-    if (status.code == WHIRL_OK) status = check_machine(r, &r->machine);
+    if (status.code == WHIRL_OK) status = running_check_machine(r, &r->machine);
     if (status.code == WHIRL_OK) {
         r->rotor = rotor_of_system(r->machine.system);
-        status = find_numbers(r, make, context);
+        status = running_find_numbers(r, make, context);
     }
-    if (status.code == WHIRL_OK) status = add_turnings(r);
+    if (status.code == WHIRL_OK) status = running_add_turnings(r);
     if (status.code != WHIRL_OK) {
         running_release(&r->shown);
         return status;
     }
-    fill_systems(r);
+    running_fill_systems(r);
     r->shown.by_angle = &r->by_angle;
     r->shown.by_time = &r->by_time;
     r->shown.unit = highest;
     r->shown.contact_count = r->rotor->contact_count;
-    r->shown.turn = running_turn;
+    r->shown.turn = running_set;
     r->shown.lose = running_lose;
     r->shown.part = running_part;
     r->shown.to_angle = running_to_angle;

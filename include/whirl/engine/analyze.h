@@ -238,6 +238,7 @@ typedef struct whirl_resting {
     /// Makes the same machine with a speed that changes between two (rad/s). Errors as whirl_running_new.
     whirl_status (*running)(const void *context, double lowest, double highest, whirl_running **running);
     const void *context;        ///< passed to at_speed, at_frequency and running
+    double drive_speed;         ///< whirl_machine.drive_speed
     const whirl_stop *stop;     ///< NULL, or becomes true when long work shall end; its numbers mean nothing then
     size_t placed_count;        ///< number of placed unbalances
     const whirl_placed *placed; ///< [placed_count] unbalances that replace its own

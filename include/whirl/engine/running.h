@@ -34,7 +34,7 @@ typedef struct whirl_turning {
 
 /// Torques on the shaft, N m, in the sense of the rotation.
 typedef struct whirl_torques {
-    double motor, load, friction; ///< load and friction of contacts below 0 where they brake
+    double motor, load, friction; ///< load and friction of contacts below 0 where they brake; NaN at a given rate
     double rotor;                 ///< of unbalances that the rotor's motion and the weight turn
     double acceleration;          ///< rad/s2
 } whirl_torques;

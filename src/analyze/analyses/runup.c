@@ -5,6 +5,7 @@
 
 #include "analysis.h"
 #include "runup/runup.h"
+#include "signal_parts.h"
 #include "whirl/engine/linear.h"
 
 enum {
@@ -37,7 +38,7 @@ enum {
 /// Columns of fields of x and y, or of both ways to go round, at every order.
 enum { ORDER_COLUMNS = 2 * RUNUP_ORDERS };
 
-static size_t every_row(const block_shape *shape) {
+static size_t runup_every_row(const block_shape *shape) {
     return (size_t)shape->options->runup.rows;
 }
 
@@ -57,28 +58,28 @@ static const field_plan fields[FIELD_COUNT] = {
                        "of coefficients between the speeds that they were taken at, over the largest; 0: exact",
                        WHIRL_PER_POINT, 1, NULL},
     [TIME] = {WHIRL_FIELD_RUNUP_TIME, "s", "of the row: the middle of its turn (missing where no turn ended)",
-              WHIRL_PER_POINT, 1, every_row},
-    [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1, every_row},
+              WHIRL_PER_POINT, 1, runup_every_row},
+    [SPEED] = {WHIRL_FIELD_RUNUP_SPEED, "rad/s", "of the shaft, over that turn", WHIRL_PER_POINT, 1, runup_every_row},
     [TURNS] = {WHIRL_FIELD_RUNUP_TURNS, "1", "of the shaft since the beginning, at its end", WHIRL_PER_POINT, 1,
-               every_row},
+               runup_every_row},
     [TORQUE] = {WHIRL_FIELD_RUNUP_TORQUE, "N m",
                 "motor, load, friction, rotor (on the shaft at its end, in the sense of the rotation; the last by "
                 "unbalances that the motion and the weight turn)",
-                WHIRL_PER_POINT, 4, every_row},
+                WHIRL_PER_POINT, 4, runup_every_row},
     [RADIUS] = {WHIRL_FIELD_RUNUP_RADIUS, "length", "largest distance from the centre since the row before",
-                WHIRL_PER_STATION, 1, every_row},
+                WHIRL_PER_STATION, 1, runup_every_row},
     [CENTRE] = {WHIRL_FIELD_RUNUP_CENTRE, "length", "x, y (mean over the turn, from the centre)", WHIRL_PER_STATION, 2,
-                every_row},
+                runup_every_row},
     [AMPLITUDE] =
         {WHIRL_FIELD_RUNUP_AMPLITUDE, "length",
          "x1, y1, x2, y2, x3, y3, x4, y4 (0-p amplitudes of x and y at 1 to 4 times the speed, over the turn)",
-         WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+         WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
     [LAG] = {WHIRL_FIELD_RUNUP_LAG, "deg", "x1, y1, x2, y2, x3, y3, x4, y4 (by which these peaks come after the mark)",
-             WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+             WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
     [WHIRL] = {WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, "length",
                "forward1, backward1, forward2, backward2, forward3, backward3, forward4, backward4 (0-p amplitudes of "
                "the circular parts of these motions, with and against the rotation)",
-               WHIRL_PER_STATION, ORDER_COLUMNS, every_row},
+               WHIRL_PER_STATION, ORDER_COLUMNS, runup_every_row},
     [PLACE] = {WHIRL_FIELD_RUNUP_PLACE, "length", "x, y (at the end of the run, from the centre)", WHIRL_PER_STATION, 2,
                NULL},
     [PEAK] = {WHIRL_FIELD_RUNUP_PEAK, "length", "largest distance from the centre in the run", WHIRL_PER_STATION, 1,
@@ -86,8 +87,8 @@ static const field_plan fields[FIELD_COUNT] = {
     [PEAK_TIME] = {WHIRL_FIELD_RUNUP_PEAK_TIME, "s", "of that", WHIRL_PER_STATION, 1, NULL},
     [PEAK_SPEED] = {WHIRL_FIELD_RUNUP_PEAK_SPEED, "rad/s", "of the shaft at that time", WHIRL_PER_STATION, 1, NULL},
     [FORCE] = {WHIRL_FIELD_RUNUP_FORCE, "force", "largest normal force at any instant since the row before",
-               WHIRL_PER_CONTACT, 1, every_row},
-    [SHARE] = {WHIRL_FIELD_RUNUP_SHARE, "1", "of the turn in contact", WHIRL_PER_CONTACT, 1, every_row},
+               WHIRL_PER_CONTACT, 1, runup_every_row},
+    [SHARE] = {WHIRL_FIELD_RUNUP_SHARE, "1", "of the turn in contact", WHIRL_PER_CONTACT, 1, runup_every_row},
     [CONTACT] = {WHIRL_FIELD_RUNUP_CONTACT, "s", "first, last, time (closed first, opened last, closed in all)",
                  WHIRL_PER_CONTACT, 3, NULL},
     [CONTACT_NUMBER] = {WHIRL_FIELD_RUNUP_CONTACT_NUMBER, "1", "of times that the contact closed", WHIRL_PER_CONTACT, 1,
@@ -104,54 +105,51 @@ typedef struct filling {
     size_t row;             ///< of the last turn
 } filling;
 
-static double *at_row(const filling *f, size_t field, size_t which, size_t columns) {
+static double *runup_at_row(const filling *f, size_t field, size_t which, size_t columns) {
     return view_numbers(f->view, field, which) + f->row * columns;
 }
 
-static void fill_station(const filling *f, const runup_turn *turn, size_t probe) {
+static void runup_fill_station(const filling *f, const runup_turn *turn, size_t probe) {
     const runup_station *own = &turn->stations[probe];
-    double *amplitude = at_row(f, AMPLITUDE, probe, ORDER_COLUMNS), *lag = at_row(f, LAG, probe, ORDER_COLUMNS);
-    double *whirl = at_row(f, WHIRL, probe, ORDER_COLUMNS), *centre = at_row(f, CENTRE, probe, 2);
+    double *amplitude = runup_at_row(f, AMPLITUDE, probe, ORDER_COLUMNS),
+           *lag = runup_at_row(f, LAG, probe, ORDER_COLUMNS);
+    double *whirl = runup_at_row(f, WHIRL, probe, ORDER_COLUMNS), *centre = runup_at_row(f, CENTRE, probe, 2);
     memcpy(centre, own->mean, sizeof own->mean);
     for (size_t k = 0; k < RUNUP_ORDERS; k++) {
-        // x = Re((a - i b) e^(i k theta)) with the lag of its peak; z = x + i y = p e^(i k theta) + q e^(-i k theta).
-        const double *const parts[] = {own->x[k], own->y[k]};
-        for (size_t axis = 0; axis < 2; axis++) {
-            const double degrees = atan2(-parts[axis][1], parts[axis][0]) * (360.0 / 6.283185307179586);
-            amplitude[2 * k + axis] = hypot(parts[axis][0], parts[axis][1]);
-            lag[2 * k + axis] = degrees < 0.0 ? degrees + 360.0 : degrees;
+        const whirl_synchronous part = synchronous_of(own->x[k], own->y[k], own->radius);
+        const bool clockwise = f->way < 0.0; // a forward whirl goes round from y to x then
+        for (size_t i = 0; i < 2; i++) {
+            amplitude[2 * k + i] = part.amplitude[i];
+            lag[2 * k + i] = part.lag[i];
+            whirl[2 * k + i] = part.amplitude[clockwise ? 3 - i : 2 + i];
         }
-        const double p = 0.5 * hypot(own->x[k][0] - own->y[k][1], own->x[k][1] + own->y[k][0]);
-        const double q = 0.5 * hypot(own->x[k][0] + own->y[k][1], own->x[k][1] - own->y[k][0]);
-        whirl[2 * k] = f->way > 0.0 ? p : q;
-        whirl[2 * k + 1] = f->way > 0.0 ? q : p;
     }
 }
 
-static void fill_row(void *context, const runup_turn *turn) {
+static void runup_fill_row(void *context, const runup_turn *turn) {
     filling *f = context;
     const size_t probes = f->system->probe_count;
     const double place = turn->end / f->duration * (double)f->rows;
     const size_t row = place >= (double)f->rows ? f->rows - 1 : place > 0.0 ? (size_t)place : 0;
-    if (row != f->row || isnan(*at_row(f, TIME, 0, 1))) {
+    if (row != f->row || isnan(*runup_at_row(f, TIME, 0, 1))) {
         for (size_t p = 0; p < probes; p++) f->radius[p] = 0.0;
         for (size_t c = 0; c < f->contacts; c++) f->force[c] = 0.0;
     }
     f->row = row;
     for (size_t p = 0; p < probes; p++) {
         f->radius[p] = fmax(f->radius[p], turn->stations[p].radius);
-        *at_row(f, RADIUS, p, 1) = f->radius[p];
-        if (turn->whole) fill_station(f, turn, p);
+        *runup_at_row(f, RADIUS, p, 1) = f->radius[p];
+        if (turn->whole) runup_fill_station(f, turn, p);
     }
     for (size_t c = 0; c < f->contacts; c++) {
         f->force[c] = fmax(f->force[c], turn->force[c]);
-        *at_row(f, FORCE, c, 1) = f->force[c];
-        *at_row(f, SHARE, c, 1) = turn->share[c];
+        *runup_at_row(f, FORCE, c, 1) = f->force[c];
+        *runup_at_row(f, SHARE, c, 1) = turn->share[c];
     }
-    *at_row(f, TIME, 0, 1) = turn->time;
-    *at_row(f, SPEED, 0, 1) = turn->speed;
-    *at_row(f, TURNS, 0, 1) = turn->turns;
-    double *torque = at_row(f, TORQUE, 0, 4);
+    *runup_at_row(f, TIME, 0, 1) = turn->time;
+    *runup_at_row(f, SPEED, 0, 1) = turn->speed;
+    *runup_at_row(f, TURNS, 0, 1) = turn->turns;
+    double *torque = runup_at_row(f, TORQUE, 0, 4);
     torque[0] = turn->torques.motor;
     torque[1] = turn->torques.load;
     torque[2] = turn->torques.friction;
@@ -159,25 +157,19 @@ static void fill_row(void *context, const runup_turn *turn) {
 }
 
 /// The highest speed that the run may reach, by which numbers are laid out.
-static whirl_status highest_speed(const whirl_resting *point, const whirl_runup_options *o, double *highest) {
-    whirl_machine machine;
-    const whirl_status status = point->at_speed(point->context, fmax(o->from, o->to), WHIRL_AS_GIVEN, 0.0, &machine);
-    if (status.code != WHIRL_OK) return status;
-    const double drive = machine.drive_speed;
-    if (machine.release) machine.release(machine.owner);
-    *highest = fmax(o->from, o->to);
-    if (o->rate > 0.0 && o->to == 0.0) *highest = o->from + o->rate * o->duration;
-    if (o->rate == 0.0) *highest = fmax(*highest, drive);
-    return whirl_ok();
+static double runup_highest_speed(const whirl_resting *point, const whirl_runup_options *o) {
+    if (o->rate > 0.0 && o->to == 0.0) return o->from + o->rate * o->duration;
+    return fmax(fmax(o->from, o->to), o->rate > 0.0 ? 0.0 : point->drive_speed);
 }
 
 /// The lowest speed that it may have: a drive may let it fall to standstill.
-static double lowest_speed(const whirl_runup_options *o) {
+static double runup_lowest_speed(const whirl_runup_options *o) {
     return o->rate > 0.0 && o->to == 0.0 ? o->from : fmin(o->from, o->to);
 }
 
 /// Where the run begins: derivatives by time over the unit of speed.
-static whirl_status find_start(const whirl_resting *point, const whirl_runup_options *o, double unit, double *start) {
+static whirl_status runup_find_start(const whirl_resting *point, const whirl_runup_options *o, double unit,
+                                     double *start) {
     whirl_machine machine;
     whirl_status status =
         point->at_speed(point->context, o->from > 0.0 ? o->from : unit / 256.0, WHIRL_AS_GIVEN, 0.0, &machine);
@@ -192,13 +184,13 @@ static whirl_status find_start(const whirl_resting *point, const whirl_runup_opt
     return status;
 }
 
-static size_t station_named(const whirl_system *system, const char *name) {
+static size_t runup_station_named(const whirl_system *system, const char *name) {
     size_t p = 0;
     while (p + 1 < system->probe_count && strcmp(system->probes[p].name, name) != 0) p++;
     return p;
 }
 
-static void fill_end(const filling *f, const runup_run *run) {
+static void runup_fill_end(const filling *f, const runup_run *run) {
     const block_view *view = f->view;
     *view_numbers(view, END, 0) = (double)run->end;
     *view_numbers(view, END_TIME, 0) = run->time;
@@ -221,8 +213,8 @@ static void fill_end(const filling *f, const runup_run *run) {
     }
 }
 
-static whirl_status run_machine(whirl_running *running, const whirl_resting *point, const whirl_runup_options *o,
-                                double highest, const block_view *view) {
+static whirl_status runup_run_machine(whirl_running *running, const whirl_resting *point, const whirl_runup_options *o,
+                                      double highest, const block_view *view) {
     const whirl_system *system = running->by_angle;
     const size_t d = system->dimension, probes = system->probe_count, contacts = running->contact_count;
     double *numbers = calloc(2 * d + probes + contacts + 1, sizeof *numbers);
@@ -231,7 +223,7 @@ static whirl_status run_machine(whirl_running *running, const whirl_resting *poi
     runup_run run = {.peaks = peaks, .contacts = touched, .last = numbers};
     filling f = {.view = view, .system = system, .rows = (size_t)o->rows, .contacts = contacts, .way = 1.0};
     runup_plan plan = {
-        .options = o, .integrate = whirl_integrate_default(), .angle = o->angle, .see = fill_row, .context = &f};
+        .options = o, .integrate = whirl_integrate_default(), .angle = o->angle, .see = runup_fill_row, .context = &f};
     whirl_status status = numbers && peaks && touched ? whirl_ok() : whirl_fail(WHIRL_NO_MEMORY, "no memory for a run");
     if (status.code == WHIRL_OK) {
         f.radius = numbers + 2 * d;
@@ -244,34 +236,33 @@ static whirl_status run_machine(whirl_running *running, const whirl_resting *poi
         plan.integrate.atol = 1e-3 * o->rtol;
         plan.integrate.limit = 1e300; // time grows without bounds; what is not finite diverges
         memcpy(plan.integrate.method, o->method, sizeof plan.integrate.method);
-        status = find_start(point, o, highest, numbers + d);
+        status = runup_find_start(point, o, highest, numbers + d);
     }
     if (status.code == WHIRL_OK && *o->loss_at) {
-        plan.loss_station = station_named(system, o->loss_at);
-        const whirl_placed lost = {plan.loss_station, o->loss_moment, o->loss_angle};
+        const whirl_placed lost = {runup_station_named(system, o->loss_at), o->loss_moment, o->loss_angle};
         running->lose(running, 1, &lost);
     }
     if (status.code == WHIRL_OK) status = runup_carry(running, &plan, &run);
     if (status.code == WHIRL_OK && run.end == RUNUP_STOPPED) status = whirl_fail(WHIRL_STOPPED, "stopped");
-    if (status.code == WHIRL_OK) fill_end(&f, &run);
+    if (status.code == WHIRL_OK) runup_fill_end(&f, &run);
     free(numbers);
     free(peaks);
     free(touched);
     return status;
 }
 
-static whirl_status compute(const whirl_resting *point, const whirl_record_options *options, const block_view *view) {
+static whirl_status runup_compute(const whirl_resting *point, const whirl_record_options *options,
+                                  const block_view *view) {
     const whirl_runup_options *o = &options->runup;
+    const double highest = runup_highest_speed(point, o);
     whirl_running *running = NULL;
-    double highest = 0.0;
-    whirl_status status = highest_speed(point, o, &highest);
-    if (status.code == WHIRL_OK) status = point->running(point->context, lowest_speed(o), highest, &running);
+    whirl_status status = point->running(point->context, runup_lowest_speed(o), highest, &running);
     if (status.code == WHIRL_OK) {
         *view_numbers(view, NUMBERS_ERROR, 0) = running->error;
-        status = run_machine(running, point, o, highest, view);
+        status = runup_run_machine(running, point, o, highest, view);
     }
     if (running) running->release(running);
     return status;
 }
 
-const analysis_plan runup_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = compute};
+const analysis_plan runup_analysis = {.fields = fields, .field_count = FIELD_COUNT, .compute_resting = runup_compute};

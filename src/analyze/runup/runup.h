@@ -3,6 +3,8 @@
 #ifndef ANALYZE_RUNUP_H
 #define ANALYZE_RUNUP_H
 
+#include <complex.h>
+
 #include "whirl/engine/integrate.h"
 #include "whirl/engine/record.h"
 #include "whirl/engine/running.h"
@@ -21,10 +23,9 @@ typedef enum runup_end {
 
 /// What a turn of the shaft shows of a station, lengths in those of the machine.
 typedef struct runup_station {
-    double radius;  ///< largest distance from the centre
-    double mean[2]; ///< of x and y over the turn
-    double x[RUNUP_ORDERS][2],
-        y[RUNUP_ORDERS][2]; ///< of x and y: 2/turn times the integral by exp(-i k theta): real, imaginary
+    double radius;                                   ///< largest distance from the centre
+    double mean[2];                                  ///< of x and y over the turn
+    double complex x[RUNUP_ORDERS], y[RUNUP_ORDERS]; ///< 2/turn times the integrals of x and y by exp(-i k theta)
 } runup_station;
 
 /// A turn of the shaft.
@@ -68,7 +69,6 @@ typedef struct runup_plan {
     whirl_integrate_options integrate;
     const double *start; ///< [dimension of the rotor] displacements and velocities by time over the unit of speed
     double angle;        ///< rad of the first state
-    size_t loss_station; ///< index of the probe; with a moment of 0: none
     runup_see *see;
     void *context;
 } runup_plan;

@@ -26,7 +26,11 @@ whirl_synchronous synchronous_part(const wave_transform *wave, size_t samples_pe
     }
     const wave_amplitudes at = wave_transform_at(wave, (double)revolutions);
     const double complex step = cexp(-2.0 * pi * I / (double)samples_per_revolution);
-    const double complex x = 2.0 * at.x * step, y = 2.0 * at.y * step;
+    return synchronous_of(2.0 * at.x * step, 2.0 * at.y * step, size);
+}
+
+whirl_synchronous synchronous_of(double complex x, double complex y, double size) {
+    whirl_synchronous found = synchronous_none();
     // Backward, the motion is at the angle -tau + arg B: it passes the x axis arg B after the mark.
     const double complex parts[4] = {x, y, 0.5 * (x + I * y), 0.5 * (x - I * y)};
     for (int i = 0; i < 4; i++) {

@@ -11,11 +11,19 @@ enum { OVER_SPEED, OVER_TIME, ORDERS, SHAFT, CONTACTS };
 
 enum { MAX_RUNS = 6, MAX_ORDERS = 4 };
 
-static bool is_done(const whirl_table *table, size_t point) {
+static bool runup_is_done(const whirl_table *table, size_t point) {
     return whirl_table_done(table, point) && whirl_table_number(table, point, WHIRL_FIELD_RUNUP_END, 0) >= 0.0;
 }
 
-static void list(figure_list *to, const drawing *of, const whirl_table *table) {
+/// The runs that are drawn, at most MAX_RUNS of them.
+static size_t runup_list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
+    size_t count = 0;
+    for (size_t point = 0; point < table->count && count < MAX_RUNS; point++)
+        if (runup_is_done(table, point)) runs[count++] = point;
+    return count;
+}
+
+static void runup_list(figure_list *to, const drawing *of, const whirl_table *table) {
     static const struct {
         size_t which;
         const char *name, *title;
@@ -23,7 +31,8 @@ static void list(figure_list *to, const drawing *of, const whirl_table *table) {
                  {OVER_TIME, "runup-time", "%.60s over the time"},
                  {ORDERS, "runup-orders", "%.60s at multiples of the speed"}};
     char name[2 * WHIRL_NAME_SIZE];
-    if (!table_has(table, WHIRL_FIELD_RUNUP_END)) return;
+    size_t runs[MAX_RUNS];
+    if (!table_has(table, WHIRL_FIELD_RUNUP_END) || runup_list_runs(table, runs) == 0) return;
     figure_place place = {.kind = &runup_figure, .table = table, .point = NO_POINT, .which = SHAFT};
     list_figure(to, &place, "runup-shaft", "Speed of the shaft over the time");
     for (size_t s = 0; s < of->result->station_count; s++)
@@ -47,8 +56,8 @@ typedef struct course {
 } course;
 
 /// Adds a line of all rows that there are; a lag breaks where it wraps.
-static void add_line(whirl_figure *figure, whirl_series *line, const course *c, const char *field, size_t which,
-                     size_t column, double factor) {
+static void runup_add_line(whirl_figure *figure, whirl_series *line, const course *c, const char *field, size_t which,
+                           size_t column, double factor) {
     const whirl_field *shape = whirl_layout_field(&c->table->layout, field);
     const double *values = whirl_table_field(c->table, c->point, field, which);
     const double *over = whirl_table_field(c->table, c->point, c->over, 0);
@@ -63,61 +72,54 @@ static void add_line(whirl_figure *figure, whirl_series *line, const course *c, 
     }
 }
 
-static course course_of(const drawing *of, const whirl_table *table, size_t point, bool by_speed) {
+static course runup_course_of(const drawing *of, const whirl_table *table, size_t point, bool by_speed) {
     const whirl_unit *speed = &of->units->of[WHIRL_QUANTITY_SPEED];
     return (course){of, table, point, by_speed ? WHIRL_FIELD_RUNUP_SPEED : WHIRL_FIELD_RUNUP_TIME,
                     by_speed ? speed->size : of->units->of[WHIRL_QUANTITY_TIME].size};
 }
 
-static void label_over(const drawing *of, whirl_panel *panel, bool by_speed) {
+static void runup_label_over(const drawing *of, whirl_panel *panel, bool by_speed) {
     const whirl_unit *unit = &of->units->of[by_speed ? WHIRL_QUANTITY_SPEED : WHIRL_QUANTITY_TIME];
     snprintf(panel->x.label, sizeof panel->x.label, "%s (%s)", by_speed ? "speed" : "time", unit->name);
 }
 
-static whirl_panel *length_panel(const drawing *of, whirl_figure *figure, const char *name, const char *quantity,
-                                 bool by_speed, double height) {
+static whirl_panel *runup_length_panel(const drawing *of, whirl_figure *figure, const char *name, const char *quantity,
+                                       bool by_speed, double height) {
     whirl_panel *panel = figure_panel(figure, name, 1.0, height);
     if (!panel) return NULL;
-    label_over(of, panel, by_speed);
+    runup_label_over(of, panel, by_speed);
     symbol_length(of->units, WHIRL_FROM_CENTRE, quantity, panel->y.label, sizeof panel->y.label);
     return panel;
 }
 
-/// The runs that are drawn, at most MAX_RUNS of them.
-static size_t list_runs(const whirl_table *table, size_t runs[MAX_RUNS]) {
-    size_t count = 0;
-    for (size_t point = 0; point < table->count && count < MAX_RUNS; point++)
-        if (is_done(table, point)) runs[count++] = point;
-    return count;
-}
-
 /// Of one run x and y, largest radius and lags; of several the largest radius of each.
-static void describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
+static void runup_describe_motion(const drawing *of, const figure_place *place, whirl_figure *figure, bool by_speed) {
     static const char *const names[] = {"$x$ at 1X", "$y$ at 1X"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
-    const size_t count = list_runs(table, runs), s = place->station;
-    whirl_panel *panel = length_panel(of, figure, "radius", count > 1 ? "largest radius" : "amplitude", by_speed, 5.0);
+    const size_t count = runup_list_runs(table, runs), s = place->station;
+    whirl_panel *panel =
+        runup_length_panel(of, figure, "radius", count > 1 ? "largest radius" : "amplitude", by_speed, 5.0);
     for (size_t i = 0; i < count; i++) {
-        const course c = course_of(of, table, runs[i], by_speed);
+        const course c = runup_course_of(of, table, runs[i], by_speed);
         const double size = whirl_shown_length(of->units, table, runs[i]);
         char label[UNIT_LABEL_SIZE] = "largest radius";
         if (count > 1) units_point_label(of->units, table, runs[i], label, sizeof label);
-        add_line(figure, panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0), &c,
-                 WHIRL_FIELD_RUNUP_RADIUS, s, 0, size);
+        runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0), &c,
+                       WHIRL_FIELD_RUNUP_RADIUS, s, 0, size);
         for (size_t axis = 0; axis < 2 && count == 1; axis++)
-            add_line(figure, panel_named(figure, panel, WHIRL_LINE, names[axis], line_colour(axis + 1), 0.8), &c,
-                     WHIRL_FIELD_RUNUP_AMPLITUDE, s, axis, size);
+            runup_add_line(figure, panel_named(figure, panel, WHIRL_LINE, names[axis], line_colour(axis + 1), 0.8), &c,
+                           WHIRL_FIELD_RUNUP_AMPLITUDE, s, axis, size);
     }
     whirl_panel *lag = figure_panel(figure, "lag", 1.0, 3.5);
     if (!lag) return;
-    label_over(of, lag, by_speed);
+    runup_label_over(of, lag, by_speed);
     snprintf(lag->y.label, sizeof lag->y.label, "lag at 1X (\u00b0)");
     for (size_t i = 0; i < count; i++) {
-        const course c = course_of(of, table, runs[i], by_speed);
+        const course c = runup_course_of(of, table, runs[i], by_speed);
         for (size_t axis = 0; axis < (count == 1 ? 2u : 1u); axis++)
-            add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(count == 1 ? axis + 1 : i), 0.8), &c,
-                     WHIRL_FIELD_RUNUP_LAG, s, axis, 1.0);
+            runup_add_line(figure, panel_series(figure, lag, WHIRL_LINE, line_colour(count == 1 ? axis + 1 : i), 0.8),
+                           &c, WHIRL_FIELD_RUNUP_LAG, s, axis, 1.0);
     }
     snprintf(figure->caption, sizeof figure->caption,
              "%.60s while the speed changes: the largest distance from the centre since the row before%s, and the "
@@ -127,21 +129,21 @@ static void describe_motion(const drawing *of, const figure_place *place, whirl_
              count == 1 ? "$x$ and $y$" : "$x$");
 }
 
-static void describe_orders(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void runup_describe_orders(const drawing *of, const figure_place *place, whirl_figure *figure) {
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
-    const size_t count = list_runs(table, runs);
+    runup_list_runs(table, runs);
     static const char *const ways[] = {"forward", "backward"};
     for (size_t way = 0; way < 2; way++) {
-        whirl_panel *panel = length_panel(of, figure, ways[way], ways[way], true, 4.5);
-        const course c = course_of(of, table, runs[0], true);
-        const double size = count > 0 ? whirl_shown_length(of->units, table, runs[0]) : 1.0;
-        for (size_t order = 0; order < MAX_ORDERS && count > 0; order++) {
+        whirl_panel *panel = runup_length_panel(of, figure, ways[way], ways[way], true, 4.5);
+        const course c = runup_course_of(of, table, runs[0], true);
+        const double size = whirl_shown_length(of->units, table, runs[0]);
+        for (size_t order = 0; order < MAX_ORDERS; order++) {
             char label[8];
             snprintf(label, sizeof label, "%zuX", order + 1);
             whirl_series *line = way == 0 ? panel_named(figure, panel, WHIRL_LINE, label, line_colour(order), 0.9)
                                           : panel_series(figure, panel, WHIRL_LINE, line_colour(order), 0.9);
-            add_line(figure, line, &c, WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, place->station, 2 * order + way, size);
+            runup_add_line(figure, line, &c, WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, place->station, 2 * order + way, size);
         }
     }
     snprintf(figure->caption, sizeof figure->caption,
@@ -151,34 +153,34 @@ static void describe_orders(const drawing *of, const figure_place *place, whirl_
 }
 
 /// Of several runs the speed of each; of one what turns the shaft, too.
-static void describe_shaft(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void runup_describe_shaft(const drawing *of, const figure_place *place, whirl_figure *figure) {
     static const char *const names[] = {"motor", "load", "friction", "rotor"};
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
-    const size_t count = list_runs(table, runs);
+    const size_t count = runup_list_runs(table, runs);
     const whirl_unit *speed = &of->units->of[WHIRL_QUANTITY_SPEED], *torque = &of->units->of[WHIRL_QUANTITY_MOMENT];
     whirl_panel *panel = figure_panel(figure, "speed", 1.0, 4.5);
     if (!panel) return;
-    label_over(of, panel, false);
+    runup_label_over(of, panel, false);
     snprintf(panel->y.label, sizeof panel->y.label, "speed (%s)", speed->name);
     for (size_t i = 0; i < count; i++) {
-        const course c = course_of(of, table, runs[i], false);
+        const course c = runup_course_of(of, table, runs[i], false);
         char label[UNIT_LABEL_SIZE] = "";
         if (count > 1) units_point_label(of->units, table, runs[i], label, sizeof label);
-        add_line(figure,
-                 count > 1 ? panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0)
-                           : panel_series(figure, panel, WHIRL_LINE, line_colour(0), 1.0),
-                 &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
+        runup_add_line(figure,
+                       count > 1 ? panel_named(figure, panel, WHIRL_LINE, label, line_colour(i), 1.0)
+                                 : panel_series(figure, panel, WHIRL_LINE, line_colour(0), 1.0),
+                       &c, WHIRL_FIELD_RUNUP_SPEED, 0, 0, 1.0 / speed->size);
     }
     const bool driven = table->record.runup.rate == 0.0;
     whirl_panel *torques = count == 1 && driven ? figure_panel(figure, "torque", 1.0, 4.0) : NULL;
     if (torques) {
-        const course c = course_of(of, table, runs[0], false);
-        label_over(of, torques, false);
+        const course c = runup_course_of(of, table, runs[0], false);
+        runup_label_over(of, torques, false);
         snprintf(torques->y.label, sizeof torques->y.label, "torque (%s)", torque->name);
         for (size_t i = 0; i < 4; i++)
-            add_line(figure, panel_named(figure, torques, WHIRL_LINE, names[i], line_colour(i + 1), 0.8), &c,
-                     WHIRL_FIELD_RUNUP_TORQUE, 0, i, 1.0 / torque->size);
+            runup_add_line(figure, panel_named(figure, torques, WHIRL_LINE, names[i], line_colour(i + 1), 0.8), &c,
+                           WHIRL_FIELD_RUNUP_TORQUE, 0, i, 1.0 / torque->size);
     }
     snprintf(figure->caption, sizeof figure->caption, "Speed of the shaft over the time%s.",
              torques ? ", and torques on it at the end of each turn: of the motor, its load, friction in contacts, and "
@@ -186,47 +188,64 @@ static void describe_shaft(const drawing *of, const figure_place *place, whirl_f
                      : "");
 }
 
-static void describe_contacts(const drawing *of, const figure_place *place, whirl_figure *figure) {
+static void runup_describe_contacts(const drawing *of, const figure_place *place, whirl_figure *figure) {
     size_t runs[MAX_RUNS];
     const whirl_table *table = place->table;
-    const size_t count = list_runs(table, runs);
+    runup_list_runs(table, runs);
     const whirl_unit *force = &of->units->of[WHIRL_QUANTITY_FORCE];
     whirl_panel *panel = figure_panel(figure, "force", 1.0, 4.5), *share = figure_panel(figure, "share", 1.0, 3.0);
     if (!panel || !share) return;
-    label_over(of, panel, false);
-    label_over(of, share, false);
+    runup_label_over(of, panel, false);
+    runup_label_over(of, share, false);
     snprintf(panel->y.label, sizeof panel->y.label, "normal force (%s)", force->name);
     snprintf(share->y.label, sizeof share->y.label, "share of a turn");
-    for (size_t contact = 0; contact < of->result->contact_count && count > 0; contact++) {
-        const course c = course_of(of, table, runs[0], false);
-        add_line(figure,
-                 panel_named(figure, panel, WHIRL_LINE, of->result->contacts[contact], line_colour(contact), 0.9), &c,
-                 WHIRL_FIELD_RUNUP_FORCE, contact, 0, of->result->force_scale / force->size);
-        add_line(figure, panel_series(figure, share, WHIRL_LINE, line_colour(contact), 0.9), &c,
-                 WHIRL_FIELD_RUNUP_SHARE, contact, 0, 1.0);
+    for (size_t contact = 0; contact < of->result->contact_count; contact++) {
+        const course c = runup_course_of(of, table, runs[0], false);
+        runup_add_line(figure,
+                       panel_named(figure, panel, WHIRL_LINE, of->result->contacts[contact], line_colour(contact), 0.9),
+                       &c, WHIRL_FIELD_RUNUP_FORCE, contact, 0, of->result->force_scale / force->size);
+        runup_add_line(figure, panel_series(figure, share, WHIRL_LINE, line_colour(contact), 0.9), &c,
+                       WHIRL_FIELD_RUNUP_SHARE, contact, 0, 1.0);
     }
     snprintf(figure->caption, sizeof figure->caption,
              "Largest normal force of contacts since the row before, and the share of the last turn in which they "
              "were closed.");
 }
 
-static void describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
-    switch (place->which) {
-    case OVER_SPEED:
-        describe_motion(of, place, figure, true);
-        break;
-    case OVER_TIME:
-        describe_motion(of, place, figure, false);
-        break;
-    case ORDERS:
-        describe_orders(of, place, figure);
-        break;
-    case SHAFT:
-        describe_shaft(of, place, figure);
-        break;
-    default:
-        describe_contacts(of, place, figure);
-    }
+/// Says which runs of several a figure shows: the first `shown`.
+static void runup_caption_runs(const drawing *of, const whirl_table *table, size_t shown, whirl_figure *figure) {
+    const size_t used = strlen(figure->caption);
+    char label[UNIT_LABEL_SIZE] = "";
+    size_t runs[MAX_RUNS], done = 0;
+    for (size_t point = 0; point < table->count; point++) done += runup_is_done(table, point);
+    if (done <= shown) return;
+    runup_list_runs(table, runs);
+    units_point_label(of->units, table, runs[0], label, sizeof label);
+    if (shown == 1)
+        snprintf(figure->caption + used, sizeof figure->caption - used, " The run at %s, the first of %zu.", label,
+                 done);
+    else
+        snprintf(figure->caption + used, sizeof figure->caption - used, " The first %zu of %zu runs.", shown, done);
 }
 
-const figure_kind runup_figure = {.list = list, .describe = describe, .stem = "runup", .study = "runup"};
+static void runup_describe(const drawing *of, const figure_place *place, whirl_figure *figure) {
+    switch (place->which) {
+    case OVER_SPEED:
+        runup_describe_motion(of, place, figure, true);
+        break;
+    case OVER_TIME:
+        runup_describe_motion(of, place, figure, false);
+        break;
+    case ORDERS:
+        runup_describe_orders(of, place, figure);
+        break;
+    case SHAFT:
+        runup_describe_shaft(of, place, figure);
+        break;
+    default:
+        runup_describe_contacts(of, place, figure);
+    }
+    runup_caption_runs(of, place->table, place->which == ORDERS || place->which == CONTACTS ? 1 : MAX_RUNS, figure);
+}
+
+const figure_kind runup_figure = {.list = runup_list, .describe = runup_describe, .stem = "runup", .study = "runup"};

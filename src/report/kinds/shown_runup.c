@@ -9,46 +9,39 @@
 static const char *const ends[] = {"as planned", "the shaft stood still", "the motion left all bounds",
                                    "the solver could not go on"};
 
-static const double *numbers_of(const finder *of, size_t point, const char *field, size_t which) {
+static const double *runup_numbers_of(const finder *of, size_t point, const char *field, size_t which) {
     return whirl_table_done(of->table, point) ? whirl_table_field(of->table, point, field, which) : NULL;
 }
 
-static double number_of(const finder *of, size_t point, const char *field, size_t which) {
+static double runup_number_of(const finder *of, size_t point, const char *field, size_t which) {
     return whirl_table_number(of->table, point, field, which);
 }
 
-static double end_of(const finder *of, size_t point) {
-    return whirl_table_number(of->table, point, WHIRL_FIELD_RUNUP_END, 0);
-}
-
-static const char *ended(double end) {
+static const char *runup_ended(double end) {
     return end >= 0.0 && end < sizeof ends / sizeof *ends ? ends[(size_t)end] : "";
 }
 
-static double length(const finder *of, size_t point, double ratio) {
-    return whirl_result_length_scale(of->result, of->table, point) * ratio;
-}
-
 /// A statement for every run that did not go as planned.
-static void find_failures(const finder *of) {
+static void runup_find_failures(const finder *of) {
     for (size_t point = 0; point < of->table->count; point++) {
-        const double end = end_of(of, point);
+        const double end = runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0);
         if (!whirl_table_done(of->table, point) || !(end > 0.0)) continue;
         whirl_statement *own = find_judgement(of, "run", "", WHIRL_NOT_KNOWN);
         if (*of->table->parameter) phrase_value(of, &own->at, 6, of->table->values[point]);
         phrase_text(of, &own->asked, "runs to its end");
-        phrase_text(of, &own->found, "%s at ", ended(end));
-        phrase_number(of, &own->found, WHIRL_QUANTITY_TIME, 6, number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
+        phrase_text(of, &own->found, "%s at ", runup_ended(end));
+        phrase_number(of, &own->found, WHIRL_QUANTITY_TIME, 6,
+                      runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
         phrase_text(of, &own->found, " after %.6g turns of the shaft",
-                    number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
+                    runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
         phrase_text(of, &own->told, " beyond");
     }
 }
 
-static void find_error(const finder *of) {
+static void runup_find_error(const finder *of) {
     double error = 0.0;
     for (size_t point = 0; point < of->table->count; point++) {
-        const double own = whirl_table_number(of->table, point, WHIRL_FIELD_RUNUP_ERROR, 0);
+        const double own = runup_number_of(of, point, WHIRL_FIELD_RUNUP_ERROR, 0);
         if (own > error) error = own;
     }
     if (error > 0.0)
@@ -56,7 +49,7 @@ static void find_error(const finder *of) {
                     "err by up to %.2g of the largest between the speeds at which they were taken", error);
 }
 
-static void find_runs(const finder *of) {
+static void runup_find_runs(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "runs", "Runs");
     sheet_values(of, sheet, "", 6);
     sheet_column(of, sheet, "time", "ended at", WHIRL_QUANTITY_TIME, 6);
@@ -66,20 +59,20 @@ static void find_runs(const finder *of) {
     sheet_column(of, sheet, "loss", "blade lost at", WHIRL_QUANTITY_TIME, 6);
     sheet_texts(of, sheet, "end", "ended");
     for (size_t point = 0; point < of->table->count; point++) {
-        const double *events = numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
+        const double *events = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_EVENTS, 0);
         if (!events) continue;
         sheet_row(of, sheet);
         cell_value(of, sheet, point);
-        cell_number(of, sheet, number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
-        cell_number(of, sheet, number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0));
-        cell_number(of, sheet, number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
+        cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TIME, 0));
+        cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_SPEED, 0));
+        cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_END_TURNS, 0));
         for (size_t i = 0; i < 2; i++) cell_number(of, sheet, events[i]);
-        cell_text(of, sheet, ended(end_of(of, point)));
+        cell_text(of, sheet, runup_ended(runup_number_of(of, point, WHIRL_FIELD_RUNUP_END, 0)));
     }
     find_sheet_end(of);
 }
 
-static void find_peaks(const finder *of) {
+static void runup_find_peaks(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "peaks", "Largest motions of a run");
     sheet->about = "The largest distance of a station from the centre, when, and at which speed of the shaft.";
     sheet_values(of, sheet, "", 6);
@@ -89,20 +82,20 @@ static void find_peaks(const finder *of) {
     sheet_column(of, sheet, "speed", "speed", WHIRL_QUANTITY_SPEED, 6);
     for (size_t point = 0; point < of->table->count; point++)
         for (size_t station = 0; station < of->result->station_count; station++) {
-            const double *peak = numbers_of(of, point, WHIRL_FIELD_RUNUP_PEAK, station);
-            const double time = number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_TIME, station);
-            if (!peak || isnan(time)) continue;
+            const double peak = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK, station);
+            const double time = runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_TIME, station);
+            if (!whirl_table_done(of->table, point) || isnan(time)) continue;
             sheet_row(of, sheet);
             cell_value(of, sheet, point);
             cell_station(of, sheet, station);
-            cell_number(of, sheet, length(of, point, peak[0]));
+            cell_number(of, sheet, whirl_result_length_scale(of->result, of->table, point) * peak);
             cell_number(of, sheet, time);
-            cell_number(of, sheet, number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_SPEED, station));
+            cell_number(of, sheet, runup_number_of(of, point, WHIRL_FIELD_RUNUP_PEAK_SPEED, station));
         }
     find_sheet_end(of);
 }
 
-static void find_contacts(const finder *of) {
+static void runup_find_contacts(const finder *of) {
     whirl_sheet *sheet = find_sheet(of, "contacts", "Contacts of a run");
     sheet_values(of, sheet, "", 6);
     sheet_texts(of, sheet, "contact", "contact");
@@ -114,10 +107,10 @@ static void find_contacts(const finder *of) {
     const whirl_field *rows = whirl_layout_field(&of->table->layout, WHIRL_FIELD_RUNUP_FORCE);
     for (size_t point = 0; point < of->table->count && rows; point++)
         for (size_t c = 0; c < of->result->contact_count; c++) {
-            const double *own = numbers_of(of, point, WHIRL_FIELD_RUNUP_CONTACT, c);
-            const double *force = numbers_of(of, point, WHIRL_FIELD_RUNUP_FORCE, c);
+            const double *own = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_CONTACT, c);
+            const double *force = runup_numbers_of(of, point, WHIRL_FIELD_RUNUP_FORCE, c);
             double largest = 0.0;
-            const double count = number_of(of, point, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
+            const double count = runup_number_of(of, point, WHIRL_FIELD_RUNUP_CONTACT_NUMBER, c);
             if (!own || !force || isnan(count)) continue;
             for (size_t row = 0; row < rows->rows; row++) largest = fmax(largest, force[row]);
             sheet_row(of, sheet);
@@ -130,13 +123,16 @@ static void find_contacts(const finder *of) {
     find_sheet_end(of);
 }
 
-static void find(const finder *of) {
-    find_failures(of);
-    find_error(of);
-    find_runs(of);
-    find_peaks(of);
-    find_contacts(of);
+static void runup_find(const finder *of) {
+    runup_find_failures(of);
+    runup_find_error(of);
+    runup_find_runs(of);
+    runup_find_peaks(of);
+    runup_find_contacts(of);
 }
 
-const shown_kind shown_runup = {
-    .field = WHIRL_FIELD_RUNUP_END, .anchor = "runup", .name = "Run-up and coast-down", .held = "", .find = find};
+const shown_kind shown_runup = {.field = WHIRL_FIELD_RUNUP_END,
+                                .anchor = "runup",
+                                .name = "Run-up and coast-down",
+                                .held = "the run opens and closes",
+                                .find = runup_find};

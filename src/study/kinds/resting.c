@@ -119,6 +119,7 @@ static whirl_status resting_analyze(worker *w, size_t slot, const resting_machin
                            .at_frequency = at_frequency,
                            .running = make_running,
                            .context = &at,
+                           .drive_speed = machine->drive_speed,
                            .stop = w->batch->integrate.stop,
                            .placed_count = w->batch->placed_count,
                            .placed = w->batch->placed};
