@@ -41,7 +41,7 @@ void summarize_study(const whirl_study *study) {
         if (batch->plane > 0) printf(" and %s", batch->third);
         if (batch->refine > 0) printf(", refined from squares of %zu", batch->refine);
         if (!whirl_analysis_kind(batch->analyses)->settles) {
-            printf(": %.0f point%s about where the machine rests\n", points, plural(points));
+            printf(": %.0f point%s %s\n", points, plural(points), whirl_analysis_kind(batch->analyses)->place);
             continue;
         }
         if (whirl_analysis_kind(batch->analyses)->found) {

@@ -72,6 +72,7 @@ typedef struct whirl_kind {
     const char *name;   ///< "motion", "rest", "branch", "torus"
     const char *asked;  ///< the way a case asks for its analyses, a sentence
     const char *method; ///< the method of finding its points; NULL: integration, by the method of their options
+    const char *place;  ///< where points at rest are: "about where the machine rests"; NULL for other kinds
     const char *begins; ///< the start from which its points are followed; NULL: values of the parameter
     const char *beside; ///< remark after the name of that method, or ""
     /// True if its points are motions: with a start, a transient, a record and a verdict, and so with several starts,
@@ -86,8 +87,8 @@ typedef struct whirl_kind {
 } whirl_kind;
 
 // clang-format off
-/// Studies of machines at rest: name, meaning, source, and `STILL` if also for machines at speed 0, else `TURNING`.
-/// Each is both an analysis and a part of a study of that name.
+/// Studies of machines at rest: name, meaning, source, and `STILL` if also for machines at speed 0, `RUNNING` if the
+/// speed changes, else `TURNING`. Each is both an analysis and a part of a study of that name.
 #define WHIRL_STUDIES_AT_REST(study)                                                                                   \
     study(modes, "frequencies, damping, whirl and shapes of small motions about the position of rest",                 \
           "Friswell, Penny, Garvey, Lees 2010; Floquet 1883 where coefficients turn with the shaft", STILL)            \
@@ -100,7 +101,7 @@ typedef struct whirl_kind {
     study(statics, "sag, bending moments and loads of bearings by the weight, and elevations of bearings",             \
           "Przemieniecki 1968", STILL)                                                                                 \
     study(runup, "run up or down: the motion over time while the speed changes, by a rate or by a drive",              \
-          "Lewis 1932; Sommerfeld 1902; Kononenko 1969", TURNING)
+          "Lewis 1932; Sommerfeld 1902; Kononenko 1969", RUNNING)
 // clang-format on
 
 /// Description of an analysis.

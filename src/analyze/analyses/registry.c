@@ -14,9 +14,10 @@ static const whirl_kind motion = {.name = "motion",
                                   .settles = true};
 
 #define AT_REST                                                                                                        \
-    .name = "rest", .asked = "A study of its own, in place of sweep or response.", .method = "linear, about rest",     \
-    .beside = "", .cost = 1.0
-static const whirl_kind rest = {AT_REST}, still = {AT_REST, .still = true};
+    .name = "rest", .asked = "A study of its own, in place of sweep or response.", .beside = "", .cost = 1.0
+#define ABOUT_REST AT_REST, .method = "linear, about rest", .place = "about where the machine rests"
+static const whirl_kind rest = {ABOUT_REST}, still = {ABOUT_REST, .still = true};
+static const whirl_kind run = {AT_REST, .method = "in time, turn by turn", .place = "over time"};
 
 static const whirl_kind branch = {.name = "branch",
                                   .asked = "Of studies with `branch: {...}`.",
@@ -42,6 +43,7 @@ static const whirl_kind torus = {.name = "torus",
 #define ALWAYS true, false, &motion
 #define TURNING false, false, &rest
 #define STILL false, false, &still
+#define RUNNING false, false, &run
 #define TRACED false, false, &branch
 #define OF_TORI false, false, &torus
 

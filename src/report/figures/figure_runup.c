@@ -125,8 +125,8 @@ static void runup_describe_motion(const drawing *of, const figure_place *place, 
              "%.60s while the speed changes: the largest distance from the centre since the row before%s, and the "
              "lag of %s behind the mark on the shaft.",
              of->result->stations[s].name,
-             count == 1 ? ", amplitudes of $x$ and $y$ at the speed of the shaft over its last turn" : " of each run",
-             count == 1 ? "$x$ and $y$" : "$x$");
+             count == 1 ? ", amplitudes of x and y at the speed of the shaft over its last turn" : " of each run",
+             count == 1 ? "x and y" : "x");
 }
 
 static void runup_describe_orders(const drawing *of, const figure_place *place, whirl_figure *figure) {
@@ -139,8 +139,8 @@ static void runup_describe_orders(const drawing *of, const figure_place *place, 
         const course c = runup_course_of(of, table, runs[0], true);
         const double size = whirl_shown_length(of->units, table, runs[0]);
         for (size_t order = 0; order < MAX_ORDERS; order++) {
-            char label[8];
-            snprintf(label, sizeof label, "%zuX", order + 1);
+            char label[16];
+            snprintf(label, sizeof label, "at %zuX", order + 1);
             whirl_series *line = way == 0 ? panel_named(figure, panel, WHIRL_LINE, label, line_colour(order), 0.9)
                                           : panel_series(figure, panel, WHIRL_LINE, line_colour(order), 0.9);
             runup_add_line(figure, line, &c, WHIRL_FIELD_RUNUP_WHIRL_AMPLITUDE, place->station, 2 * order + way, size);
