@@ -272,12 +272,15 @@ def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):
     program = tmp_path / "forks.py"
     program.write_text(
         "import os, sys, threading, time, whirl\n"
-        f"text = open({str(GOOD)!r}).read().replace('points: 5', 'points: 400')\n"
-        "going = threading.Event()\n"
+        f"text = open({str(GOOD)!r}).read()\n"
+        "going, forked = threading.Event(), threading.Event()\n"
+        "def wait_for_the_fork(*_):\n"  # the run goes on until the fork is over, however long that takes
+        "    going.set()\n"
+        "    forked.wait()\n"
         "def run():\n"
-        "    whirl.run(whirl.Case(text=text), threads=1, progress=lambda *_: going.set())\n"
+        "    whirl.run(whirl.Case(text=text), threads=1, progress=wait_for_the_fork)\n"
         "threading.Thread(target=run, daemon=True).start()\n"
-        "going.wait(30)\n"
+        "going.wait()\n"
         "if os.fork() == 0:\n"
         "    try:\n"
         "        whirl.run(whirl.Case(text=text), threads=1, progress=False)\n"
@@ -285,6 +288,7 @@ def test_a_fork_beside_a_run_is_refused_in_words(tmp_path):
         "        print(refused, flush=True)\n"
         "    os._exit(0)\n"
         "os.wait()\n"
+        "forked.set()\n"
     )
     done = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=60, check=False)
     assert "was forked while another thread of its parent was at a run" in done.stdout, done.stderr
