@@ -1,11 +1,11 @@
-// Unbalances by rule: where a mode moves most, as large as what the bearings there carry.
+// Unbalances by rule: at the antinodes of a mode, in proportion to the static loads of the bearings next to them.
 #include <math.h>
 
 #include "whirl/engine/linear.h"
 
 static const double least = 0.1;
 
-/// A mode along a shaft, as displacements that are above 0 to one side.
+/// A mode shape along the shaft that moves most, as signed displacements along the phase of the largest one.
 typedef struct profile {
     const whirl_system *system;
     const whirl_station_statics *statics;
@@ -38,7 +38,7 @@ static void find_shaft(profile *p) {
     }
 }
 
-/// The bearing next to a place on a side (-1, 1), or on it; the probe count where there is none.
+/// Returns the nearest bearing at a position or to one side of it (-1, 1); the probe count if there is none.
 static size_t bearing_beside(const profile *p, double place, int side) {
     size_t found = p->system->probe_count;
     for (size_t i = 0; i < p->system->probe_count; i++) {
@@ -49,7 +49,7 @@ static size_t bearing_beside(const profile *p, double place, int side) {
     return found;
 }
 
-/// Whether the shape keeps its sign between two places.
+/// Returns true if the shape has one sign between two positions.
 static bool keeps_sign(const profile *p, double from, double to) {
     int sign = 0;
     for (size_t i = 0; i < p->system->probe_count; i++) {
@@ -61,7 +61,7 @@ static bool keeps_sign(const profile *p, double from, double to) {
     return true;
 }
 
-/// kg that the unbalance at a station goes by.
+/// Returns the mass in kg that the unbalance at a station is proportional to.
 static double weight_at(const profile *p, size_t probe) {
     const size_t none = p->system->probe_count;
     const double place = p->system->probes[probe].position;
@@ -75,12 +75,12 @@ static double weight_at(const profile *p, size_t probe) {
     return fabs(loads[ends[1] - place < place - ends[0]]);
 }
 
-/// What an unbalance by rule at a station does to the mode.
+/// Returns the excitation of the mode by an unbalance by rule at a station.
 static double excitation(const profile *p, size_t probe) {
     return weight_at(p, probe) * fabs(displacement(p, probe));
 }
 
-/// Whether an unbalance at a station excites the mode most, of the stretch of one sign that it is in.
+/// Returns true if no other station of the same stretch of one sign excites the mode more.
 static bool is_antinode(const profile *p, size_t probe) {
     const double place = p->system->probes[probe].position, own = displacement(p, probe);
     const double most = excitation(p, probe);

@@ -1,5 +1,5 @@
-// The coefficients of bearings: derivatives of their forces. What moves within them (pads that tilt, rings,
-// controllers) follows the journal at the frequency of the shaft: it is condensed.
+// The coefficients of bearings: derivatives of their forces. Inner states of bearings (tilting pads, rings,
+// controllers) follow the journal at the frequency of the shaft and are condensed.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,26 +9,26 @@
 #include "matrix.h"
 #include "memory.h"
 
-/// A machine of bearings alone, linear about where it rests, and what moves within the bearings.
+/// A machine of bearings alone, linearised at its equilibrium, and the inner states of the bearings.
 typedef struct inner_states {
     const mean_system *mean;
     const double *jacobian; ///< [count][count]
-    double frequency;       ///< of the whirl, by the system's time
-    size_t count;           ///< states of bearings that nothing else settles
-    size_t *place;          ///< [count] among the mean's coordinates
+    double frequency;       ///< frequency of the whirl, per unit of the system's time
+    size_t count;           ///< number of inner states that are not settled otherwise
+    size_t *place;          ///< [count] indices among the mean's coordinates
     double *matrix;         ///< [count][count][2] i frequency - their own Jacobian
-    double *side;           ///< [4][count][2] how they follow x, y, vx, vy
+    double *side;           ///< [4][count][2] response of the inner states to x, y, vx, vy
 } inner_states;
 
-/// Index of a coordinate among those of the mean.
-static size_t place_of(const mean_system *m, size_t coordinate) {
+/// Returns the index of a coordinate of the state among the coordinates of the mean.
+static size_t bearings_index(const mean_system *m, size_t coordinate) {
     size_t i = 0;
     while (i < m->count && m->kept[i] != coordinate) i++;
     return i;
 }
 
-/// How states follow a unit of each of four columns: (i w - J_ss) s = J_sc.
-static bool follow(const inner_states *s, const size_t column[4]) {
+/// Solves (i w - J_ss) s = J_sc for the response of the inner states to a unit of each of four columns.
+static bool bearings_follow(const inner_states *s, const size_t column[4]) {
     const size_t n = s->mean->count, count = s->count;
     for (size_t i = 0; i < count; i++) {
         for (size_t k = 0; k < count; k++) {
@@ -43,16 +43,16 @@ static bool follow(const inner_states *s, const size_t column[4]) {
     return count == 0 || matrix_solve_complex(count, s->matrix, 4, s->side);
 }
 
-/// Of a station of 1 kg: the forces on it are its accelerations.
-static bool take(const inner_states *s, double clock, const whirl_probe *probe, double *out) {
+/// Writes the coefficients of a bearing. The station has 1 kg, so that the forces on it are its accelerations.
+static bool bearings_take(const inner_states *s, double clock, const whirl_probe *probe, double *out) {
     const mean_system *m = s->mean;
-    const size_t n = m->count, row[] = {place_of(m, probe->vx), place_of(m, probe->vy)};
-    const size_t column[] = {place_of(m, probe->x), place_of(m, probe->y), row[0], row[1]};
-    if (!follow(s, column)) return false;
+    const size_t n = m->count, row[] = {bearings_index(m, probe->vx), bearings_index(m, probe->vy)};
+    const size_t column[] = {bearings_index(m, probe->x), bearings_index(m, probe->y), row[0], row[1]};
+    if (!bearings_follow(s, column)) return false;
     for (size_t r = 0; r < 2; r++)
         for (size_t c = 0; c < 2; c++) {
             const double *force = s->jacobian + row[r] * n;
-            // By the place and by the velocity, i w times which is that by the place, too.
+            // Derivatives by the displacement and by the velocity; a velocity is i w times the displacement.
             double by[2] = {force[column[c]], force[column[2 + c]]};
             for (size_t i = 0; i < s->count; i++) {
                 const double *still = s->side + 2 * (c * s->count + i),
@@ -66,7 +66,7 @@ static bool take(const inner_states *s, double clock, const whirl_probe *probe, 
     return true;
 }
 
-/// Stations of 1 kg have no other states than those of bearings behind their places and velocities.
+/// Finds the inner states of bearings: all states behind the displacements and velocities of the stations.
 static void find_states(const mean_system *m, inner_states *s) {
     for (size_t i = 0; i < m->count && m->system->lanes; i++)
         if (m->kept[i] >= 2 * m->system->lanes->degrees) s->place[s->count++] = i;
@@ -84,7 +84,7 @@ static void take_all(const whirl_machine *alone, mean_system *m, double *work, s
     mean_jacobian(m, work, work + d);
     find_states(m, &s);
     for (size_t p = 0; p < system->probe_count; p++)
-        if (!take(&s, alone->clock, &system->probes[p], out + 8 * p))
+        if (!bearings_take(&s, alone->clock, &system->probes[p], out + 8 * p))
             for (size_t i = 0; i < 8; i++) out[8 * p + i] = (double)NAN;
 }
 

@@ -7,7 +7,8 @@
 #include "matrix.h"
 #include "memory.h"
 
-/// What a machine is about where it rests, in SI: of places q, q'' = stiffness q + rates q', [count][count] each.
+/// A machine linearised at its equilibrium, in SI: q'' = stiffness q + rates q' for its displacements q, both matrices
+/// [count][count].
 typedef struct matrices {
     size_t count;
     size_t *places; ///< [count] coordinates of the state
@@ -17,7 +18,7 @@ typedef struct matrices {
 
 // ---------------------------------------------------------------- the matrices
 
-/// Of a Jacobian [n][n] by the system's time, whose unit is 1/clock.
+/// Takes the matrices from a Jacobian [n][n] whose unit of time is 1/clock.
 static whirl_status split(const double *jacobian, size_t n, const size_t *kept, double clock, matrices *out) {
     size_t *places = calloc(2 * n + 1, sizeof *places), *rates = places ? places + n : NULL, count = 0;
     if (!places) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
@@ -46,7 +47,8 @@ static whirl_status split(const double *jacobian, size_t n, const size_t *kept, 
                       n - 2 * count, n);
 }
 
-static whirl_status take(mean_system *m, const whirl_machine *machine, double *x, double *jacobian, matrices *out) {
+static whirl_status critical_take(mean_system *m, const whirl_machine *machine, double *x, double *jacobian,
+                                  matrices *out) {
     whirl_status status = rest_find(m, x);
     if (status.code != WHIRL_OK) return status;
     if (mean_is_modulated(m, x, jacobian))
@@ -56,7 +58,7 @@ static whirl_status take(mean_system *m, const whirl_machine *machine, double *x
     return split(jacobian, m->count, m->kept, machine->clock, out);
 }
 
-/// Freed by matrices_free, after a failure too.
+/// Makes the matrices of a machine. The caller frees them by matrices_free, after a failure too.
 static whirl_status matrices_new(const whirl_machine *machine, matrices *out) {
     mean_system mean;
     void *block;
@@ -67,7 +69,7 @@ static whirl_status matrices_new(const whirl_machine *machine, matrices *out) {
     double *x = malloc((d + d * d + 1) * sizeof *x);
     if (x) {
         memcpy(x, machine->start, d * sizeof *x);
-        status = take(&mean, machine, x, x + d, out);
+        status = critical_take(&mean, machine, x, x + d, out);
     } else {
         status = whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", d);
     }
@@ -83,17 +85,18 @@ static void matrices_free(matrices *m) {
 
 // ---------------------------------------------------------------- the roots
 
-/// A complex problem of order n as a real one of order 2n, whose vectors are the real parts above the imaginary ones:
-/// every root is there twice.
+/// A complex problem of order n written as a real one of order 2n. Its vectors are the real parts above the imaginary
+/// parts, and every root appears twice.
 typedef struct roots {
-    size_t n, free;  ///< complex directions; how many of them nothing holds, whose roots are 0
+    size_t n, free;  ///< complex directions; number of directions without stiffness, whose roots are 0
     double *values;  ///< [2n] w^2, rising
     double *vectors; ///< [2n][n][2] in their order
     double *block;   ///< all of these numbers, and workspace
 } roots;
 
-/// K + s (1 - i G), and 1 - i G, of the real problem; K is the stiffness with the other sign.
-static void fill(const matrices *slow, const double *gyroscopic, double shift, double *left, double *right) {
+/// Fills the matrices K + s (1 - i G) (left) and 1 - i G (right) of the real problem; K is the stiffness with the
+/// opposite sign.
+static void critical_fill(const matrices *slow, const double *gyroscopic, double shift, double *left, double *right) {
     const size_t n = slow->count, all = 2 * n;
     memset(right, 0, all * all * sizeof *right);
     for (size_t i = 0; i < n; i++) {
@@ -116,12 +119,13 @@ static int by_value(const void *a, const void *b) {
     return (p[0] > q[0]) - (p[0] < q[0]);
 }
 
-/// The vectors of real roots in their order, as complex numbers. Roots [all][2]: w^2, place.
+/// Copies the vectors of real roots in rising order, as complex numbers. order [all][2]: w^2 and the index of the
+/// vector.
 static void sort(roots *r, double (*order)[2], const double *found) {
     const size_t n = r->n, all = 2 * n;
     qsort(order, all, sizeof *order, by_value);
     for (size_t i = 0; i < all; i++) {
-        // Of a root that is there twice, rounding may make a pair: then either part is a vector.
+        // Rounding may turn a double root into a complex pair: then the real and the imaginary part are both vectors.
         const double *v = found + 2 * all * (size_t)order[i][1];
         r->values[i] = order[i][0];
         for (size_t k = 0; k < n; k++) {
@@ -131,7 +135,7 @@ static void sort(roots *r, double (*order)[2], const double *found) {
     }
 }
 
-/// Right-hand sides stand row by row: [all][all] is transposed.
+/// Transposes a matrix [all][all]: right-hand sides are stored row by row.
 static void transpose(size_t all, double *a) {
     for (size_t i = 0; i < all; i++)
         for (size_t k = 0; k < i; k++) {
@@ -141,12 +145,13 @@ static void transpose(size_t all, double *a) {
         }
 }
 
-/// By the inverse, in which low speeds are large; the shift lets rigid-body modes have one.
-static whirl_status solve(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
+/// Solves for the roots by the inverse, in which low speeds are large. The shift makes the matrix invertible with
+/// rigid-body modes too.
+static whirl_status critical_solve(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
     const size_t all = 2 * slow->count;
     double *left = r->block, *right = left + all * all, *real = right + all * all, *imaginary = real + all;
     double *found = imaginary + all, (*order)[2] = (double(*)[2])(found + 2 * all * all);
-    fill(slow, gyroscopic, shift, left, right);
+    critical_fill(slow, gyroscopic, shift, left, right);
     transpose(all, right);
     if (!matrix_solve(all, left, all, right))
         return whirl_fail(WHIRL_BAD_INPUT, "the matrices of critical speeds are singular");
@@ -166,7 +171,7 @@ static whirl_status solve(const matrices *slow, const double *gyroscopic, double
     return whirl_ok();
 }
 
-/// Roots from *first up to before *last: those that are 0, and all others whose modulus is below `most`.
+/// Sets the range *first to before *last of the roots that are 0 and of all others whose modulus is below `most`.
 static void roots_slowest(const roots *r, double most, size_t *first, size_t *last) {
     const size_t all = 2 * r->n;
     size_t low = 0;
@@ -183,7 +188,7 @@ static void roots_slowest(const roots *r, double most, size_t *first, size_t *la
     *last = high;
 }
 
-/// How many directions nothing holds.
+/// Counts the directions without stiffness.
 static whirl_status count_free(const matrices *slow, size_t *count) {
     const size_t n = slow->count;
     double *matrix = malloc((n * n + 1) * sizeof *matrix);
@@ -209,10 +214,10 @@ static whirl_status roots_new(const matrices *slow, const double *gyroscopic, do
     if (!r->block) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     r->values = r->block + 4 * all * all + 4 * all;
     r->vectors = r->values + all;
-    return solve(slow, gyroscopic, shift, r);
+    return critical_solve(slow, gyroscopic, shift, r);
 }
 
-/// Rounding of the shift hides roots that are far smaller: these are found once more by smaller shifts.
+/// Computes the smallest roots again by smaller shifts: rounding of the shift hides roots that are far smaller than it.
 static whirl_status roots_sharpen(const matrices *slow, const double *gyroscopic, double shift, roots *r) {
     enum { MAX_ROUNDS = 4 };
     const double far_smaller = 1e-4, next_shift = 1e-8;
@@ -236,7 +241,7 @@ static whirl_status roots_sharpen(const matrices *slow, const double *gyroscopic
 
 // ---------------------------------------------------------------- shapes
 
-/// Subtracts from v [n][2] its part along the unit vector u; what is left in length.
+/// Subtracts from v [n][2] its part along the unit vector u; returns the length of the rest.
 static double without(size_t n, const double *u, double *v) {
     double real = 0.0, imaginary = 0.0, square = 0.0;
     for (size_t i = 0; i < n; i++) {
@@ -257,7 +262,8 @@ static double length_of(size_t n, const double *v) {
     return sqrt(square);
 }
 
-/// Of 2m vectors [2m][n][2], which span m complex directions, leaves m orthonormal ones in front, the clearest first.
+/// Replaces 2m vectors [2m][n][2] that span m complex directions by m orthonormal ones at the front, the most
+/// independent first.
 static void make_independent(size_t n, size_t m, double *vectors) {
     for (size_t k = 0; k < m; k++) {
         size_t best = k;
@@ -275,13 +281,13 @@ static void make_independent(size_t n, size_t m, double *vectors) {
     }
 }
 
-/// The shape in all coordinates, places and their rates, which are not known by themselves: 0.
+/// Copies a shape of displacements into all coordinates of the state; the rates stay 0.
 static void spread(const matrices *of, const double *v, double *out) {
     for (size_t i = 0; i < of->count; i++) memcpy(out + 2 * of->places[i], v + 2 * i, 2 * sizeof *out);
 }
 
-/// Shapes [m] of one speed, any mixture of which is one: those that whirl most clearly in one direction each, forward
-/// first. work: 8 m m + 2 m + 4 m n numbers.
+/// Combines the m shapes of one speed, any combination of which is a shape, into those with the most definite
+/// directions of whirl, forward first. work: 8 m m + 2 m + 4 m n numbers.
 static bool sort_directions(const whirl_system *system, size_t m, double *shapes, double *work) {
     if (m < 2) return true;
     const size_t d = system->dimension, all = 2 * m;
@@ -296,7 +302,7 @@ static bool sort_directions(const whirl_system *system, size_t m, double *shapes
             form[i * all + m + k] = -area[1];
         }
     if (!matrix_symmetric_modes(all, form, NULL, values, mixed)) return false;
-    // The largest area, which is forward, first.
+    // The largest area, that is forward whirl, comes first.
     for (size_t i = 0; i < all; i++)
         for (size_t k = 0; k < m; k++) {
             vectors[2 * (i * m + k)] = mixed[(all - 1 - i) * all + k];
@@ -316,7 +322,7 @@ static bool sort_directions(const whirl_system *system, size_t m, double *shapes
     return true;
 }
 
-/// Adds the speed of roots from `first` up to before `after`, which are one.
+/// Adds the critical speed of the equal roots `first` to before `after`.
 static bool add_speed(const whirl_system *system, const matrices *of, roots *r, size_t first, size_t after,
                       whirl_critical_speeds *out) {
     const size_t m = (after - first) / 2, d = out->dimension;
@@ -335,7 +341,7 @@ static bool add_speed(const whirl_system *system, const matrices *of, roots *r, 
     return made;
 }
 
-static whirl_critical_speeds *allocate(size_t dimension, size_t count) {
+static whirl_critical_speeds *critical_allocate(size_t dimension, size_t count) {
     const size_t numbers = 2 * count + 2 * count * dimension;
     whirl_critical_speeds *speeds = calloc(1, sizeof *speeds + (numbers + 1) * sizeof(double));
     if (!speeds) return NULL;
@@ -346,9 +352,10 @@ static whirl_critical_speeds *allocate(size_t dimension, size_t count) {
     return speeds;
 }
 
-static whirl_status collect(const whirl_system *system, const matrices *of, roots *r, whirl_critical_speeds **out) {
-    const double alike = 1e-7; // of w^2: what rounding leaves between equal roots
-    whirl_critical_speeds *speeds = allocate(system->dimension, r->n);
+static whirl_status critical_collect(const whirl_system *system, const matrices *of, roots *r,
+                                     whirl_critical_speeds **out) {
+    const double alike = 1e-7; // relative difference of w^2 that rounding leaves between equal roots
+    whirl_critical_speeds *speeds = critical_allocate(system->dimension, r->n);
     bool made = speeds != NULL;
     size_t first, last;
     roots_slowest(r, 0.0, &first, &last);
@@ -356,7 +363,7 @@ static whirl_status collect(const whirl_system *system, const matrices *of, root
     for (size_t after; last < 2 * r->n && isfinite(r->values[last]) && made; last = after) {
         const double value = r->values[last];
         for (after = last + 1; after < 2 * r->n && r->values[after] - value <= alike * value;) after++;
-        // Every root is there twice: what is left over is of the next ones.
+        // Every root appears twice, so an odd number of equal roots misses one.
         if ((after - last) % 2 != 0 && after < 2 * r->n) after++;
         made = add_speed(system, of, r, last, after, speeds);
     }
@@ -376,14 +383,14 @@ static double largest_of(size_t count, const double *a) {
     return largest;
 }
 
-/// gyroscopic becomes what the rates gain by a rad/s of the speed, with the other sign.
-static whirl_status compare(const matrices *slow, const matrices *fast, double gained, double *gyroscopic) {
+/// Sets `gyroscopic` to the increase of the rates per rad/s of the speed, with the opposite sign.
+static whirl_status critical_compare(const matrices *slow, const matrices *fast, double gained, double *gyroscopic) {
     const size_t n = slow->count;
     if (fast->count != n || gained == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT,
                           "there is no machine at another speed, from which gyroscopic moments follow");
     for (size_t i = 0; i < n * n; i++) {
-        const double size = largest_of(n, slow->stiffness + i / n * n); // of what moves the same coordinate
+        const double size = largest_of(n, slow->stiffness + i / n * n); // largest stiffness of the same coordinate
         if (fabs(fast->stiffness[i] - slow->stiffness[i]) > 1e-9 * size)
             return whirl_fail(WHIRL_BAD_INPUT, "the stiffness changes with the speed (films, tables over speed): the "
                                                "critical speeds of such machines are found by modes along the speed");
@@ -392,18 +399,18 @@ static whirl_status compare(const matrices *slow, const matrices *fast, double g
     return whirl_ok();
 }
 
-static whirl_status find(const whirl_machine *machine, const matrices *slow, const matrices *fast, double gained,
-                         whirl_critical_speeds **out) {
+static whirl_status critical_find(const whirl_machine *machine, const matrices *slow, const matrices *fast,
+                                  double gained, whirl_critical_speeds **out) {
     const size_t n = slow->count;
     double *gyroscopic = calloc(n * n + 1, sizeof *gyroscopic);
     if (!gyroscopic) return whirl_fail(WHIRL_NO_MEMORY, "no memory for critical speeds of %zu coordinates", n);
     const double shift = 1e-6 * largest_of(n * n, slow->stiffness);
     roots r = {.n = n};
-    whirl_status status = compare(slow, fast, gained, gyroscopic);
+    whirl_status status = critical_compare(slow, fast, gained, gyroscopic);
     if (status.code == WHIRL_OK) status = count_free(slow, &r.free);
     if (status.code == WHIRL_OK) status = roots_new(slow, gyroscopic, shift, &r);
     if (status.code == WHIRL_OK) status = roots_sharpen(slow, gyroscopic, shift, &r);
-    if (status.code == WHIRL_OK) status = collect(machine->system, slow, &r, out);
+    if (status.code == WHIRL_OK) status = critical_collect(machine->system, slow, &r, out);
     free(r.block);
     free(gyroscopic);
     return status;
@@ -416,7 +423,7 @@ whirl_status whirl_critical_speeds_new(const whirl_machine *machine, const whirl
     const int before = exhausted_watch();
     whirl_status status = matrices_new(machine, &slow);
     if (status.code == WHIRL_OK) status = matrices_new(faster, &fast);
-    if (status.code == WHIRL_OK) status = find(machine, &slow, &fast, faster->speed - machine->speed, out);
+    if (status.code == WHIRL_OK) status = critical_find(machine, &slow, &fast, faster->speed - machine->speed, out);
     const size_t coordinates = slow.count;
     matrices_free(&slow);
     matrices_free(&fast);

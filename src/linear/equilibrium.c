@@ -1,4 +1,4 @@
-// Static equilibrium: damped Newton steps, the load brought on in shares where they do not find it at once.
+// Static equilibrium by damped Newton steps; the load is applied in shares if they do not converge at once.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,16 +8,16 @@
 #include "matrix.h"
 #include "memory.h"
 
-/// Singular directions below this part of the largest do not move: free motions, to rounding.
+/// Relative singular value below which a direction counts as a free motion and is not moved.
 static const double free_direction = 1e-12;
 
-/// A search for where f(x) = (1 - share) f(start).
+/// A search for x with f(x) = (1 - share) f(start).
 typedef struct search {
     mean_system *mean;
     double share;
     double *load;     ///< [count] f(start)
-    double *weight;   ///< [count] by which residuals count
-    double *idle;     ///< [count] 1 of those that are idle at the start, else 0
+    double *weight;   ///< [count] weights of the residuals
+    double *idle;     ///< [count] 1 for coordinates that are idle at the start, else 0
     double *f;        ///< [count] at x
     double *step;     ///< [count]
     double *jacobian; ///< [count][count]
@@ -42,13 +42,13 @@ static double norm_of(const search *s, const double *numbers) {
     return isfinite(sum) ? sqrt(sum) : (double)INFINITY;
 }
 
-/// Forces on coordinates that have a balance of their own are 0: these follow the others.
+/// Sets forces on coordinates that have a balance of their own to 0: these coordinates follow the others.
 static void leave_settled(const mean_system *m, double *f) {
     for (size_t i = 0; i < m->count; i++)
         if (m->settled[m->kept[i]] != WHIRL_NOT_SETTLED) f[i] = 0.0;
 }
 
-/// Of x with coordinates settled that have a balance of their own.
+/// Returns the weighted residual at x, after coordinates with a balance of their own were settled.
 static double residual(search *s, double *x) {
     const size_t n = s->mean->count;
     if (!mean_settle(s->mean, x)) return (double)INFINITY;
@@ -58,7 +58,7 @@ static double residual(search *s, double *x) {
     return norm_of(s, s->f);
 }
 
-/// Holds what is idle where it is: nothing says where it goes.
+/// Keeps idle coordinates where they are: no equation determines them.
 static void hold_idle(const mean_system *m, double *jacobian) {
     const size_t n = m->count;
     for (size_t i = 0; i < n; i++) {
@@ -68,8 +68,8 @@ static void hold_idle(const mean_system *m, double *jacobian) {
     }
 }
 
-/// The step to where the linearised system vanishes; the shortest one where free motions leave a choice. *leads: it
-/// gets there.
+/// Finds the step to the zero of the linearised system, the shortest one if free motions leave a choice. *leads: the
+/// step reaches the zero.
 static bool find_step(search *s, const double *x, bool *leads) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
@@ -87,8 +87,8 @@ static void go(const search *s, const double *x, double part, double *to) {
     for (size_t i = 0; i < s->mean->count; i++) to[s->mean->kept[i]] += part * s->step[i];
 }
 
-/// Whether f at x is what rounding leaves of forces that balance each other: at places beside x f differs from its
-/// linear form by as much. The Jacobian is that at x.
+/// Returns true if f at x is rounding of forces that balance each other: near x, f differs from its linear form by as
+/// much. The Jacobian is the one at x.
 static bool is_rounding(search *s, const double *x) {
     static const double beside[][2] = {
         {1e-15, 2e-15}, {-2e-14, 1e-14}, {3e-13, -1e-13}, {-1e-12, -3e-12}, {2e-11, 1e-11}};
@@ -113,7 +113,7 @@ static bool is_rounding(search *s, const double *x) {
     return norm <= 10.0 * noise;
 }
 
-/// A step, halved until the residual falls; false where it does not.
+/// Takes a step, halved until the residual falls; returns false if it does not fall.
 static bool take_step(search *s, double *x, double *norm) {
     enum { MAX_HALVINGS = 20 };
     double part = 2.0;
@@ -130,8 +130,8 @@ static bool take_step(search *s, double *x, double *norm) {
     return false;
 }
 
-/// Newton's method from x; false where it does not arrive.
-static bool solve(search *s, double *x) {
+/// Runs Newton's method from x; returns false if it does not converge.
+static bool equilibrium_solve(search *s, double *x) {
     enum { MAX_STEPS = 60 };
     const size_t n = s->mean->count, d = s->mean->system->dimension;
     double norm = residual(s, x);
@@ -140,7 +140,8 @@ static bool solve(search *s, double *x) {
         if (norm == 0.0) return true;
         if (!find_step(s, x, &leads)) return false;
         const double length = size_of(s->step, n), size = size_of(x, d);
-        // Quadratic convergence: after a step this short nothing but rounding is left, unless the step leads nowhere.
+        // Convergence is quadratic: after a step this short only rounding is left, unless the step does not reach the
+        // zero.
         if (length <= 1e-9 * size + 1e-14) {
             go(s, x, 1.0, s->trial);
             const double next = residual(s, s->trial);
@@ -152,8 +153,8 @@ static bool solve(search *s, double *x) {
     return false;
 }
 
-/// Weighs each residual by the largest entry of its row of the Jacobian at x: as displacements. Accelerations of a
-/// station that is nearly without mass are so large, and so is what rounding leaves of them, that nothing else counts.
+/// Divides each residual by the largest entry of its row of the Jacobian at x, which turns it into a displacement.
+/// Accelerations of a station of little mass, and their rounding, are so large that they would hide all others.
 static void weigh_rows(search *s, const double *x) {
     const size_t n = s->mean->count;
     mean_jacobian(s->mean, x, s->jacobian);
@@ -163,7 +164,7 @@ static void weigh_rows(search *s, const double *x) {
     }
 }
 
-/// The load in shares, each from where the one before came to rest.
+/// Applies the load in shares, each from the equilibrium of the one before.
 static bool bring_load_on(search *s, double *x, double *at) {
     const double least = 1.0 / 4096.0;
     const size_t d = s->mean->system->dimension;
@@ -171,7 +172,7 @@ static bool bring_load_on(search *s, double *x, double *at) {
     while (done < 1.0) {
         s->share = fmin(1.0, done + way);
         memcpy(at, x, d * sizeof *at);
-        if (solve(s, at)) {
+        if (equilibrium_solve(s, at)) {
             memcpy(x, at, d * sizeof *x);
             done = s->share;
             way *= 2.0;
@@ -183,8 +184,8 @@ static bool bring_load_on(search *s, double *x, double *at) {
     return true;
 }
 
-/// A journal in the very centre of its film leaves no direction to look in: the film's force has a kink there. It is
-/// moved to where its load may hold it.
+/// Moves journals out of the exact centre of their films, along their loads: the film's force has a kink in the centre,
+/// so that Newton's method has no direction there.
 static void leave_centres(const mean_system *m, const double *load, double *x) {
     const double away = 0.3, quarter = 0.7071067811865475;
     for (size_t p = 0; p < m->system->probe_count; p++) {
@@ -203,7 +204,7 @@ static void leave_centres(const mean_system *m, const double *load, double *x) {
     }
 }
 
-/// Moves all stations the way their loads point, those with the largest load by a distance in length scales.
+/// Moves all stations along their loads, the station with the largest load by `distance` in length scales.
 static void move_with_load(const mean_system *m, const double *load, double distance, double *x) {
     double largest = 0.0;
     for (size_t k = 0; k < m->count; k++) largest = fmax(largest, fabs(load[k]));
@@ -216,20 +217,20 @@ static void move_with_load(const mean_system *m, const double *load, double dist
     }
 }
 
-/// A machine that nothing holds where it starts (within clearances) falls the way its load points; the load is brought
-/// on at once where something holds it.
+/// Moves a machine without stiffness at its start (within clearances) along its loads until something supports it;
+/// there the whole load is applied at once.
 static bool fall(search *s, const double *start, double *at) {
     enum { DOUBLINGS = 30 }; // from a millionth of the length scale to a thousand of them
     s->share = 1.0;
     for (int k = 0; k < DOUBLINGS; k++) {
         memcpy(at, start, s->mean->system->dimension * sizeof *at);
         move_with_load(s->mean, s->load, ldexp(1e-6, k), at);
-        if (mean_settle(s->mean, at) && solve(s, at)) return true;
+        if (mean_settle(s->mean, at) && equilibrium_solve(s, at)) return true;
     }
     return false;
 }
 
-/// The number of coordinates that are idle now and were held at the start; with `unsaid` they become NaN in x.
+/// Counts the coordinates that are idle now and had stiffness at the start; with `unsaid` they become NaN in x.
 static size_t count_lost(const search *s, double *x, bool unsaid) {
     const mean_system *m = s->mean;
     size_t count = 0;
@@ -241,15 +242,15 @@ static size_t count_lost(const search *s, double *x, bool unsaid) {
     return count;
 }
 
-/// Takes another place of rest for x where pads have films that lost them on the way to x. A pad with a spring may
-/// have two balances, and a search that follows its tilt does not come back to the film. at [dimension] is workspace.
+/// Replaces x by an equilibrium in which pads have films again that lost them on the way to x. A pad with a spring may
+/// have two balances, and a search that follows its tilt does not return to the film. at [dimension] is workspace.
 static void regain_films(search *s, double *x, double *at) {
     const size_t d = s->mean->system->dimension;
     s->share = 1.0;
     memcpy(at, x, d * sizeof *at);
     mean_settle(s->mean, at);
     for (size_t lost = count_lost(s, at, true), left; lost > 0; lost = left) {
-        if (!mean_settle(s->mean, at) || count_lost(s, at, false) >= lost || !solve(s, at)) return;
+        if (!mean_settle(s->mean, at) || count_lost(s, at, false) >= lost || !equilibrium_solve(s, at)) return;
         mean_settle(s->mean, at);
         if (count_lost(s, at, false) >= lost) return;
         memcpy(x, at, d * sizeof *x);
@@ -257,7 +258,7 @@ static void regain_films(search *s, double *x, double *at) {
     }
 }
 
-/// rest_find, and the share of the load that the place of rest was followed up to.
+/// As rest_find; *share is the part of the load up to which the equilibrium was followed.
 static whirl_status rest_follow(mean_system *m, double *x, double *share) {
     const size_t n = m->count, d = m->system->dimension;
     double *block = calloc(5 * n + n * n + 3 * d + 1, sizeof *block);

@@ -1,6 +1,6 @@
-// Free motions: displacements that no force answers, and what follows from them. They are the null space of a Jacobian,
-// found by elimination. What is left of a number when others are subtracted from it counts as zero by the size of what
-// was subtracted, so that neither units nor stiff parts elsewhere in the machine decide.
+// Free motions: displacements without a restoring force, the null space of a Jacobian, found by elimination. A
+// remainder of a subtraction counts as zero if it is small beside the subtracted numbers, so that neither units nor
+// stiff parts elsewhere in the machine decide.
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,10 +8,10 @@
 
 #include "linear_parts.h"
 
-/// What is left of a sum is looked at closely below this part of its summands.
+/// A sum below this part of its summands is doubtful: it may be rounding.
 static const double doubtful = 1e-8;
 
-/// What may be left by numbers of the matrix that are right to their last bits, in units of one rounding of each.
+/// Remainder that rounding of the matrix may leave, in units of one rounding of each number.
 static const double roundings = 100.0;
 
 /// An elimination with exchange of rows and columns.
@@ -19,9 +19,9 @@ typedef struct elimination {
     size_t n, rank;
     double *matrix;       ///< [n][n] in scaled coordinates, rows and columns where they were
     double *numbers;      ///< [n][n] the factors: upper triangle, and below the diagonal the multipliers of rows
-    double *sums;         ///< [n][n] moduli of all that each number is a sum of
-    double *scale;        ///< [n] powers of two: a coordinate is so much times its scaled one
-    size_t *row, *column; ///< [n] places of rows and columns after the exchanges
+    double *sums;         ///< [n][n] sum of the moduli of all summands of each number
+    double *scale;        ///< [n] powers of two: a coordinate over its scaled one
+    size_t *row, *column; ///< [n] positions of rows and columns after the exchanges
     double *room;         ///< [3 n][n] for free shapes
 } elimination;
 
@@ -47,7 +47,7 @@ static void scale_numbers(elimination *e) {
     }
 }
 
-/// The largest number from row and column `rank` on that is clearly more than rounding.
+/// Finds the largest number from row and column `rank` on that is clearly more than rounding.
 static bool find_clear_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n;
     double largest = 0.0;
@@ -62,7 +62,8 @@ static bool find_clear_pivot(const elimination *e, size_t *row, size_t *column) 
     return largest > 0.0;
 }
 
-/// The displacement `free` that only rows from `rank` on answer, by back substitution, out [rank] by pivots.
+/// Computes by back substitution the displacement with column `free` at 1 to which only rows from `rank` on respond;
+/// out [rank] is by pivots.
 static void follow_pivots(const elimination *e, size_t free, double *out) {
     const size_t n = e->n;
     for (size_t i = e->rank; i-- > 0;) {
@@ -76,7 +77,8 @@ static void follow_pivots(const elimination *e, size_t free, double *out) {
     }
 }
 
-/// The sum of rows, row `free` once and the pivots' out [rank] times, in which only columns from `rank` on are left.
+/// Computes the combination of rows, row `free` once and the pivots' rows out [rank] times, that is 0 in columns before
+/// `rank`.
 static void sum_rows(const elimination *e, size_t free, double *out) {
     const size_t n = e->n;
     const double *multipliers = e->numbers + (e->rank + free) * n;
@@ -87,8 +89,8 @@ static void sum_rows(const elimination *e, size_t free, double *out) {
     }
 }
 
-/// Of numbers that are left where none is clear, the one that is most above what rounding of the matrix makes of it:
-/// of u' A v, u the sum of rows and v the displacement, roundings of A make up to |u|' |A| |v|.
+/// Finds the remainder that exceeds the rounding of the matrix most, if none is clear. A remainder is u' A v, with u
+/// the combination of rows and v the displacement; roundings of A make up to |u|' |A| |v| of it.
 static bool find_doubtful_pivot(const elimination *e, size_t *row, size_t *column) {
     const size_t n = e->n, rank = e->rank, left = n - rank;
     double *pivots = e->room, *sums = pivots + left * rank, *moved = sums + left * rank, most = roundings;
@@ -166,12 +168,12 @@ static void eliminate(elimination *e) {
 
 // ---------------------------------------------------------------- one step
 
-/// Coordinates of a matrix, in some of which it has free shapes: those coordinates lead, the others follow, and are
-/// replaced by what they move beside the free shapes.
+/// One replacement of coordinates. A free shape is given by its leading coordinates; the other coordinates follow, and
+/// are replaced by their motion relative to the free shapes.
 struct free_step {
     size_t n, leading;
     size_t *lead, *follow; ///< [leading], [n - leading] coordinates, each rising
-    double *shape;         ///< [n - leading][leading] what the followers move in each free shape
+    double *shape;         ///< [n - leading][leading] motion of the followers in each free shape
     double *pull;          ///< [leading][n - leading] the slope of the leaders by the followers
     struct free_step *next;
 };
@@ -190,7 +192,7 @@ static bool step_new(size_t n, size_t leading, free_step **out) {
     return true;
 }
 
-/// Which coordinates lead, and the free shapes; `room` [n] of numbers and `order` [n] of places.
+/// Sets the leading coordinates and the free shapes; `room` [n] and `order` [n] are workspace.
 static void step_fill(const elimination *e, double *room, size_t *order, free_step *step) {
     const size_t n = e->n;
     size_t leads = 0, follows = 0;
@@ -209,7 +211,7 @@ static void step_fill(const elimination *e, double *room, size_t *order, free_st
     }
 }
 
-/// The matrix [n][n] becomes that of the followers beside the free shapes, [n - leading][n - leading].
+/// Replaces the matrix [n][n] by the matrix of the followers relative to the free shapes, [n - leading][n - leading].
 static void step_take(free_step *step, double *matrix) {
     const size_t n = step->n, leads = step->leading, follows = n - leads;
     for (size_t k = 0; k < leads; k++)
@@ -223,7 +225,7 @@ static void step_take(free_step *step, double *matrix) {
         }
 }
 
-/// The number of independent free shapes in which any of the coordinates is displaced that is a place.
+/// Counts the independent free shapes in which a displacement (place true) moves.
 static size_t count_displaced(const free_step *step, const bool *place) {
     size_t count = 0;
     for (size_t k = 0; k < step->leading; k++) {
@@ -281,7 +283,8 @@ bool free_motions_take_out(size_t n, double *matrix, const bool *place, size_t *
     return false;
 }
 
-/// A vector [followers][2] at the front of out [n][2] becomes that of all coordinates; `room` [n][2].
+/// Converts a vector [followers][2] at the front of out [n][2] into a vector of all coordinates; `room` [n][2] is
+/// workspace.
 static void step_put_back(const free_step *step, double real, double imaginary, double *out, double *room) {
     const size_t leads = step->leading, follows = step->n - leads;
     const double square = real * real + imaginary * imaginary;
@@ -311,7 +314,7 @@ void free_motions_put_back(const free_step *first, double real, double imaginary
     double largest = 0.0, square = 0.0;
     if (!first) return;
     put_back(first, real, imaginary, vector, room);
-    // Of length 1, however slow the eigenvalue is.
+    // Scale to length 1 in a way that does not overflow for slow eigenvalues.
     for (size_t i = 0; i < 2 * first->n; i++) largest = fmax(largest, fabs(vector[i]));
     for (size_t i = 0; i < 2 * first->n; i++) square += vector[i] / largest * (vector[i] / largest);
     const double length = largest * sqrt(square);

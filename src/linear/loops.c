@@ -1,5 +1,5 @@
-// The sensitivity of loops of control: S(i w) = 1 + c (i w - J)^-1 b, b what a signal added to the sensor's adds to the
-// slope and c the sensor's signal by the state.
+// The sensitivity of control loops: S(i w) = 1 + c (i w - J)^-1 b. b is the slope of the state per unit of a signal
+// added to the sensor's, c the sensor's signal per unit of the state.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,8 +8,8 @@
 #include "matrix.h"
 #include "numerics.h"
 
-/// A closed loop in coordinates in which its Jacobian has nothing below the first subdiagonal, so that a frequency
-/// takes n^2 operations (Laub 1981), and room for its equations.
+/// A closed loop in coordinates in which its Jacobian is upper Hessenberg, so that a frequency takes n^2 operations
+/// (Laub 1981), and workspace for its equations.
 typedef struct closed_loop {
     size_t n;
     const double *jacobian; ///< [n][n]
@@ -17,7 +17,7 @@ typedef struct closed_loop {
     double *matrix, *side;  ///< [n][n][2], [n][2]
 } closed_loop;
 
-/// a -= factor b of complex numbers [count][2].
+/// Subtracts factor b from a, complex numbers [count][2].
 static void subtract(double *a, const double *factor, const double *b, size_t count) {
     for (size_t k = 0; k < count; k++) {
         a[2 * k] -= factor[0] * b[2 * k] - factor[1] * b[2 * k + 1];
@@ -25,7 +25,7 @@ static void subtract(double *a, const double *factor, const double *b, size_t co
     }
 }
 
-/// a / b, which is not 0.
+/// Divides a by b, which is not 0.
 static void divide(const double *a, const double *b, double *out) {
     const double square = b[0] * b[0] + b[1] * b[1];
     const double real = (a[0] * b[0] + a[1] * b[1]) / square;
@@ -64,7 +64,7 @@ static bool solve_hessenberg(size_t n, double *matrix, double *side) {
     return true;
 }
 
-/// The modulus of S at w; NaN where the equations are singular.
+/// Returns the modulus of S at w; NaN if the equations are singular.
 static double sensitivity(const closed_loop *of, double w) {
     const size_t n = of->n;
     double real = 1.0, imaginary = 0.0;
@@ -84,7 +84,7 @@ static double sensitivity(const closed_loop *of, double w) {
     return hypot(real, imaginary);
 }
 
-/// The largest value between two frequencies with one in the middle that is above both, by golden sections.
+/// Finds the largest value between two frequencies, by golden sections, around a middle one that exceeds both.
 static void sharpen(const closed_loop *of, double low, double high, whirl_sensitivity_peak *out) {
     const double golden = 0.6180339887498949;
     double one = high - golden * (high - low), other = low + golden * (high - low);
@@ -106,15 +106,15 @@ static void sharpen(const closed_loop *of, double low, double high, whirl_sensit
     out->frequency = w;
 }
 
-static int by_size(const void *a, const void *b) {
+static int loops_by_size(const void *a, const void *b) {
     const double p = *(const double *)a, q = *(const double *)b;
     return p < q ? -1 : p > q;
 }
 
 enum { EVEN = 240, AROUND = 9 };
 
-/// Frequencies to look at, rising: evenly over the logarithm around those of all eigenvalues, and closely around that
-/// of each mode that may make a peak.
+/// Writes the rising frequencies at which S is evaluated: evenly over the logarithm around those of all eigenvalues,
+/// and densely around each mode that may cause a peak.
 static size_t frequencies(const whirl_modes *modes, double *out) {
     double low = INFINITY, high = 0.0;
     size_t count = 0;
@@ -131,7 +131,7 @@ static size_t frequencies(const whirl_modes *modes, double *out) {
     if (!(high > 0.0)) return 0;
     low = fmax(0.1 * low, 1e-8 * high);
     for (int k = 0; k < EVEN; k++) out[count++] = low * pow(10.0 * high / low, k / (EVEN - 1.0));
-    qsort(out, count, sizeof *out, by_size);
+    qsort(out, count, sizeof *out, loops_by_size);
     return count;
 }
 
@@ -146,7 +146,7 @@ static void search(const closed_loop *of, const double *w, size_t count, whirl_s
     }
 }
 
-/// transposed [n][n] times the vector [n], into out.
+/// Writes the transposed matrix [n][n] times the vector [n] to out.
 static void turn(size_t n, const double *matrix, const double *vector, double *out) {
     memset(out, 0, n * sizeof *out);
     for (size_t i = 0; i < n; i++)

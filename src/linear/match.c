@@ -1,11 +1,11 @@
-// Modes followed from one machine to its neighbour.
+// Matching of modes between two neighbouring machines (points of a sweep).
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 #include "whirl/engine/linear.h"
 
-/// |a* b|^2 / (|a|^2 |b|^2): 1 where the shapes are one, 0 where they have nothing in common.
+/// Modal assurance criterion |a* b|^2 / (|a|^2 |b|^2): 1 for equal shapes, 0 for orthogonal ones.
 static double likeness(const double *a, const double *b, size_t dimension) {
     double real = 0.0, imaginary = 0.0, of_a = 0.0, of_b = 0.0;
     for (size_t i = 0; i < 2 * dimension; i += 2) {
@@ -18,7 +18,7 @@ static double likeness(const double *a, const double *b, size_t dimension) {
     return both > 0.0 ? (real * real + imaginary * imaginary) / both : 0.0;
 }
 
-/// How unlike two modes are: 0 for the same one.
+/// Returns the distance of two modes in eigenvalue and shape; 0 for equal modes.
 static double distance(const whirl_modes *from, size_t i, const whirl_modes *to, size_t k, double scale) {
     const whirl_mode *a = &from->modes[i], *b = &to->modes[k];
     const double sizes = scale * hypot(a->real, a->imaginary) + hypot(b->real, b->imaginary);
@@ -28,7 +28,7 @@ static double distance(const whirl_modes *from, size_t i, const whirl_modes *to,
     return unlike + 4.0 * apart / (sizes > 0.0 ? sizes : 1.0) + 0.1 * fabs(a->direction - b->direction);
 }
 
-/// The likest pair first, of those that are left. apart [from->count][to->count] is used up.
+/// Pairs modes, the closest pair of those that are left first. apart [from->count][to->count] is overwritten.
 static void pair_off(const whirl_modes *from, const whirl_modes *to, double *apart, size_t *partner, double *unlike) {
     for (size_t pairs = 0; pairs < from->count && pairs < to->count; pairs++) {
         size_t best = 0;

@@ -14,12 +14,12 @@ static bool turns(const whirl_system *system, size_t coordinate) {
 
 enum { LOOKS = 5 };
 
-/// Instants without any symmetry between them.
+/// Returns one of several instants that have no symmetry between them.
 static double look_at(const whirl_system *system, int look) {
     return system->period * (0.07 + 0.19 * look);
 }
 
-/// The mean of the values of time: that of one that stays as it is, as of a rotor that stands still; else 0.
+/// Sets the mean of the values of time: the value itself if it is constant (a rotor that stands still), else 0.
 static void find_steady(mean_system *m) {
     double forcing[WHIRL_MAX_FORCING];
     if (m->system->forcing_count == 0) return;
@@ -31,7 +31,7 @@ static void find_steady(mean_system *m) {
     }
 }
 
-/// Unit perturbations of the coordinates that are kept.
+/// Sets unit perturbations of the coordinates that are kept.
 static void mean_keep(mean_system *m) {
     memset(m->unit, 0, m->count * m->system->dimension * sizeof *m->unit);
     for (size_t i = 0; i < m->count; i++) m->unit[i * m->system->dimension + m->kept[i]] = 1.0;
@@ -47,7 +47,7 @@ whirl_status mean_begin(mean_system *m, const whirl_system *system, void **block
     *block = NULL;
     if (!system->tangent)
         return whirl_fail(WHIRL_BAD_INPUT, "the system gives no Jacobian, expected one for linear analyses");
-    // One block: the indices behind the numbers.
+    // One block: numbers, then indices.
     char *all = calloc(1, (2 * d + 2 * d * d) * sizeof(double) + d * (sizeof(size_t) + sizeof(whirl_settled)) + 1);
     if (!all) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the Jacobian of %zu coordinates", d);
     *block = all;
@@ -79,7 +79,7 @@ void mean_leave_idle(mean_system *m, const double *x) {
     mean_keep(m);
 }
 
-/// The state at one of the phases, and the time there.
+/// Sets the state at one of the phases; returns the time there.
 static double at_phase(mean_system *m, const double *x, int sample) {
     const whirl_system *system = m->system;
     const double share = (double)sample / PHASES;
@@ -111,7 +111,7 @@ void mean_contacts(mean_system *m, const double *x, double *force, double *room)
     }
 }
 
-/// Adds the transposed rows that `tangent` writes, times a share.
+/// Adds `share` times the transposed rows that `tangent` writes.
 static void add_jacobian(mean_system *m, double t, const double *forcing, const double *x, double share,
                          double *jacobian) {
     const size_t d = m->system->dimension, n = m->count;

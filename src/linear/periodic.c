@@ -15,14 +15,15 @@ static whirl_integrate_options tight(void) {
     return options;
 }
 
-static whirl_status start(const mean_system *m, whirl_integrator **integrator) {
+static whirl_status periodic_start(const mean_system *m, whirl_integrator **integrator) {
     const whirl_integrate_options options = tight();
     whirl_status status = whirl_integrator_new(m->system, &options, integrator);
     if (status.code == WHIRL_OK) status = whirl_integrator_follow(*integrator, m->count);
     return status;
 }
 
-/// Carries x and unit perturbations over the period; their ends, as columns, are the monodromy matrix.
+/// Integrates x and unit perturbations over the period; the final perturbations are the columns of the monodromy
+/// matrix.
 static bool carry(const mean_system *m, whirl_integrator *integrator, size_t revolutions, double *x, double *vectors,
                   double *monodromy) {
     const size_t d = m->system->dimension, n = m->count;
@@ -35,7 +36,7 @@ static bool carry(const mean_system *m, whirl_integrator *integrator, size_t rev
     return true;
 }
 
-/// A Newton step of P(x) = x, which the monodromy matrix is the derivative of; gives its size, which is at most
+/// Takes a Newton step for P(x) = x; the monodromy matrix is the derivative of P. *size is the step's size, at most
 /// `most`.
 static bool step(const mean_system *m, const double *end, const double *monodromy, double most, double *x, double *work,
                  double *size) {
@@ -57,7 +58,7 @@ static bool step(const mean_system *m, const double *end, const double *monodrom
     return isfinite(*size);
 }
 
-/// The largest change of the matrix since it was noted, which it is now.
+/// Returns the largest change of the matrix since the last call, and stores the matrix for the next one.
 static double note_change(const double *matrix, double *noted, size_t count) {
     double change = 0.0, largest = 1.0;
     for (size_t i = 0; i < count; i++) {
@@ -68,7 +69,7 @@ static double note_change(const double *matrix, double *noted, size_t count) {
     return change / largest;
 }
 
-/// Newton's method on the section.
+/// Runs Newton's method on the Poincare section.
 static bool close_orbit(const mean_system *m, whirl_integrator *integrator, size_t revolutions, double *x, bool closed,
                         double *monodromy, double *work) {
     enum { MAX_STEPS = 20 };
@@ -98,7 +99,7 @@ whirl_status periodic_find(const mean_system *m, double *x, bool closed, double 
                                            "revolutions, expected one of the two for modes");
     double *work = calloc(d + n * d + 2 * n * n + n + 1, sizeof *work);
     if (!work) return whirl_fail(WHIRL_NO_MEMORY, "no memory for a periodic motion of %zu coordinates", d);
-    whirl_status status = start(m, &integrator);
+    whirl_status status = periodic_start(m, &integrator);
     *period = system->period * (double)revolutions;
     if (status.code == WHIRL_OK && !close_orbit(m, integrator, revolutions, x, closed, monodromy, work))
         status = whirl_fail(WHIRL_NUMERICAL_FAILURE,
@@ -116,7 +117,7 @@ typedef struct harmonic_sum {
     double rate;
 } harmonic_sum;
 
-static void add(void *observer, double t, const double *x) {
+static void periodic_add(void *observer, double t, const double *x) {
     harmonic_sum *sum = observer;
     const double c = 2.0 * sum->share * cos(sum->rate * t), s = 2.0 * sum->share * sin(sum->rate * t);
     for (size_t i = 0; i < sum->dimension; i++) {
@@ -144,7 +145,7 @@ whirl_status periodic_harmonic(const mean_system *m, const double *x, double *me
     memset(mean, 0, d * sizeof *mean);
     memset(harmonic, 0, 2 * d * sizeof *harmonic);
     for (size_t k = 0; k < revolutions && status.code == WHIRL_OK; k++)
-        if (whirl_integrator_revolve(integrator, at, add, &sum) != WHIRL_BOUNDED)
+        if (whirl_integrator_revolve(integrator, at, periodic_add, &sum) != WHIRL_BOUNDED)
             status = whirl_fail(WHIRL_BAD_INPUT, "the periodic motion leaves its bounds");
     whirl_integrator_free(integrator);
     free(at);

@@ -1,4 +1,4 @@
-// The synchronous response: what small forcing once a revolution makes of a machine at rest.
+// The synchronous response: linear response of a machine at rest to forcing once a revolution.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,8 @@
 
 static const double two_pi = 6.283185307179586476925;
 
-/// What the forcing adds at rest, as its first harmonic [count][2]; phases that turn once a revolution turn with it.
+/// Computes the first harmonic [count][2] of what the forcing adds to the slope at rest; phases that turn once a
+/// revolution turn along.
 static void take_forcing(mean_system *m, const double *x, double *out) {
     enum { INSTANTS = 32 };
     const whirl_system *system = m->system;
@@ -35,7 +36,7 @@ static void take_forcing(mean_system *m, const double *x, double *out) {
     }
 }
 
-/// Equations (i w - J) X = F, for the forcing and for each of its numbers alone.
+/// Equations (i w - J) X = F, for the whole forcing and for each of its numbers alone.
 typedef struct response_parts {
     size_t n, count;
     double *jacobian, *matrix; ///< [n][n], [n][n][2]
@@ -68,15 +69,15 @@ static bool parts_solve(mean_system *m, const double *x, response_parts *p) {
     return matrix_solve_complex(n, p->matrix, 1 + p->count, p->side);
 }
 
-/// A part of what it is a sum of, or of the largest response, below which a response is rounding: nothing excites the
-/// station, or it is a node.
+/// Relative size, compared with its summands or the largest response, below which a response is rounding: the station
+/// is a node, or nothing excites it.
 static const double nothing = 1e-10;
 
 static double size_of(const double *number) {
     return hypot(number[0], number[1]);
 }
 
-/// The response in all coordinates, without what is left where responses to single numbers of the forcing cancel.
+/// Copies the response into all coordinates; sets it to 0 where the responses to single numbers of the forcing cancel.
 static void take_sums(const mean_system *m, const response_parts *p, double *response) {
     memset(response, 0, 2 * m->system->dimension * sizeof *response);
     for (size_t i = 0; i < p->n; i++) {
@@ -87,7 +88,7 @@ static void take_sums(const mean_system *m, const response_parts *p, double *res
     }
 }
 
-/// Sets displacements and rates of stations to 0 that are rounding beside the largest.
+/// Sets displacements and rates of stations to 0 that are rounding compared with the largest.
 static void drop_rounding(const whirl_system *system, double *response) {
     double largest[2] = {0.0, 0.0};
     for (int pass = 0; pass < 2; pass++)
@@ -102,7 +103,7 @@ static void drop_rounding(const whirl_system *system, double *response) {
         }
 }
 
-/// The motion about x where coefficients do not turn with the shaft.
+/// Computes the response about x for coefficients that do not turn with the shaft.
 static whirl_status respond_at(mean_system *m, const double *x, double *forcing, double *response) {
     response_parts parts;
     take_forcing(m, x, forcing);

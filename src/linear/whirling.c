@@ -1,9 +1,9 @@
-// Modes of a machine whose coefficients depend on the frequency of whirl: where the damped frequency of a mode is the
-// one that its coefficients are looked up at.
+// Modes of a machine whose coefficients depend on the frequency of whirl. A mode's damped frequency must be the
+// frequency at which its coefficients are taken.
 //
-// At a frequency w all eigenvalues have imaginary parts, here by falling size: the first, the second, ... Each of them
-// is a continuous function of w, whatever modes do (cross, merge, lose their frequency: then it is 0), so that the
-// zeros of what it has more than w, one by one, are all modes, and each of them once.
+// At a frequency w the eigenvalues are ranked by falling imaginary part: the first, the second, ... The imaginary part
+// of each rank is a continuous function of w, even where modes cross, merge or lose their frequency (then it is 0). The
+// zeros of this imaginary part less w, rank by rank, are all modes, each of them once.
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,16 +11,16 @@
 #include "bracket.h"
 #include "linear_parts.h"
 
-/// Looks between two neighbouring frequencies of the tables: as many as parts.
+/// Parts into which the interval between two neighbouring frequencies of the tables is divided.
 enum { PARTS = 2 };
 
-/// A mode that was found: its frequency, and its place by falling frequency there.
+/// A mode that was found: its frequency, and its rank there.
 typedef struct zero {
     double frequency;
     size_t rank;
 } zero;
 
-/// A machine at a frequency, with what it has there.
+/// A machine with its coefficients at one frequency, and the modes of it.
 typedef struct look {
     double frequency, clock;
     whirl_modes *modes;
@@ -31,7 +31,8 @@ static void look_end(look *own) {
     own->modes = NULL;
 }
 
-/// The machine at a frequency, about where it rests; rest NULL: its own, which is looked for.
+/// Computes the modes of the machine at a frequency, about `rest`; if that is NULL, about its own equilibrium, which is
+/// searched.
 static whirl_status look_at(const whirl_whirling *others, double frequency, const double *rest, look *out) {
     whirl_machine machine = {.system = NULL};
     *out = (look){.frequency = frequency};
@@ -48,13 +49,13 @@ static whirl_status look_at(const whirl_whirling *others, double frequency, cons
     return status;
 }
 
-/// What the imaginary part of a rank has more than the frequency; 0 for an eigenvalue without one.
+/// Returns the imaginary part of a rank less the frequency; 0 for a real eigenvalue.
 static double excess(const look *at, size_t rank) {
     const whirl_modes *modes = at->modes;
     return (rank < modes->count ? at->clock * modes->modes[modes->count - 1 - rank].imaginary : 0.0) - at->frequency;
 }
 
-/// The zero of a rank between two frequencies.
+/// Finds the zero of a rank between two frequencies.
 static whirl_status close_in(const whirl_whirling *others, const double *rest, size_t rank, double a, double fa,
                              double b, double fb, double *found) {
     enum { MAX_STEPS = 100 };
@@ -76,10 +77,10 @@ static whirl_status close_in(const whirl_whirling *others, const double *rest, s
 static int by_frequency(const void *a, const void *b) {
     const zero *p = a, *q = b;
     if (p->frequency != q->frequency) return p->frequency < q->frequency ? -1 : 1;
-    return p->rank > q->rank ? -1 : p->rank < q->rank; // of equal ones that with the smaller part first
+    return p->rank > q->rank ? -1 : p->rank < q->rank; // of equal frequencies the smaller part first
 }
 
-/// Those between two looks.
+/// Finds the zeros between two neighbouring frequencies.
 static whirl_status find_between(const whirl_whirling *others, const look *a, const look *b, zero *zeros,
                                  size_t *count) {
     const size_t ranks = a->modes->count > b->modes->count ? a->modes->count : b->modes->count;
@@ -88,7 +89,7 @@ static whirl_status find_between(const whirl_whirling *others, const look *a, co
         const double fa = excess(a, rank), fb = excess(b, rank);
         zero *own = &zeros[*count];
         *own = (zero){.rank = rank, .frequency = b->frequency};
-        // A zero at a frequency is of the part that ends there.
+        // A zero exactly at a frequency belongs to the interval that ends there.
         if ((fa > 0.0) == (fb > 0.0) || fa == 0.0) continue;
         if (fb != 0.0)
             status = close_in(others, a->modes->rest, rank, a->frequency, fa, b->frequency, fb, &own->frequency);
@@ -97,7 +98,7 @@ static whirl_status find_between(const whirl_whirling *others, const look *a, co
     return status;
 }
 
-/// All of them, zeros [dimension for each part and for the first frequency]; *first is the machine at the first.
+/// Finds all zeros [dimension for each part and for the first frequency]; *first is the machine at the first frequency.
 static whirl_status find_all(const whirl_system *system, const whirl_whirling *others, zero *zeros, size_t *count,
                              look *first) {
     look last;
@@ -122,7 +123,7 @@ static whirl_status find_all(const whirl_system *system, const whirl_whirling *o
     return status;
 }
 
-static void take(const look *from, const zero *own, whirl_modes *out) {
+static void whirling_take(const look *from, const zero *own, whirl_modes *out) {
     const size_t d = out->dimension, at = from->modes->count - 1 - own->rank;
     whirl_mode *mode = &out->modes[out->count];
     *mode = from->modes->modes[at];
@@ -130,7 +131,7 @@ static void take(const look *from, const zero *own, whirl_modes *out) {
     out->growth = isnan(out->growth) ? mode->real : fmax(out->growth, mode->real);
 }
 
-/// The machine at each of them, once for those that are equal, so that each has a shape of its own.
+/// Computes the shapes at each zero, once for equal zeros, so that each has a shape of its own.
 static whirl_status take_all(const whirl_whirling *others, const zero *zeros, size_t count, whirl_modes *out) {
     look at = {.modes = NULL};
     whirl_status status = whirl_ok();
@@ -139,13 +140,13 @@ static whirl_status take_all(const whirl_whirling *others, const zero *zeros, si
             look_end(&at);
             status = look_at(others, zeros[i].frequency, out->rest, &at);
         }
-        if (status.code == WHIRL_OK && zeros[i].rank < at.modes->count) take(&at, &zeros[i], out);
+        if (status.code == WHIRL_OK && zeros[i].rank < at.modes->count) whirling_take(&at, &zeros[i], out);
     }
     look_end(&at);
     return status;
 }
 
-/// What the first frequency tells: where the machine rests, and, if it is 0, what has no frequency.
+/// Copies from the first frequency the equilibrium and, if that frequency is 0, the real eigenvalues.
 static void take_first(const look *first, whirl_modes *out) {
     const whirl_modes *from = first->modes;
     memcpy(out->rest, from->rest, from->dimension * sizeof *out->rest);

@@ -9,8 +9,8 @@
 /// follows the disc's axis, and polar inertia adds no moment with theta'' (docs/theory.md). Coefficients of films,
 /// bearings and seals are those of the speed of the moment.
 ///
-/// The equations go by the angle: d/dtheta in the place of d/dt, one revolution to 2 pi. A machine that begins at rest,
-/// or hardly turns, goes by time.
+/// The independent variable of the equations is the angle, d/dtheta in place of d/dt, 2 pi for one revolution. For a
+/// machine that begins at rest, or hardly turns, it is the time.
 #ifndef WHIRL_RUNNING_H
 #define WHIRL_RUNNING_H
 
@@ -24,9 +24,9 @@
 extern "C" {
 #endif
 
-/// How the shaft turns.
+/// The motion of the shaft: given rate or drive, and events that have happened.
 typedef struct whirl_turning {
-    bool driven;  ///< by the torques of the machine's drive; else by the rate
+    bool driven;  ///< the torques of the machine's drive turn it; else it has the given rate
     double rate;  ///< rad/s2
     bool tripped; ///< the motor of the drive is lost, its load is not
     bool lost;    ///< unbalances that were set by `lose` have appeared
@@ -35,22 +35,22 @@ typedef struct whirl_turning {
 /// Torques on the shaft, N m, in the sense of the rotation.
 typedef struct whirl_torques {
     double motor, load, friction; ///< load and friction of contacts below 0 where they brake; NaN at a given rate
-    double rotor;                 ///< of unbalances that the rotor's motion and the weight turn
+    double rotor;                 ///< torque of unbalances, by the rotor's motion and by their weight
     double acceleration;          ///< rad/s2
 } whirl_torques;
 
-/// Such a machine; not to be shared between threads.
+/// A machine whose speed changes; not to be shared between threads.
 typedef struct whirl_running whirl_running;
 
-/// What is known of one, and what it does.
+/// Equations and functions of a machine whose speed changes.
 struct whirl_running {
     /// The equations by the angle, [dimension]: the rotor's state, with derivatives by the angle, then the speed and
     /// the time. Their period is the part that was last set, their time the angle from its beginning.
     const whirl_system *by_angle;
     const whirl_system *by_time; ///< by time: the rotor's state, with derivatives by time, then the speed and the angle
     double unit;                 ///< rad/s in units of which speeds are counted; its inverse is the unit of time
-    double error;                ///< of numbers between the speeds that they were taken at, over the largest; 0: exact
-    size_t contact_count;        ///< of contacts
+    double error;                ///< relative interpolation error of numbers between the speeds of the tables; 0: exact
+    size_t contact_count;        ///< number of contacts
 
     /// Sets how the shaft turns from now on.
     void (*turn)(whirl_running *running, const whirl_turning *how);
