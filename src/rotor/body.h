@@ -83,10 +83,11 @@ typedef struct body {
 void body_add(body *to, size_t row, size_t column, body_kind kind, double number);
 void body_clear(body *of);
 
-/// Sorts the terms by row and kind, and adds those of one place. False if one was lost.
+/// Sorts the terms by row and kind and merges terms of one row, column and kind. Returns false if a term was lost for
+/// lack of memory.
 bool body_finish(body *of);
 
-/// Gathers the terms, which are in order, into panels. False without memory.
+/// Gathers the sorted terms into panels. Returns false without memory.
 bool body_gather(const body *of, body_panels *to);
 
 /// Marks panels as the first contributions to the last rows of `rows`, but not before `first`; returns the first such
@@ -99,7 +100,7 @@ bool body_alike(const body_panels *one, const body_panels *other);
 /// Orders kinds: negative, 0 or positive.
 int body_compare_kinds(body_kind one, body_kind other);
 
-/// Computes a machine's rates: each over all later ones, and itself.
+/// Number of quotients of rates: each rate over all later ones, and the rate itself.
 enum { BODY_STEPS = RATES * (RATES + 1) / 2 };
 void body_rates(double speed, double clock, double steps[BODY_STEPS]);
 

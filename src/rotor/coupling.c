@@ -35,7 +35,7 @@ static void add_masses(const coupling *out, const assembly *from, double *m) {
 
 /// Numbers the coordinates so that those that couple with one another, directly or not, are adjacent.
 static size_t number_coupled(coupling *out, const assembly *from) {
-    size_t *first = out->place, n = 0; // of those that each couples with
+    size_t *first = out->place, n = 0; // first coordinate that each couples with
     for (size_t d = 0; d < from->degrees; d++) first[d] = d;
     for (bool changed = true; changed;) {
         changed = false;

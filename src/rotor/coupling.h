@@ -9,8 +9,8 @@
 
 typedef struct coupling {
     size_t count;  ///< number of coupled coordinates
-    size_t *row;   ///< [count] their indices, those that couple with one another adjacent
-    size_t *end;   ///< [count] end of each one's group
+    size_t *row;   ///< [count] their indices; those of one group are adjacent
+    size_t *end;   ///< [count] end of the group of each coordinate
     size_t *place; ///< [degrees] index among the coupled ones; NO_COORDINATE for others
     double *share; ///< [count][count] C
 } coupling;

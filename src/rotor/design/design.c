@@ -112,7 +112,7 @@ static whirl_status unknown_part(const part_list *in, const char *name, size_t l
 }
 
 /// Reads the name of a shaft or a material; steel that the design does not define is one past the last.
-static whirl_status read_name(whirl_design *design, const whirl_key *key, const char *name, size_t *index) {
+static whirl_status design_read_name(whirl_design *design, const whirl_key *key, const char *name, size_t *index) {
     const bool is_material = strcmp(key->choices, "materials") == 0;
     const part_list in = is_material ? materials_of(design) : shafts_of(design);
     *index = *in.count;
@@ -208,7 +208,7 @@ static whirl_status read_value(whirl_design *design, const whirl_key *key, const
     case WHIRL_KEY_STATIONS:
         return read_stations(design, setting->text, value->station);
     case WHIRL_KEY_NAME:
-        return read_name(design, key, setting->text, &value->station[0]);
+        return design_read_name(design, key, setting->text, &value->station[0]);
     case WHIRL_KEY_NUMBERS:
         value->number = setting->number;
         return setting->text ? read_list(key, setting->text, value) : whirl_key_check_number(key, setting->number);

@@ -23,7 +23,7 @@ struct whirl_design {
     whirl_bearings bearings; ///< replacement of the bearings
     double stiffness;        ///< stiffness of the springs that replace them
     whirl_drag drag;         ///< seals and impellers to be included
-    size_t drag_at;          ///< station of the only ones
+    size_t drag_at;          ///< station of the seals and impellers that are included, if not all
     double stages;           ///< factor of stages
     bool in_time;            ///< frequency-dependent coefficients are functions with states of their own
     bool asynchronous;       ///< frequency-dependent coefficients are those at `frequency`

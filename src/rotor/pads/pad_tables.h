@@ -13,7 +13,8 @@
 // ---------------------------------------------------------------- centred
 // Tilt of a pad before a centred journal.
 
-/// Returns the tilt, R delta/c, at which its film holds it, by a coarse grid; 0 without one, or without memory.
+/// Returns the tilt, R delta/c, at which the film's moment on a pad vanishes, by a coarse grid; 0 if there is none, or
+/// without memory.
 double pad_centred_tilt(const whirl_pad *pad, double ratio, bool gumbel);
 
 // ---------------------------------------------------------------- table
@@ -129,11 +130,11 @@ pad_table_key pad_table_key_of(double number);
 
 /// Provides the table until pad_table_release. Making it takes a second; all threads that want the table make it
 /// together, and give up when *stop becomes true (NULL: never). An unsolvable film gives a table of NaN, with which
-/// motions diverge. WHIRL_NO_MEMORY, WHIRL_STOPPED: then it is not held.
+/// motions diverge. WHIRL_NO_MEMORY, WHIRL_STOPPED: then the table is not provided.
 whirl_status pad_table_hold(double number, const whirl_stop *stop);
 void pad_table_release(double number);
 
-/// Returns the table of a number that is held; else one of zeros.
+/// Returns the table of a number if it is provided; else a table of zeros.
 const pad_table *pad_table_of(double number);
 
 // ---------------------------------------------------------------- turbulence

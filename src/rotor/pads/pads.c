@@ -400,7 +400,7 @@ static whirl_status polish(const solver *s, const double load[2], whirl_pads_sta
                : status;
 }
 
-static whirl_status check(const whirl_pads *bearing) {
+static whirl_status pads_check(const whirl_pads *bearing) {
     const double turn = 2.0 * acos(-1.0);
     if (bearing->count == 0 || bearing->count > WHIRL_MAX_PADS)
         return whirl_fail(WHIRL_BAD_INPUT, "a bearing has %zu pads, expected 1 to %d", bearing->count, WHIRL_MAX_PADS);
@@ -493,7 +493,7 @@ static void load_all(const whirl_pads *bearing, whirl_pads_state *state) {
 
 whirl_status whirl_pads_at(const whirl_pads *bearing, const double place[2], whirl_pads_state *state) {
     solver s = {.bearing = bearing, .coarser = bearing->halved ? 2 : 1};
-    whirl_status status = check(bearing);
+    whirl_status status = pads_check(bearing);
     if (status.code == WHIRL_OK) status = workspace_of(bearing, &s.work);
     if (status.code != WHIRL_OK) return status;
     load_all(bearing, state);
@@ -505,7 +505,7 @@ whirl_status whirl_pads_at(const whirl_pads *bearing, const double place[2], whi
 
 whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], whirl_pads_state *state) {
     solver s = {.bearing = bearing, .coarser = COARSER};
-    whirl_status status = check(bearing);
+    whirl_status status = pads_check(bearing);
     if (status.code == WHIRL_OK && !(hypot(load[0], load[1]) > 0.0))
         status = whirl_fail(WHIRL_BAD_INPUT, "the load on a bearing is 0, expected one above");
     if (status.code == WHIRL_OK) status = workspace_of(bearing, &s.work);
@@ -523,8 +523,8 @@ whirl_status whirl_pads_rest(const whirl_pads *bearing, const double load[2], wh
 // ---------------------------------------------------------------- reduced coefficients
 
 /// Eliminates a pad that follows from z: Z T (T' Z T + D)^-1 T' Z, T = (t, n), D its springs and inertia.
-static void follow(const whirl_pads *bearing, const whirl_pad *pad, const double complex own[2][2], double ratio,
-                   double inertia, double complex z[2][2]) {
+static void pads_eliminate_pad(const whirl_pads *bearing, const whirl_pad *pad, const double complex own[2][2],
+                               double ratio, double inertia, double complex z[2][2]) {
     const bool yields = bearing->pivot_stiffness > 0.0;
     const size_t count = yields ? 2 : 1;
     double along[2][2];
@@ -561,7 +561,8 @@ void whirl_pads_reduced(const whirl_pads *bearing, const whirl_pads_state *state
         double complex own[2][2];
         for (int r = 0; r < 2; r++)
             for (int c = 0; c < 2; c++) own[r][c] = state->of_pads[i][0][r][c] + I * at * state->of_pads[i][1][r][c];
-        if (state->loaded[i]) follow(bearing, &bearing->pads[i], (const double complex(*)[2])own, at, inertia, z);
+        if (state->loaded[i])
+            pads_eliminate_pad(bearing, &bearing->pads[i], (const double complex(*)[2])own, at, inertia, z);
     }
     for (int r = 0; r < 2; r++)
         for (int c = 0; c < 2; c++) {

@@ -65,7 +65,7 @@ static whirl_status read_pads(const key_value *values, bool tilting, whirl_pads 
 whirl_status pads_of_keys(const key_value *values, bool tilting, bool clockwise, whirl_pads *out) {
     const whirl_status status = read_pads(values, tilting, out);
     for (size_t i = 0; i < out->count; i++) {
-        // Usual shapes are given for shafts that turn from x to y: of others they are the mirror image.
+        // Usual shapes are defined for shafts that turn from x to y; for other shafts they are mirrored.
         const bool mirrored = clockwise && values[PADS_SHAPE].given;
         if (mirrored) out->pads[i].pivot = 3.14159265358979323846 - out->pads[i].pivot;
         out->pads[i].pivot += values[PADS_TURNED].number;

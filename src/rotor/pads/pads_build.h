@@ -78,7 +78,7 @@ whirl_status pads_build(const key_value *values, bool tilting, assembly *to, ele
 /// Sets the states of tilting pads before a centred journal, where all pads have one tilt.
 void pads_begin(const element *own, double *states);
 
-/// Holds the tables of its pads (pad_table_hold), or none of them; and releases them.
+/// Provides the tables of its pads (pad_table_hold), or none of them; and releases them.
 whirl_status pads_hold(const element *own, const whirl_stop *stop);
 void pads_release(const element *own);
 

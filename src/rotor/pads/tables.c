@@ -235,7 +235,7 @@ static whirl_status end_making(size_t i, bool found) {
 }
 
 /// Makes a table, or helps those that make it. Requires the guard, and releases it meanwhile.
-static whirl_status make(size_t i, const whirl_stop *stop) {
+static whirl_status tables_make(size_t i, const whirl_stop *stop) {
     making *with = slots[i].making;
     bool found = false;
     if (!with) {
@@ -262,8 +262,8 @@ whirl_status pad_table_hold(double number, const whirl_stop *stop) {
     idle_count -= slots[i].holders == 0 && atomic_load(&tables[i]);
     slots[i].holders++;
     while (!atomic_load(&tables[i]) && status.code == WHIRL_OK) {
-        status =
-            is_stopped(stop) ? whirl_fail(WHIRL_STOPPED, "stopped while tables of films were made") : make(i, stop);
+        status = is_stopped(stop) ? whirl_fail(WHIRL_STOPPED, "stopped while tables of films were made")
+                                  : tables_make(i, stop);
     }
     lock_leave(&guard);
     if (status.code != WHIRL_OK) pad_table_release(number);

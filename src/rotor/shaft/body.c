@@ -158,19 +158,19 @@ static void add_part(body_panels *to, size_t count, body_kind kind, const body_i
     to->number_count += (part.common + part.lone) * count;
 }
 
-static body_kind kind_of(const body_input *input) {
+static body_kind body_kind_of(const body_input *input) {
     size_t r = 0;
     while (!input->term[r]) r++;
     return input->term[r]->kind;
 }
 
-static void add_panel(body_panels *to, const body_row *rows, size_t count, body_input *inputs) {
+static void body_add_panel(body_panels *to, const body_row *rows, size_t count, body_input *inputs) {
     const body_input *end = inputs + unite(rows, count, inputs), *last;
-    body_panel panel = {.value = kind_of(inputs).value, .rows = count, .first_part = to->part_count};
+    body_panel panel = {.value = body_kind_of(inputs).value, .rows = count, .first_part = to->part_count};
     for (size_t r = 0; r < count; r++) panel.row[r] = rows[r].first->row;
     for (const body_input *first = inputs; first < end; first = last) {
-        const body_kind kind = kind_of(first);
-        for (last = first + 1; last < end && body_compare_kinds(kind_of(last), kind) == 0;) last++;
+        const body_kind kind = body_kind_of(first);
+        for (last = first + 1; last < end && body_compare_kinds(body_kind_of(last), kind) == 0;) last++;
         add_part(to, count, kind, first, last);
     }
     panel.part_count = to->part_count - panel.first_part;
@@ -189,7 +189,7 @@ static void gather_from(const body_row *rows, size_t count, size_t first, bool *
         done[i] = is_dense(together, taken + 1, inputs);
         taken += done[i];
     }
-    add_panel(to, together, taken, inputs);
+    body_add_panel(to, together, taken, inputs);
 }
 
 bool body_gather(const body *of, body_panels *to) {

@@ -6,15 +6,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const key_value *value_of(const whirl_design *design, size_t station, int key) {
+static const key_value *bow_value_of(const whirl_design *design, size_t station, int key) {
     return &design->stations[station].values[key];
 }
 
 static bool is_bent(const whirl_design *design, size_t station) {
-    return station < design->station_count && value_of(design, station, STATION_BOW)->given;
+    return station < design->station_count && bow_value_of(design, station, STATION_BOW)->given;
 }
 
-/// Forces at the stations [count] of a shaft that are held at its nodes.
+/// Adds the rotating forces at the stations of a shaft that bend it to its bow.
 static whirl_status add_forces(const held_shaft *of, const mesh *from, const whirl_design *design, assembly *to) {
     double *influence = calloc(of->supports * of->supports + 1, sizeof *influence);
     if (!influence) return whirl_fail(WHIRL_NO_MEMORY, "no memory for the bow of a shaft");
@@ -24,8 +24,8 @@ static whirl_status add_forces(const held_shaft *of, const mesh *from, const whi
         double x = 0.0, y = 0.0;
         for (size_t k = 0; k < of->supports; k++) {
             const size_t station = from->nodes[of->first + of->support[k]].station;
-            const double bow = value_of(design, station, STATION_BOW)->number;
-            const double angle = value_of(design, station, STATION_BOW_ANGLE)->number;
+            const double bow = bow_value_of(design, station, STATION_BOW)->number;
+            const double angle = bow_value_of(design, station, STATION_BOW_ANGLE)->number;
             x += influence[i * of->supports + k] * bow * cos(angle);
             y += influence[i * of->supports + k] * bow * sin(angle);
         }
@@ -35,7 +35,7 @@ static whirl_status add_forces(const held_shaft *of, const mesh *from, const whi
     return status;
 }
 
-static whirl_status check(const held_shaft *of, const mesh *from, const whirl_design *design) {
+static whirl_status bow_check(const held_shaft *of, const mesh *from, const whirl_design *design) {
     const char *name = design->shafts[of->shaft].name;
     const shaft_settings *shaft = &from->shafts[of->shaft];
     bool flats = false;
@@ -67,7 +67,7 @@ whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *t
         for (size_t n = 0; n < of.nodes; n++)
             if (is_bent(design, from->nodes[of.first + n].station)) support[of.supports++] = n;
         if (of.supports == 0) continue;
-        status = check(&of, from, design);
+        status = bow_check(&of, from, design);
         // Unbalances that replace all rotating forces replace bows, too.
         if (status.code == WHIRL_OK && !to->balanced) status = add_forces(&of, from, design, to);
     }

@@ -9,11 +9,11 @@
 /// Least number of places on a shaft.
 enum { LINE_PLACES = 96 };
 
-static whirl_status no_memory(void) {
+static whirl_status line_no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the line of a shaft");
 }
 
-/// The piece to the right of a node, the first of several over one another; NULL at the end of a shaft.
+/// Returns the piece to the right of a node, the first of several layers; NULL at the end of a shaft.
 static const mesh_piece *piece_behind(const mesh *from, size_t node) {
     for (size_t i = 0; i < from->piece_count; i++)
         if (from->pieces[i].node[0] == node) return &from->pieces[i];
@@ -26,7 +26,7 @@ static whirl_status line_lay(const mesh *from, whirl_shaft_line *out, line_place
     out->shaft = calloc(most, sizeof *out->shaft);
     out->position = calloc(most, sizeof *out->position);
     *places = calloc(most, sizeof **places);
-    if (!out->shaft || !out->position || !*places) return no_memory();
+    if (!out->shaft || !out->position || !*places) return line_no_memory();
     for (size_t n = 0; n < from->node_count; n++) {
         const mesh_piece *piece = piece_behind(from, n);
         const held_shaft own = held_find(from, from->nodes[n].shaft);
@@ -53,11 +53,11 @@ static void line_add(const assembly *of, const double *follow, size_t coordinate
         share[d] += moved * follow[coordinate * of->degrees + d] * of->unit[d];
 }
 
-/// Shares of coordinates; the building has been assembled, not finished.
+/// Computes the share of each coordinate in the line's displacement. The building is assembled, not finished.
 static whirl_status line_share(building *b, const line_place *places, whirl_shaft_line *out) {
     double *follow = NULL;
     size_t(*nodes)[2] = calloc(b->mesh.node_count + 1, sizeof *nodes); // x and tilt_x
-    if (!nodes) return no_memory();
+    if (!nodes) return line_no_memory();
     for (size_t n = 0; n < b->mesh.node_count; n++) {
         const size_t *coordinate = b->assembly.stations[b->mesh.nodes[n].station].coordinate;
         nodes[n][0] = coordinate[AXIS_X];
@@ -66,7 +66,7 @@ static whirl_status line_share(building *b, const line_place *places, whirl_shaf
     whirl_status status = reduction_make(&b->mesh, &b->assembly, b->elements, b->element_count, b->reductions, &follow);
     out->degrees = b->assembly.degrees;
     if (status.code == WHIRL_OK) out->share = calloc(out->count * out->degrees + 1, sizeof *out->share);
-    if (status.code == WHIRL_OK && !out->share) status = no_memory();
+    if (status.code == WHIRL_OK && !out->share) status = line_no_memory();
     for (size_t p = 0; p < out->count && status.code == WHIRL_OK; p++)
         for (size_t k = 0; k < 4; k++)
             line_add(&b->assembly, follow, nodes[places[p].node + k / 2][k % 2], places[p].moved[k],

@@ -56,14 +56,14 @@ void mesh_build(const mesh *from, assembly *to);
 /// Result of a shaft's reduction.
 typedef struct reduction {
     size_t kept, all; ///< modes in a plane, and how many there are
-    double highest;   ///< rad/s of the highest that is kept; 0 where none is
+    double highest;   ///< rad/s of the highest kept mode; 0 if none is kept
     size_t first;     ///< coordinate of its first mode along x; that along y follows, then the next mode
 } reduction;
 
-/// Reduces the shafts of the assembly that are to be, before assembly_finish: renumbers coordinates, transforms all
-/// that is linear, and renames the ports and states of the elements. out [mesh->shaft_count], or NULL. *follow, unless
-/// NULL is handed in: [coordinates before][coordinates after] m or rad of each by one m or rad of the new ones, freed
-/// by the caller; NULL where nothing is reduced. WHIRL_BAD_INPUT where a shaft's stiffness is not positive;
+/// Reduces the shafts for which the design asks it, before assembly_finish: renumbers coordinates, transforms linear
+/// terms, and renumbers the ports and states of the elements. out [mesh->shaft_count], or NULL. *follow (unless follow
+/// is NULL): [coordinates before][coordinates after] m or rad of the old coordinates for one m or rad of the new ones,
+/// freed by the caller; NULL if nothing is reduced. WHIRL_BAD_INPUT if a shaft's stiffness is not positive;
 /// WHIRL_NO_MEMORY.
 whirl_status reduction_make(const mesh *from, assembly *of, element *elements, size_t element_count, reduction *out,
                             double **follow);
@@ -72,7 +72,7 @@ whirl_status reduction_make(const mesh *from, assembly *of, element *elements, s
 /// many.
 size_t reduction_nodes(const mesh *from, const assembly *of, size_t shaft, size_t *coordinate);
 
-/// Computes stiffness and mass [count][count] of shafts between these coordinates; mass includes that of stations.
+/// Computes stiffness and mass [count][count] of shafts for these coordinates; the mass includes that of stations.
 void reduction_matrices(const assembly *of, size_t count, const size_t *coordinate, double *stiffness, double *mass);
 
 // ---------------------------------------------------------------- line
@@ -117,15 +117,15 @@ whirl_status bow_build(const mesh *from, const whirl_design *design, assembly *t
 /// Displacement and slope of each node along the shaft, node by node, then the load of every support.
 typedef struct held_shaft {
     const mesh *from;
-    size_t shaft, first, nodes; ///< first: of its nodes in the mesh
+    size_t shaft, first, nodes; ///< first: index of its first node in the mesh
     size_t supports;
     const size_t *support; ///< [supports] nodes, counted along the shaft
 } held_shaft;
 
-/// A shaft of the mesh, without supports.
+/// Returns a shaft of the mesh, without supports.
 held_shaft held_find(const mesh *from, size_t shaft);
 
-/// 2 nodes + supports.
+/// Returns the number of unknowns: 2 for each node, and 1 for each support.
 size_t held_unknowns(const held_shaft *of);
 
 /// Computes the stiffness of a piece, of a shaft with flats its mean; and that of its axial force.
@@ -134,7 +134,8 @@ void held_piece(const mesh_piece *own, matrix4 *stiffness, matrix4 *axial);
 /// Fills in stiffness, and constraints of the supports: [K -C'; C 0], [unknowns][unknowns], zeros at first.
 void held_fill(const held_shaft *of, bool axial, double *matrix);
 
-/// N/m [supports][supports]: the load of the first by raising the second by 1 m, by the stiffness of the shaft alone.
+/// Computes influence [supports][supports] in N/m: the load on a support (row) if another (column) is raised by 1 m,
+/// from the stiffness of the shaft alone.
 whirl_status held_influence(const held_shaft *of, double *influence);
 
 #endif

@@ -27,11 +27,12 @@ static bool goes_on(const mesh_piece *one, const mesh_piece *next) {
            is_of_one(&a->of, &b->of);
 }
 
-/// Adds a piece to the sections and to its shaft, whose centre is a sum of moments until all are there.
+/// Adds a piece to the sections and to its shaft. The shaft's centre holds the sum of moments until all pieces are
+/// added.
 static void add_piece(const mesh *from, size_t index, whirl_model *out) {
     const mesh_piece *own = &from->pieces[index];
     const double start = from->nodes[own->node[0]].z, length = own->piece.length;
-    // The mass a metre is a quadratic, of which Simpson's rule has the integral and the moment.
+    // The mass per metre is a quadratic, so that Simpson's rule gives the integral and the moment exactly.
     const double middle = 4.0 * piece_line_mass(&own->piece, 0.5), last = piece_line_mass(&own->piece, 1.0);
     const double mass = length / 6.0 * (piece_line_mass(&own->piece, 0.0) + middle + last);
     out->shafts[own->shaft].mass += mass;
@@ -48,12 +49,12 @@ static void add_piece(const mesh *from, size_t index, whirl_model *out) {
 }
 
 /// Subtracts a part from a sum; a remainder within rounding is 0.
-static void take(double *of, double part) {
+static void model_subtract(double *of, double part) {
     const double left = *of - part;
     *of = fabs(left) > 1e-12 * part ? left : 0.0;
 }
 
-/// Masses of stations: those of the assembly less the mesh's at its nodes.
+/// Computes the masses of stations: those of the assembly less those of the mesh at its nodes.
 static void take_pieces(const building *b, whirl_model *out) {
     for (size_t n = 0; n < b->mesh.node_count; n++) {
         const size_t station = b->mesh.nodes[n].station;
@@ -67,8 +68,8 @@ static void take_pieces(const building *b, whirl_model *out) {
             mass += b->mesh.shafts[own->shaft].lumped ? all.lumped_mass[i % 2] : all.weight[2 * (i % 2)];
             diametral += all.lumped_diametral[i % 2];
         }
-        take(&out->stations[station].mass, mass);
-        take(&out->stations[station].diametral, diametral);
+        model_subtract(&out->stations[station].mass, mass);
+        model_subtract(&out->stations[station].diametral, diametral);
     }
 }
 
@@ -98,7 +99,7 @@ static bool is_above_zero(const key_value *value) {
     return value && value->number > 0.0;
 }
 
-/// Pa s of the oil or liquid of an element; NaN where its keys give none.
+/// Returns the viscosity of an element's oil or liquid in Pa s; NaN if its keys give none.
 static double model_viscosity(const design_element *own) {
     const key_value *const dynamic = building_value(own, "viscosity");
     const key_value *const kinematic = building_value(own, "kinematic_viscosity");
@@ -134,7 +135,7 @@ static void model_add_values(const design_element *own, size_t *used, whirl_mode
     }
 }
 
-/// The pads of a bearing that has any.
+/// Adds the pads of a bearing, if it has any.
 static void model_add_pads(const building *b, const design_element *own, whirl_pads *pads, whirl_model_element *to) {
     const bool tilting = building_value(own, "pivot_stiffness") != NULL;
     if (!building_value(own, "pivots") || to->station[0] == WHIRL_MODEL_NONE) return;
@@ -170,7 +171,7 @@ static void model_add_station(const building *b, size_t station, whirl_model *ou
         if (strcmp(station_group.keys[k].name, "eccentricity") == 0) to->unbalanced = is_above_zero(&values[k]);
 }
 
-static void fill(const building *b, whirl_model *out) {
+static void model_fill(const building *b, whirl_model *out) {
     const mesh *from = &b->mesh;
     size_t used = 0;
     for (size_t s = 0; s < out->station_count; s++) model_add_station(b, s, out);
@@ -202,7 +203,7 @@ whirl_status whirl_design_model(const whirl_design *design, whirl_model *out) {
         out->values = calloc(keys + 1, sizeof *out->values);
         out->pads = calloc(design->element_count + 1, sizeof *out->pads);
         if (out->sections && out->stations && out->shafts && out->elements && out->values && out->pads)
-            fill(&b, out);
+            model_fill(&b, out);
         else
             status = whirl_fail(WHIRL_NO_MEMORY, "no memory for the model of a machine");
     }

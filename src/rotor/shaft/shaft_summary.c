@@ -39,7 +39,7 @@ static bool find_squares(const plane *p) {
 /// free shaft is held by a spring at each, as stiff as the shaft is there.
 static bool find_bend(const plane *p, size_t stations, const size_t *station, const double *spring, double *bend) {
     const size_t n = p->count;
-    double *k = p->mass; // which is no longer needed
+    double *k = p->mass; // the mass matrix is no longer needed
     double *column = calloc(n * stations + 1, sizeof *column);
     if (!column) return false;
     memcpy(k, p->stiffness, n * n * sizeof *k);
@@ -65,7 +65,7 @@ static size_t find_stations(const building *b, size_t shaft, const plane *p, siz
     return count;
 }
 
-/// Takes a plane of the present assembly: nodes, and modes if it is reduced.
+/// Fills a plane from the present assembly: nodes, and modes if it is reduced.
 static bool take_plane(const building *b, size_t shaft, const reduction *modes, plane *p, size_t stations,
                        const double *spring, size_t *place) {
     p->count = reduction_nodes(&b->mesh, &b->assembly, shaft, p->coordinate);
@@ -98,7 +98,7 @@ static void fill_summary(const building *b, size_t shaft, whirl_shaft_summary *o
 
 /// Computes the largest errors of the first frequencies above the rigid body's, and of the displacements by unit
 /// forces.
-static void compare(const plane *full, const plane *now, size_t stations, whirl_shaft_summary *out) {
+static void shaft_summary_compare(const plane *full, const plane *now, size_t stations, whirl_shaft_summary *out) {
     enum { RIGID = 2, FIRST = 3 };
     double largest = 0.0, apart = 0.0;
     for (size_t i = RIGID; i < RIGID + FIRST && i < now->count; i++) {
@@ -139,7 +139,7 @@ static whirl_status summarize(building *b, whirl_shaft_summary *out, plane *full
         now[s].count = reduction_nodes(&b->mesh, &b->assembly, s, now[s].coordinate);
         const size_t stations = find_stations(b, s, &now[s], place);
         good = take_plane(b, s, made, &now[s], stations, spring + s * WHIRL_MAX_STATIONS, place);
-        if (good) compare(&full[s], &now[s], stations, &out[s]);
+        if (good) shaft_summary_compare(&full[s], &now[s], stations, &out[s]);
     }
     if (!good) return whirl_fail(WHIRL_NO_MEMORY, "no memory to compare a reduced shaft with its full model");
     return status;

@@ -26,11 +26,11 @@ typedef struct beam {
     double gravity, up; ///< m/s2 across the shaft; how far up y points, 1 where gravity pulls against it
     double solved;      ///< m/s2 for which the effect of the weight is solved: the standard gravity, or none
     double *matrix;     ///< [unknowns][unknowns]
-    double *all;        ///< [1 + supports][unknowns] by its weight, and by raising each support by 1
+    double *all;        ///< [1 + supports][unknowns] solutions for its weight, and for raising each support by 1
     asked_line line;
 } beam;
 
-static whirl_status no_memory(void) {
+static whirl_status statics_no_memory(void) {
     return whirl_fail(WHIRL_NO_MEMORY, "no memory for the weight of shafts");
 }
 
@@ -44,7 +44,7 @@ static const assembly_station *station_of(const beam *of, size_t node) {
 
 // ---------------------------------------------------------------- equations
 
-/// Stiffness and weight of a piece.
+/// Computes stiffness and weight of a piece.
 static void piece_stiffness(const mesh_piece *own, matrix4 *stiffness, double weight[4]) {
     piece_matrices all;
     matrix4 axial;
@@ -56,7 +56,7 @@ static void piece_stiffness(const mesh_piece *own, matrix4 *stiffness, double we
         for (size_t j = 0; j < 4; j++) stiffness->at[i][j] += axial.at[i][j];
 }
 
-static bool solve(const beam *of) {
+static bool statics_solve(const beam *of) {
     for (size_t n = 0; n < of->nodes; n++) {
         of->all[2 * n] = -of->solved * station_of(of, n)->mass;
         of->all[2 * n + 1] = -of->solved * station_of(of, n)->pull_moment;
@@ -69,8 +69,8 @@ static bool solve(const beam *of) {
 
 // ---------------------------------------------------------------- within the shaft
 
-/// Bending moment and shear next to a node, from the end forces of the pieces on that side (which: 0 left, 1 right), by
-/// the weight or (`by` > 0) by raising a support. 0 at an end of the shaft.
+/// Computes bending moment and shear next to a node, from the end forces of the pieces on that side (which: 0 left, 1
+/// right), for the weight or (`by` > 0) for raising a support. Both are 0 at an end of the shaft.
 static void cut(const beam *of, size_t node, size_t which, size_t by, double *moment, double *shear) {
     const mesh *from = &of->b->mesh;
     const double *at = of->all + by * of->unknowns;
@@ -88,12 +88,12 @@ static void cut(const beam *of, size_t node, size_t which, size_t by, double *mo
             if (by == 0) force[i] += of->solved * weight[row];
         }
     }
-    // The end at the node: the right one of the pieces to the left.
+    // The node is the right end of the pieces to its left.
     *shear = which == 0 ? -force[0] : force[0];
     *moment = which == 0 ? force[1] : -force[1];
 }
 
-/// Moment and mean shear at a coupling.
+/// Computes moment and mean shear at a coupling.
 static void cut_coupling(const beam *of, size_t node, size_t by, double out[2]) {
     double moment, shear[2];
     for (size_t which = 0; which < 2; which++) cut(of, node, which, by, &moment, &shear[which]);
@@ -123,7 +123,7 @@ static whirl_status align(const beam *of, size_t count, const size_t *node, doub
     const size_t rows = 2 * count, free_ones = of->supports - 2;
     double *j = calloc(rows * (of->supports + rows + 2) + 1, sizeof *j), *square = j ? j + rows * of->supports : NULL;
     double *side = j ? square + rows * rows : NULL;
-    if (!j) return no_memory();
+    if (!j) return statics_no_memory();
     for (size_t c = 0; c < count; c++) {
         double at[2];
         cut_coupling(of, node[c], 0, at);
@@ -194,12 +194,12 @@ static double weight_of(const beam *of) {
     return standard_gravity * mass;
 }
 
-/// Scale from the solution to the machine.
+/// Returns the scale from the solution to the machine.
 static double scale_of(const beam *of) {
     return of->solved > 0.0 ? of->gravity / of->solved : 1.0;
 }
 
-/// Axial force in the shaft beside a node, 0 at an end of it.
+/// Returns the axial force in the shaft next to a node; 0 at an end of the shaft.
 static double axial_beside(const beam *of, size_t node, size_t which) {
     const mesh *from = &of->b->mesh;
     double force = 0.0;
@@ -208,10 +208,10 @@ static double axial_beside(const beam *of, size_t node, size_t which) {
     return force;
 }
 
-/// Masses to both sides of a node.
+/// Fills in the masses to both sides of a node.
 static void fill_masses_beside(const beam *of, size_t node, whirl_station_statics *out) {
     const double weight = weight_of(of);
-    double moment, shear[2], carried[2] = {0.0, 0.0}; // by bearings to the left and to the right
+    double moment, shear[2], carried[2] = {0.0, 0.0}; // loads of the bearings to the left and to the right
     for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment, &shear[which]);
     for (size_t s = 0; s < of->supports; s++)
         if (of->support[s] != node) carried[of->support[s] > node] += of->all[2 * of->nodes + s];
@@ -232,7 +232,7 @@ static void fill_station(const beam *of, size_t node, whirl_station_statics *out
     const double length = node_of(of, of->nodes - 1)->z - node_of(of, 0)->z;
     double moment[2], shear[2];
     for (size_t which = 0; which < 2; which++) cut(of, node, which, 0, &moment[which], &shear[which]);
-    const bool end = node == 0 || node + 1 == of->nodes; // free
+    const bool end = node == 0 || node + 1 == of->nodes; // a free end
     out->deflection = scale * of->all[2 * node];
     out->slope = scale * of->all[2 * node + 1];
     out->moment = end ? 0.0 : scale * rounded(moment[0], weight * length);
@@ -272,7 +272,7 @@ static void fill_stations(const beam *of, const double *elevation, whirl_station
     out[thrust->station].thrust_mass = thrust->mass;
 }
 
-/// Raises bearings by the elevations that they have, in the scale of what is solved.
+/// Raises bearings by the elevations of their keys, in the scale of the solution.
 static void raise_given(const beam *of, double *elevation) {
     for (size_t s = 0; s < of->supports; s++) {
         double own = 0.0;
@@ -282,8 +282,8 @@ static void raise_given(const beam *of, double *elevation) {
     raise_supports(of, elevation);
 }
 
-/// Raises the bearings behind the first two of the shaft for its couplings; elevation [2][supports]: of all bearings,
-/// and room for these.
+/// Raises the bearings behind the first two of the shaft so that its couplings carry nothing; elevation [2][supports]:
+/// elevations of all bearings, and workspace.
 static whirl_status raise_aligned(const beam *of, const char *couplings, double *elevation) {
     size_t node[MAX_COUPLINGS];
     const size_t count = find_couplings(of, couplings, node);
@@ -306,7 +306,7 @@ static whirl_status fill_shaft(beam *of, const char *couplings, double *elevatio
                                double *influence) {
     const bool weightless = of->gravity == 0.0;
     of->solved = standard_gravity;
-    if (!solve(of))
+    if (!statics_solve(of))
         return whirl_fail(WHIRL_BAD_INPUT, "shaft '%s' does not rest on its bearings",
                           of->b->design->shafts[of->shaft].name);
     if (!weightless) raise_given(of, elevation);
@@ -329,7 +329,7 @@ static whirl_status take_shaft(beam *of, const char *couplings, whirl_station_st
     of->all = calloc((1 + of->supports) * of->unknowns + 2 * of->supports + 1, sizeof *of->all);
     const whirl_status status =
         of->matrix && of->all ? fill_shaft(of, couplings, of->all + (1 + of->supports) * of->unknowns, out, influence)
-                              : no_memory();
+                              : statics_no_memory();
     free(of->matrix);
     free(of->all);
     return status;
@@ -355,8 +355,8 @@ static whirl_status find_supports(const beam *of, size_t *support, size_t *count
                       *count, *count == 1 ? "" : "s");
 }
 
-static whirl_status fill(const building *b, const char *couplings, size_t *support, asked_line line,
-                         whirl_station_statics *out, double *influence) {
+static whirl_status statics_fill(const building *b, const char *couplings, size_t *support, asked_line line,
+                                 whirl_station_statics *out, double *influence) {
     const whirl_weight weight = whirl_design_weight(b->design);
     whirl_status status = whirl_ok();
     if (b->mesh.shaft_count == 0)
@@ -405,9 +405,9 @@ static whirl_status statics_make(const whirl_design *design, const char *couplin
                                          .thrust = none,
                                          .thrust_mass = none};
     memset(influence, 0, design->station_count * design->station_count * sizeof *influence);
-    whirl_status status = support ? building_assemble(&b, design, NULL) : no_memory();
+    whirl_status status = support ? building_assemble(&b, design, NULL) : statics_no_memory();
     if (status.code == WHIRL_OK) status = check_couplings(&b, couplings);
-    if (status.code == WHIRL_OK) status = fill(&b, couplings, support, line, out, influence);
+    if (status.code == WHIRL_OK) status = statics_fill(&b, couplings, support, line, out, influence);
     free(support);
     building_end(&b);
     return status;
@@ -426,7 +426,7 @@ whirl_status statics_line(const whirl_design *design, const char *couplings, con
     out->sag = calloc(out->count + 1, sizeof *out->sag);
     const whirl_status status = at && influence && out->sag
                                     ? statics_make(design, couplings, (asked_line){places, out}, at, influence)
-                                    : no_memory();
+                                    : statics_no_memory();
     free(at);
     free(influence);
     return status;

@@ -40,13 +40,13 @@ static whirl_status thrust_find(const whirl_design *design, const mesh *in, cons
                       design->stations[station].name);
 }
 
-/// Mass of a piece: its mass a metre is a quadratic, of which Simpson's rule has the integral.
+/// Returns the mass of a piece. The mass per metre is a quadratic, so that Simpson's rule is exact.
 static double piece_mass(const shaft_piece *own) {
     return own->length / 6.0 *
            (piece_line_mass(own, 0.0) + 4.0 * piece_line_mass(own, 0.5) + piece_line_mass(own, 1.0));
 }
 
-/// Mass of all pieces between two neighbouring nodes, and how many these are.
+/// Returns the mass of all pieces between two neighbouring nodes; *layers is their number.
 static double stretch_mass(const mesh *in, size_t left, size_t *layers) {
     double mass = 0.0;
     *layers = 0;
@@ -58,7 +58,7 @@ static double stretch_mass(const mesh *in, size_t left, size_t *layers) {
     return mass;
 }
 
-/// Adds a force at the left and the right end of all pieces between two neighbouring nodes, which share it.
+/// Adds an axial force at the left and the right end of all pieces between two neighbouring nodes, in equal shares.
 static void stretch_pull(mesh *in, size_t left, size_t layers, const double force[2]) {
     for (size_t p = 0; p < in->piece_count; p++)
         for (size_t end = 0; end < 2 && in->pieces[p].node[0] == left; end++)
@@ -93,7 +93,7 @@ static whirl_status thrust_add(building *b, const key_value *values) {
                           b->design->shafts[shaft.shaft].name);
     const double g = values[GRAVITY_ACCELERATION].number, down = values[GRAVITY_TOP].choice == 0 ? 1.0 : -1.0;
     const size_t last = shaft.first + shaft.nodes - 1;
-    // With its start at the top, the shaft stands on the support before it, and hangs from it behind it.
+    // With its start at the top, the part before the support stands on it, and the part behind hangs from it.
     out->mass = thrust_weigh(in, &b->assembly, shaft.first, node, 1, -down * g) +
                 thrust_weigh(in, &b->assembly, last, node, -1, down * g) +
                 b->assembly.stations[in->nodes[node].station].mass;

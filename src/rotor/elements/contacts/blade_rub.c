@@ -40,7 +40,7 @@ static inline int blades_of(const element *own) {
 #include "generic.h"
 #include "registry.h"
 
-static void contact(const element *own, const block *b, void *force, void *friction) {
+static void blade_rub_contact(const element *own, const block *b, void *force, void *friction) {
     vec *out = force, *rubbing = friction;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
@@ -52,7 +52,8 @@ static void contact(const element *own, const block *b, void *force, void *frict
     }
 }
 
-const element_kernels ISA(blade_rub_kernels) = {.flow = generic_flow, .switches = generic_switches, .contact = contact};
+const element_kernels ISA(blade_rub_kernels) = {
+    .flow = generic_flow, .switches = generic_switches, .contact = blade_rub_contact};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -79,7 +80,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [ANGLE] = ANGLE_KEY("angle", "theta_0", NULL, "position of the first blade at t = 0, from the x axis towards y"),
 };
 
-/// The number of a blade.
+/// Returns a blade's number from a list with one number, or one for each blade.
 static double of_blade(const key_value *list, int blade) {
     return list->count ? list->list[list->count == 1 ? 0 : blade] : list->number;
 }
@@ -92,7 +93,7 @@ static whirl_status check_list(const key_value *values, int key) {
 }
 
 /// Equal blades repeat n times a revolution.
-static double rounds(const element *own, size_t state) {
+static double blade_rub_rounds(const element *own, size_t state) {
     (void)state;
     bool alike = true;
     for (int j = 1; j < blades_of(own); j++)
@@ -102,14 +103,14 @@ static double rounds(const element *own, size_t state) {
 }
 
 /// Returns the passing order of blades.
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
+static bool blade_rub_named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || blades_of(own) < 2) return false;
     *order = fabs(own->number[BLADE_RATE]) * blades_of(own);
     *name = "BPF";
     return true;
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status blade_rub_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length, p = values[POWER].number, apart = 6.283185307179586476925 / values[BLADES].number;
     whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code == WHIRL_OK) status = check_list(values, STIFFNESS);
@@ -138,8 +139,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 
 /// With tau = ud + l uz Je the change of a tip t and e the blade's direction, the derivatives n = t/|t| by place and l
 /// n Je by angle change by dn = (tau - n (n tau))/|t| and l (dn Je - uz n e).
-static void curvature(const element *own, const element_place *at, size_t index, const element_place *along,
-                      element_place *by) {
+static void blade_rub_curvature(const element *own, const element_place *at, size_t index, const element_place *along,
+                                element_place *by) {
     const double *number = own->number, length = number[BLADE_LENGTHS + index];
     const double apart = atan2(number[BLADE_APART_SIN], number[BLADE_APART_COS]);
     const double angle = number[BLADE_START] + at->s[0] + (double)index * apart, turned = along->s[0];
@@ -161,32 +162,32 @@ static void curvature(const element *own, const element_place *at, size_t index,
 }
 
 /// Each blade's switch begins a contact.
-static bool touches(const element *own, size_t index) {
+static bool blade_rub_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return true;
 }
 
-static double contact_gap(const element *own) {
+static double blade_rub_contact_gap(const element *own) {
     (void)own;
     return 0.0;
 }
 
-static int takes_power(const element *own) {
+static int blade_rub_takes_power(const element *own) {
     return own->law & BLADE_RUBS ? 1 : 0;
 }
 
 /// Contact also depends on the blades' position.
-static bool contact_damped(const element *own) {
+static bool blade_rub_contact_damped(const element *own) {
     (void)own;
     return true;
 }
 
-static bool jumps(const element *own) {
+static bool blade_rub_jumps(const element *own) {
     (void)own;
     return false;
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void blade_rub_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double share = values[GAP].number / values[RADIUS].number, most = 0.1;
     (void)speed;
     if (share > most)
@@ -209,17 +210,17 @@ const element_type blade_rub_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .turning = 1,
-    .rounds = rounds,
+    .rounds = blade_rub_rounds,
     .kernels = kernels,
-    .build = build,
+    .build = blade_rub_build,
     GENERIC_SWITCHES,
-    .switch_curvature = curvature,
-    .touches = touches,
-    .jumps = jumps,
-    .contact_gap = contact_gap,
-    .named_order = named_order,
-    .rubs = takes_power,
-    .contact_damped = contact_damped,
-    .doubt = doubt,
+    .switch_curvature = blade_rub_curvature,
+    .touches = blade_rub_touches,
+    .jumps = blade_rub_jumps,
+    .contact_gap = blade_rub_contact_gap,
+    .named_order = blade_rub_named_order,
+    .rubs = blade_rub_takes_power,
+    .contact_damped = blade_rub_contact_damped,
+    .doubt = blade_rub_doubt,
 };
 #endif

@@ -52,7 +52,7 @@ enum {
 #include "registry.h"
 #include "rub_switch.h"
 
-static void contact(const element *own, const block *b, void *force, void *friction) {
+static void contact_normal_force(const element *own, const block *b, void *force, void *friction) {
     vec *out = force, *rubbing = friction;
     for (size_t k = 0; k < b->vectors; k++) {
         const kernel_view view = view_of(own, b, k);
@@ -66,7 +66,8 @@ static void contact(const element *own, const block *b, void *force, void *frict
     }
 }
 
-const element_kernels ISA(contact_kernels) = {.flow = generic_flow, .switches = generic_switches, .contact = contact};
+const element_kernels ISA(contact_kernels) = {
+    .flow = generic_flow, .switches = generic_switches, .contact = contact_normal_force};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -156,7 +157,7 @@ static whirl_status check_pair(const key_value *values, int key, bool needed, co
 }
 
 /// Returns true if friction needs a radius; a radius implies friction, possibly 0, so that a sweep may begin there.
-static bool rubs(const key_value *values) {
+static bool contact_has_friction(const key_value *values) {
     return values[FRICTION].number > 0.0 || values[STATIC_FRICTION].given || values[VISCOUS].number > 0.0 ||
            values[FRICTION_LAW].choice != COULOMB;
 }
@@ -176,7 +177,7 @@ static whirl_status check_keys(const key_value *values) {
                  {STRIBECK_SPEED, falls, "friction_law: stribeck or lugre"},
                  {BRISTLE, bristles, "friction_law: lugre"},
                  {BRISTLE_DAMPING, bristles, "friction_law: lugre"},
-                 {RADIUS, rubs(values) || values[RADIUS].given, "friction"}};
+                 {RADIUS, contact_has_friction(values) || values[RADIUS].given, "friction"}};
     for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
         const whirl_status status = check_pair(values, rules[i].key, rules[i].needed, rules[i].choice);
         if (status.code != WHIRL_OK) return status;
@@ -209,7 +210,7 @@ static int law_of(const key_value *values) {
            (values[RADIUS].given ? CONTACT_SLIPS | (bristles ? CONTACT_BRISTLES : 0) | (sharp ? CONTACT_SHARP : 0) : 0);
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status contact_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length, fast = to->clock * length, n = values[POWER].number;
     const double kinetic = values[FRICTION].number, half = 0.5 * values[ARC_WIDTH].number;
     whirl_status status = check_keys(values);
@@ -251,8 +252,8 @@ static radial_form form_of(const element *own, size_t index) {
     return (radial_form){own->law & (CONTACT_SHARP | CONTACT_BRISTLES), number[CONTACT_SURFACE], 0.0};
 }
 
-static void curvature(const element *own, const element_place *from, size_t index, const element_place *along,
-                      element_place *by) {
+static void contact_curvature(const element *own, const element_place *from, size_t index, const element_place *along,
+                              element_place *by) {
     double at[4][2], *by_q = by->q, *by_v = by->v;
     for (int a = 0; a < 2; a++) {
         at[0][a] = from->q[a] - from->q[2 + a];
@@ -269,30 +270,30 @@ static void curvature(const element *own, const element_place *from, size_t inde
     }
 }
 
-static bool slides(const element *own) {
+static bool contact_slides(const element *own) {
     return (own->law & CONTACT_SHARP) != 0;
 }
 
-static bool jumps(const element *own) {
+static bool contact_jumps(const element *own) {
     return (own->law & CONTACT_PARTIAL) != 0;
 }
 
-static double contact_gap(const element *own) {
+static double contact_radial_gap(const element *own) {
     return element_housing_stands(own) && !(own->law & CONTACT_PARTIAL) ? own->number[CONTACT_GAP] : 0.0;
 }
 
 /// The gap around the origin does not decide contact.
-static int takes_power(const element *own) {
+static int contact_takes_power(const element *own) {
     return own->law & CONTACT_SLIPS ? 1 : 0;
 }
 
-static bool contact_damped(const element *own) {
+static bool contact_is_damped(const element *own) {
     (void)own;
     return true;
 }
 
 /// Rebound speed of an impact at v over v: chi v (1 + e) = ln((1 + chi v)/(1 - chi v e)).
-static double comes_back(double share) {
+static double contact_comes_back(double share) {
     double low = 0.0, high = 1.0;
     for (int i = 0; i < 60; i++) {
         const double e = 0.5 * (low + high);
@@ -303,11 +304,11 @@ static double comes_back(double share) {
     return low;
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void contact_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double share = values[GAP].number / values[RADIUS].number, most = 0.1;
     if (values[RADIUS].given && share > most)
         doubt_value(to, keys[GAP].name, "is %.3g times the radius, and stators are up to %g times away", share, most);
-    const double e = values[RESTITUTION].number, back = comes_back(0.75 * (1.0 - e * e));
+    const double e = values[RESTITUTION].number, back = contact_comes_back(0.75 * (1.0 - e * e));
     if (values[LAW].choice == LANKARANI && fabs(back - e) > 0.05)
         doubt_value(
             to, keys[RESTITUTION].name,
@@ -321,7 +322,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
                     passive, surface);
 }
 
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool contact_force_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     return contact_range(own->number[CONTACT_GAP], fabs(own->number[CONTACT_LEVER]), index, seen, out);
 }
 
@@ -334,15 +335,15 @@ const element_type contact_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
+    .build = contact_build,
     GENERIC_SWITCHES,
-    .switch_curvature = curvature,
-    .slides = slides,
-    .jumps = jumps,
-    .contact_gap = contact_gap,
-    .rubs = takes_power,
-    .contact_damped = contact_damped,
-    .range = range,
-    .doubt = doubt,
+    .switch_curvature = contact_curvature,
+    .slides = contact_slides,
+    .jumps = contact_jumps,
+    .contact_gap = contact_radial_gap,
+    .rubs = contact_takes_power,
+    .contact_damped = contact_is_damped,
+    .range = contact_force_range,
+    .doubt = contact_doubt,
 };
 #endif

@@ -11,7 +11,7 @@
 //
 // spring back by themselves, z' = -(s_0/s_1) z, while nothing touches.
 //
-// Switches: d, 1 + chi d', the slip times r, and the arc; those that a law has not are 1.
+// Switches: d, 1 + chi d', the slip times r, and the arc; a switch that a law does not have is 1.
 
 /// Distance from the centre, and 1 over it (1 at the centre).
 static inline num KERNEL(distance)(const num *d, num *over) {

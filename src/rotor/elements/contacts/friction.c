@@ -33,7 +33,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [SLIP_RATE] = NUMBER_KEY("slip_rate", "", "rad/s", OPTIONAL, WHIRL_POSITIVE, "the same for tilts"),
 };
 
-static whirl_status check(const key_value *values) {
+static whirl_status friction_check(const key_value *values) {
     static const int in_tilts[KEY_COUNT] = {[MOMENT] = 1, [SLIP_RATE] = 1};
     const int along = values[ALONG].choice, tilts = along_tilts(along);
     for (int key = FORCE; key < KEY_COUNT; key++) {
@@ -49,11 +49,11 @@ static whirl_status check(const key_value *values) {
     return whirl_ok();
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status friction_build(const key_value *values, assembly *to, element *out) {
     const int along = values[ALONG].choice, tilts = along_tilts(along);
     const axis first = axes_along[along][0] == AXES ? axes_along[along][1] : axes_along[along][0];
     const axis axes[KERNEL_AXES] = {first, along == ALONG_XY || along == ALONG_TILTS ? axes_along[along][1] : AXES};
-    whirl_status status = check(values);
+    whirl_status status = friction_check(values);
     if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
     const key_value *slip = &values[tilts ? SLIP_RATE : SLIP_SPEED];
@@ -65,7 +65,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// Sliding reverses; no contact begins.
-static bool touches(const element *own, size_t index) {
+static bool friction_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;
 }
@@ -81,9 +81,9 @@ const element_type friction_element = {
               "den Hartog 1931", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
+    .build = friction_build,
     GENERIC_SWITCHES,
-    .touches = touches,
+    .touches = friction_touches,
     .slides = sharp,
     .jumps = sharp,
 };

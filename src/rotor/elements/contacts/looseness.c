@@ -59,7 +59,7 @@ static const whirl_key keys[KEY_COUNT] = {
 /// A gap that no motion reaches, for seats without an upper stop.
 static const double NEVER = 0x1p300;
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status looseness_build(const key_value *values, assembly *to, element *out) {
     const axis along = values[ALONG].choice == 0 ? AXIS_X : AXIS_Y;
     const key_value *stiffness[PIECES] = {&values[STIFFNESS], &values[LOOSE_STIFFNESS], &values[HELD_STIFFNESS]};
     const key_value *damping[PIECES] = {&values[DAMPING], &values[LOOSE_DAMPING], &values[HELD_DAMPING]};
@@ -80,7 +80,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-static bool jumps(const element *own) {
+static bool looseness_jumps(const element *own) {
     return own->law != 0;
 }
 
@@ -91,8 +91,8 @@ const element_type looseness_element = {
               "Chu, Tang 2001; Ma et al. 2011", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
-    .jumps = jumps,
+    .build = looseness_build,
+    .jumps = looseness_jumps,
     GENERIC_SWITCHES,
 };
 #endif

@@ -6,7 +6,7 @@
 #include "rub_tangent.h"
 
 /// Adds a rub's forces to vector k and its perturbations.
-static void add(const element *own, const block *b, size_t k) {
+static void rub_add_vector(const element *own, const block *b, size_t k) {
     const vec *sides = sides_of(b, own), *number = numbers_of(b, own) + k, *q = b->q + k, *v = b->v + k;
     tangent_block tangent;
     if (sides) sides += k;
@@ -15,19 +15,19 @@ static void add(const element *own, const block *b, size_t k) {
         tangent_apply(&tangent, own, b, k);
 }
 
-static void flow(const element *first, size_t count, const block *b) {
+static void rub_flow(const element *first, size_t count, const block *b) {
     for (const element *own = first; own < first + count; own++)
-        for (size_t k = 0; k < b->vectors; k++) add(own, b, k);
+        for (size_t k = 0; k < b->vectors; k++) rub_add_vector(own, b, k);
 }
 
-static void switches(const element *own, const block *b, void *values, void *rates) {
+static void rub_write_switches(const element *own, const block *b, void *values, void *rates) {
     vec *value = values, *rate = rates;
     for (size_t k = 0; k < b->vectors; k++)
         rub_switches(own, b->stride, numbers_of(b, own) + k, b->q + k, b->v + k, rate ? b->a + k : NULL, value + k,
                      rate ? rate + k : NULL);
 }
 
-static void contact(const element *own, const block *b, void *force, void *friction) {
+static void rub_contact(const element *own, const block *b, void *force, void *friction) {
     vec *out = force, *rubbing = friction;
     for (size_t k = 0; k < b->vectors; k++) {
         const vec *number = numbers_of(b, own) + k;
@@ -36,7 +36,7 @@ static void contact(const element *own, const block *b, void *force, void *frict
     }
 }
 
-const element_kernels ISA(rub_kernels) = {.flow = flow, .switches = switches, .contact = contact};
+const element_kernels ISA(rub_kernels) = {.flow = rub_flow, .switches = rub_write_switches, .contact = rub_contact};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -61,7 +61,7 @@ static const whirl_key keys[KEY_COUNT] = {
                               "law slip: friction grows as v_t/sqrt(v_t^2 + v_0^2); 0 for a sharp reversal"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status rub_build(const key_value *values, assembly *to, element *out) {
     const bool slip = values[LAW].choice == RUB_LAW_SLIP;
     if (slip && !values[RADIUS].given)
         return whirl_fail(WHIRL_BAD_INPUT,
@@ -90,33 +90,33 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-static size_t switch_count(const element *own) {
+static size_t rub_count_switches(const element *own) {
     return rub_switch_count(own);
 }
 
-static bool slides(const element *own) {
+static bool rub_slides(const element *own) {
     return rub_sharp(own);
 }
 
-static double contact_gap(const element *own) {
+static double rub_contact_gap(const element *own) {
     return own->number[RUB_GAP];
 }
 
 /// With a radius friction counts even if it is 0, which it is not in all machines of a sweep.
-static int takes_power(const element *own) {
+static int rub_takes_power(const element *own) {
     if (own->number[RUB_LEVER] != 0.0) return 1;
     return own->number[RUB_FRICTION] == 0.0 ? 0 : -1;
 }
 
-static bool contact_damped(const element *own) {
+static bool rub_contact_damped(const element *own) {
     return rub_damped(own);
 }
 
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool rub_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     return contact_range(own->number[RUB_GAP], fabs(own->number[RUB_LEVER]), index, seen, out);
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void rub_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double share = values[GAP].number / values[RADIUS].number, most = 0.1;
     (void)speed;
     if (values[RADIUS].given && share > most)
@@ -131,15 +131,15 @@ const element_type rub_element = {
     .spun = true,
     .number_count = RUB_NUMBERS,
     .kernels = kernels,
-    .build = build,
-    .switch_count = switch_count,
+    .build = rub_build,
+    .switch_count = rub_count_switches,
     .switch_gradient = rub_switch_gradient,
     .switch_curvature = rub_switch_curvature,
-    .slides = slides,
-    .contact_gap = contact_gap,
-    .rubs = takes_power,
-    .contact_damped = contact_damped,
-    .range = range,
-    .doubt = doubt,
+    .slides = rub_slides,
+    .contact_gap = rub_contact_gap,
+    .rubs = rub_takes_power,
+    .contact_damped = rub_contact_damped,
+    .range = rub_range,
+    .doubt = rub_doubt,
 };
 #endif

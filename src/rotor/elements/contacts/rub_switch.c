@@ -20,13 +20,13 @@ static double normal_at(const double *q, double n[2]) {
     return r;
 }
 
-static double dot(const double *a, const double *b) {
+static double rub_switch_dot(const double *a, const double *b) {
     return a[0] * b[0] + a[1] * b[1];
 }
 
 /// Change of the normal when the station moves by u.
 static void turn(const double n[2], double r, const double *u, double e[2]) {
-    const double along = dot(n, u);
+    const double along = rub_switch_dot(n, u);
     for (int i = 0; i < 2; i++) e[i] = (u[i] - n[i] * along) / r;
 }
 
@@ -66,7 +66,7 @@ void radial_curvature(radial_form of, const double *q, const double *v, const do
         return;
     }
     // e(v) is (v - n (n . v))/r: n turns, r grows, v changes.
-    const double growth = dot(n, v), turned = dot(e, v), grown = dot(n, uq);
+    const double growth = rub_switch_dot(n, v), turned = rub_switch_dot(e, v), grown = rub_switch_dot(n, uq);
     for (int i = 0; i < 2; i++) {
         by_q[i] = of.by_r * e[i];
         if (of.by_growth == 0.0) continue;

@@ -1,5 +1,5 @@
-// The film of a journal bearing: its pass over vectors where it is short and on the ground, its keys and the numbers of
-// its kernels. film_finite.c has the others' pass.
+// The film of a journal bearing: the pass over vectors for short films on the ground, the keys, and the numbers of the
+// kernels. film_finite.c has the pass for all other films.
 #include "film_flow.h"
 #include "film_ratio.h"
 #include "film_tangent.h"
@@ -22,11 +22,11 @@ static inline void finish(const element *own, const block *b, size_t k, const fi
     tangent_apply(&tangent, own, b, k);
 }
 
-static void flow(const element *first, size_t count, const block *b) {
+static void film_element_flow(const element *first, size_t count, const block *b) {
     film_flow(first, count, b, begin, finish);
 }
 
-const element_kernels ISA(film_kernels) = {.flow = flow};
+const element_kernels ISA(film_kernels) = {.flow = film_element_flow};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 #include <math.h>
@@ -151,7 +151,7 @@ static void build_finite(const key_value *values, const assembly *to, const turb
     film_coefficients(number[FILM_LENGTH], number + FILM_COEFFICIENT);
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status film_build(const key_value *values, assembly *to, element *out) {
     double load = 0.0;
     turning turns = {1.0, 1.0};
     whirl_status status = load_scale(values, to, &load);
@@ -198,7 +198,7 @@ static void doubt_factors(const doubt_teller *to, double reynolds) {
                 reynolds, rows[i][1], rows[i][2], rows[i][3]);
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void film_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double radius = values[RADIUS].number, clearance = values[CLEARANCE].number;
     if (!values[RADIUS].given) return;
     if (values[LAW].choice == FINITE)
@@ -211,7 +211,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     if (doubt_flow(to, reynolds, radius, clearance, turbulent_law) && turbulent_law) doubt_factors(to, reynolds);
 }
 
-static double bearing_clearance(const element *own) {
+static double film_clearance(const element *own) {
     return own->number[FILM_CLEARANCE];
 }
 
@@ -231,9 +231,9 @@ const element_type film_element = {
     .number_count = FILM_NUMBERS,
     .variant = &film_finite_type,
     .kernels = kernels,
-    .build = build,
+    .build = film_build,
     .carries = true,
-    .bearing_clearance = bearing_clearance,
-    .doubt = doubt,
+    .bearing_clearance = film_clearance,
+    .doubt = film_doubt,
 };
 #endif

@@ -20,7 +20,7 @@ static inline void begin(const element *own, const block *b, size_t k, film_work
                v_fma(two, apart(own, b->v + k, stride, 0), y));
 }
 
-/// Adds an acceleration of the journal, and what it takes of the housing, to row `a` of vectors.
+/// Adds an acceleration of the journal, and the reaction on the housing, to row `a` of vectors.
 VECTOR_INLINE void push(const element *own, size_t stride, const vec *number, const vec *force, vec *a) {
     for (size_t i = 0; i < 2; i++) {
         const size_t here = own->port[i], there = own->port[2 + i];
@@ -62,7 +62,7 @@ static void push_tangent(const element *own, const block *b, size_t k, const vec
     if (b->divergence) b->divergence[k] = v_add(b->divergence[k], trace_of(own, b, number, tangent));
 }
 
-/// The derivatives of R + i I by x, y, x', y', as those of film_tangent.h, from what it has.
+/// Computes the derivatives of R + i I by x, y, x', y', in the form of film_tangent.h.
 static void ratio_tangent(const film_state *f, const film_direction *d, const film_ratio *r, size_t stride,
                           const vec *number, vec real[4], vec imaginary[4]) {
     const vec zero = v_set(0.0), over_root = film_over_root(f), over_q = v_mul(over_root, over_root);
@@ -91,7 +91,7 @@ static void ratio_tangent(const film_state *f, const film_direction *d, const fi
     }
 }
 
-/// Returns true if all lanes have the length of the structure's own machine, and so its coefficients.
+/// Returns true if all lanes have the length, and so the coefficients, of the machine that defines the structure.
 VECTOR_INLINE bool all_alike(const element *own, vec length) {
     return !v_any(v_less(v_set(0.0), v_abs(v_sub(length, v_set(own->number[FILM_LENGTH])))));
 }
@@ -135,11 +135,11 @@ static inline void finish(const element *own, const block *b, size_t k, const fi
     if (wanted) push_tangent(own, b, k, number, &tangent);
 }
 
-static void flow(const element *first, size_t count, const block *b) {
+static void film_finite_flow(const element *first, size_t count, const block *b) {
     film_flow(first, count, b, begin, finish);
 }
 
-const element_kernels ISA(film_finite_kernels) = {.flow = flow};
+const element_kernels ISA(film_finite_kernels) = {.flow = film_finite_flow};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 /// The Chebyshev series of n terms at x, by Clenshaw's recurrence.
@@ -170,11 +170,11 @@ void film_coefficients(double length, double *number) {
     number[2] += rest * under[1];
 }
 
-static double bearing_clearance(const element *own) {
+static double film_finite_clearance(const element *own) {
     return own->number[FILM_CLEARANCE];
 }
 
-static void note(const element *own, double scale, double clock, char *text, size_t size) {
+static void film_finite_note(const element *own, double scale, double clock, char *text, size_t size) {
     (void)scale, (void)clock;
     const double length = own->number[FILM_LENGTH];
     size_t next = 0;
@@ -185,7 +185,7 @@ static void note(const element *own, double scale, double clock, char *text, siz
              length, fmax(more[1], less[1]), fmax(more[2], less[2]));
 }
 
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool film_finite_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const char *const limit = "to which its coefficients were found";
     *out = (element_range){"eccentricity ratio", "1", limit, sqrt(1.0 - FILM_FOLD), NAN};
     if (index > 0 || own->law != FILM_OF_FINITE_LENGTH) return false;
@@ -200,8 +200,8 @@ const element_type film_finite_type = {
               NULL, NULL},
     .number_count = FILM_ALL_NUMBERS,
     .kernels = kernels,
-    .bearing_clearance = bearing_clearance,
-    .range = range,
-    .note = note,
+    .bearing_clearance = film_finite_clearance,
+    .range = film_finite_range,
+    .note = film_finite_note,
 };
 #endif

@@ -73,7 +73,7 @@ static inline void film_divide(film_work *w, size_t at) {
     w->at[at].q = v_root_of_3_over(w->at[at].q);
 }
 
-/// Quantities from which the force is made.
+/// Quantities of which the force is composed.
 typedef struct film_state {
     vec x, y, A, B, P, W, angle;
     vec root;           ///< sqrt(3/q)

@@ -18,10 +18,10 @@
 #define FILM_FOLD 0.0975 ///< 1 - .95^2
 #define FILM_BACK 0.8
 
-/// The numbers of a film in a housing that moves, or of finite length, behind those of every film: by which its force
-/// on the journal becomes that on the housing, along x and y, 0 where that is the ground; then of one of finite length
-/// L/D, 1/c, 1/(c^2 FILM_FOLD) and 2/pi, below 0 where journal and housing turn clockwise, when P, the angle
-/// and I have the other sign; the coefficients; and those of the denominator.
+/// Numbers of a film in a moving housing, or of finite length, behind the numbers of every film. First the factors
+/// along x and y that turn its force on the journal into the force on the housing, 0 for the ground. Then, for finite
+/// length: L/D, 1/c, 1/(c^2 FILM_FOLD), and 2/pi, which is negative if journal and housing turn clockwise (P, the angle
+/// and I then have the opposite sign); the coefficients of the numerator, and those of the denominator.
 enum {
     FILM_REACTION_X = FILM_NUMBERS,
     FILM_REACTION_Y,
@@ -51,7 +51,7 @@ VECTOR_INLINE vec film_coefficient(const film_series *of, size_t n) {
     return of->all ? v_set(of->all[n]) : of->lanes[n * of->stride];
 }
 
-/// Rows of powers of b, by the powers m of p; the length of one, and where it begins among the coefficients.
+/// Rows of powers of b, one for each power m of p; length of a row, and index of its first coefficient.
 enum { FILM_ROWS = FILM_IN_P + 1 };
 #define FILM_POWERS(m) (FILM_IN_B * (FILM_IN_P - (m)) / FILM_IN_P + 1)
 
@@ -111,7 +111,7 @@ VECTOR_INLINE film_ratio film_ratio_at(const film_series *of, vec p, vec b, bool
     return r;
 }
 
-/// p, b before they are taken back, g and its derivative by q.
+/// p, b before it is limited, g and its derivative by q.
 typedef struct film_direction {
     vec p, b, g, g_q, over_C;
 } film_direction;

@@ -2,12 +2,12 @@
 #ifndef ROTOR_FILM_TABLE_H
 #define ROTOR_FILM_TABLE_H
 
-/// L/D from which to which it goes; of s = r/(FILM_SHIFT + r), r = L/D, the coefficients are Chebyshev series.
+/// Range of L/D of the table. The coefficients are Chebyshev series in s = r/(FILM_SHIFT + r), r = L/D.
 #define FILM_SHORTEST 0.1
 #define FILM_LONGEST 2.0
 #define FILM_SHIFT 0.6
 
-/// Degrees in p and b; how many coefficients there are; the terms of their series over s.
+/// Degrees in p and b; number of coefficients; terms of their series over s.
 enum { FILM_IN_P = 15, FILM_IN_B = 13, FILM_COEFFICIENTS = 113, FILM_TERMS = 11 };
 
 /// Coefficients of p^2 and b^2 in the denominator.

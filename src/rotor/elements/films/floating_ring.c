@@ -103,7 +103,7 @@ static void build_side(const ring_side *of, double inertia, const assembly *to, 
     first[2] = drag_of(of) / (inertia * to->clock);
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status floating_ring_build(const key_value *values, assembly *to, element *out) {
     ring_side inner, outer;
     const double own = to->stations[values[AT].station[0]].ratio;
     element around = *out;
@@ -130,7 +130,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// The ring turns between the journal and the housing, by their drags, where both are in the middle.
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void floating_ring_doubt(const key_value *values, double speed, const doubt_teller *to) {
     ring_side side[2];
     if (find_sides(values, &side[0], &side[1]).code != WHIRL_OK) return;
     const double drag[] = {drag_of(&side[0]), drag_of(&side[1])}, density = values[OIL + OIL_DENSITY].number;
@@ -143,11 +143,11 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
     }
 }
 
-static double bearing_clearance(const element *own) {
+static double floating_ring_clearance(const element *own) {
     return 1.0 / own->number[RING_INNER_OVER_CLEARANCE];
 }
 
-static double ring_clearance(const element *own) {
+static double floating_ring_outer_clearance(const element *own) {
     return 1.0 / own->number[RING_OUTER_OVER_CLEARANCE];
 }
 
@@ -159,10 +159,10 @@ const element_type floating_ring_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
+    .build = floating_ring_build,
     .carries = true,
-    .bearing_clearance = bearing_clearance,
-    .ring_clearance = ring_clearance,
-    .doubt = doubt,
+    .bearing_clearance = floating_ring_clearance,
+    .ring_clearance = floating_ring_outer_clearance,
+    .doubt = floating_ring_doubt,
 };
 #endif

@@ -45,7 +45,7 @@ static void pad_bearing_film(const element *own, const double *q, const double *
 
 static const whirl_key keys[PADS_FIXED_KEYS] = {PADS_KEYS("two-groove|elliptical|three-lobe|four-lobe|offset-half")};
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status pad_bearing_build(const key_value *values, assembly *to, element *out) {
     return pads_build(values, false, to, out);
 }
 
@@ -56,7 +56,7 @@ const element_type pad_bearing_element = {
               "Reynolds 1886; Swift 1932; Stieber 1933", keys, PADS_FIXED_KEYS, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
+    .build = pad_bearing_build,
     .carries = true,
     .bearing_clearance = pads_clearance,
     .film = pad_bearing_film,

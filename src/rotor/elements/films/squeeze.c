@@ -50,7 +50,7 @@ static double strength(const key_value *values, double viscosity, double speed) 
     return values[COUNT].number * viscosity * speed * radius * length * shape / (clearance * clearance);
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status squeeze_build(const key_value *values, assembly *to, element *out) {
     out->law = (values[LAW].choice ? SQUEEZE_LONG : 0) | (values[FILM].choice ? SQUEEZE_FULL : 0);
     double viscosity;
     const oil own = oil_of(values);
@@ -64,7 +64,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// Doubts; the long law, with sealed ends, holds for any length.
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void squeeze_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const oil own = oil_of(values);
     const double reynolds = oil_reynolds(&own, speed, values[CLEARANCE].number), most = 1.0; // San Andres 2010
     if (values[LAW].choice == 0) doubt_length(to, keys[LENGTH].name, values[LENGTH].number, values[RADIUS].number, "");
@@ -77,7 +77,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
             reynolds, most);
 }
 
-static double bearing_clearance(const element *own) {
+static double squeeze_clearance(const element *own) {
     return 1.0 / own->number[SQUEEZE_OVER_CLEARANCE];
 }
 
@@ -88,8 +88,8 @@ const element_type squeeze_element = {
               KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
-    .bearing_clearance = bearing_clearance,
-    .doubt = doubt,
+    .build = squeeze_build,
+    .bearing_clearance = squeeze_clearance,
+    .doubt = squeeze_doubt,
 };
 #endif

@@ -32,7 +32,7 @@ static const whirl_key keys[PADS_TILTING_KEYS] = {
     [PADS_MASS] = NUMBER_KEY("pad_mass", "m_p", "kg", OPTIONAL, WHIRL_POSITIVE, "mass of a pad; with pivot_stiffness"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status tilting_pad_build(const key_value *values, assembly *to, element *out) {
     return pads_build(values, true, to, out);
 }
 
@@ -44,7 +44,7 @@ const element_type tilting_pad_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
+    .build = tilting_pad_build,
     .begin = pads_begin,
     .settle = pads_settle,
     .film = pads_film,

@@ -46,7 +46,7 @@ static const whirl_key keys[KEY_COUNT] = {
                         "phase of the orders from the first on at t = 0: part n varies as cos n (tau + phase)"),
 };
 
-static whirl_status check(const key_value *values) {
+static whirl_status coupling_load_check(const key_value *values) {
     for (int key = X1; key <= Y2; key++)
         if (!(fabs(values[key].number) < values[DISTANCE].number))
             return whirl_fail(WHIRL_BAD_INPUT, "has %s of %g m at a distance of %g m, expected less", keys[key].name,
@@ -88,9 +88,9 @@ static int fill_orders(const key_value *values, double phase, bool stands, doubl
 
 /// Its forces balance the moments that bend coupling and shafts; z from the driving to the driven shaft, where MX turns
 /// dy/dz and -MY turns dx/dz.
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status coupling_load_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y, AXIS_TILT_X, AXIS_TILT_Y};
-    whirl_status status = check(values);
+    whirl_status status = coupling_load_check(values);
     if (status.code == WHIRL_OK) status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
     double *force = out->number + REACTION_FORCES;
@@ -105,14 +105,14 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// Returns the last of its orders, if that exceeds 1.
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
+static bool coupling_load_named_order(const element *own, size_t index, double *order, const char **name) {
     if (index > 0 || own->law < 2) return false;
     *order = own->law;
     *name = "coupl.";
     return true;
 }
 
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void coupling_load_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *of = own->number + REACTION_FORCES;
     (void)length, (void)clock;
     snprintf(
@@ -121,7 +121,7 @@ static void note(const element *own, double length, double clock, char *text, si
         of[0], of[1], of[2], of[3], of[4], of[5]);
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void coupling_load_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 0.0873; // sin 5 degrees
     (void)speed;
     for (int key = X1; key <= Y2; key++)
@@ -139,9 +139,9 @@ const element_type coupling_load_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .modulated = true,
     .kernels = kernels,
-    .build = build,
-    .named_order = named_order,
-    .note = note,
-    .doubt = doubt,
+    .build = coupling_load_build,
+    .named_order = coupling_load_named_order,
+    .note = coupling_load_note,
+    .doubt = coupling_load_doubt,
 };
 #endif

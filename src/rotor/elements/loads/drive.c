@@ -33,7 +33,7 @@ static bool rises(const key_value *list) {
     return true;
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status drive_build(const key_value *values, assembly *to, element *out) {
     const key_value *speeds = &values[SPEEDS], *torques = &values[TORQUES];
     shaft_drive *drive = &to->drive;
     (void)out;
@@ -85,6 +85,6 @@ double drive_highest(const shaft_drive *drive) {
 const element_type drive_element = {
     .group = {"drive", "what turns the shaft in a run-up: the torque of a motor over the speed, and a load",
               "Sommerfeld 1902; Kononenko 1969", keys, KEY_COUNT, NULL, NULL},
-    .build = build,
+    .build = drive_build,
 };
 #endif

@@ -23,7 +23,7 @@ static const whirl_key keys[GRAVITY_KEYS] = {
                                   "upper end of that shaft: start (least position) or end"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status gravity_build(const key_value *values, assembly *to, element *out) {
     const double size = values[GRAVITY_ACCELERATION].number, direction = values[GRAVITY_DIRECTION].number;
     const bool stands = values[GRAVITY_AXIS].choice == GRAVITY_VERTICAL;
     (void)out;
@@ -43,6 +43,6 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 
 const element_type gravity_element = {
     .group = {"gravity", "weight of all stations", "", keys, GRAVITY_KEYS, "acceleration", NULL},
-    .build = build,
+    .build = gravity_build,
 };
 #endif

@@ -27,7 +27,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                       "of the rotation; against the speed for a run-down", "Lewis 1932"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status run_up_build(const key_value *values, assembly *to, element *out) {
     element_on(&values[AT], to, AXIS_X, out);
     out->number[RUN_UP_SIZE] = values[MOMENT].number * to->clock * to->clock;
     out->number[RUN_UP_SPEED] = values[SPEED].number / to->clock;
@@ -46,7 +46,7 @@ static const element_type run_up_element = {
     .state_count = KERNEL_STATES,
     .turning = 1,
     .kernels = kernels,
-    .build = build,
+    .build = run_up_build,
 };
 
 const whirl_element_type *whirl_run_up_type(void) {

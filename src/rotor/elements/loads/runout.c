@@ -25,7 +25,7 @@ static const whirl_key keys[KEY_COUNT] = {
 };
 
 /// The surface a cos n psi + b sin n psi, psi = alpha - way tau under a probe at alpha, as Re(v exp(i n tau)).
-static void add(const key_value *values, assembly *to, int order, double a, double b) {
+static void runout_add(const key_value *values, assembly *to, int order, double a, double b) {
     const double way = copysign(1.0, to->turn), quarter = -way * 0.25 * two_pi * (order % 4);
     const int by = values[SEEN_BY].choice;
     const double v[2] = {a, way * b}, c = cos(quarter), s = sin(quarter);
@@ -47,11 +47,11 @@ static void add_profile(const key_value *values, assembly *to) {
             a += weight * values[PROFILE].list[j] * cos(psi);
             b += weight * values[PROFILE].list[j] * sin(psi);
         }
-        add(values, to, (int)n, a, b);
+        runout_add(values, to, (int)n, a, b);
     }
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status runout_build(const key_value *values, assembly *to, element *out) {
     const double n = values[ORDER].number, r = values[AMPLITUDE].number, angle = values[ANGLE].number;
     const whirl_key *only = &keys[values[ORDER].given ? ORDER : ANGLE];
     out->station = values[AT].station[0];
@@ -68,7 +68,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (values[PROFILE].given)
         add_profile(values, to);
     else
-        add(values, to, (int)n, r * cos(n * angle), r * sin(n * angle));
+        runout_add(values, to, (int)n, r * cos(n * angle), r * sin(n * angle));
     return whirl_ok();
 }
 
@@ -76,6 +76,6 @@ const element_type runout_element = {
     .group = {"runout", "runout of the shaft under probes: it changes their readings and exerts no force", "API 670",
               keys, KEY_COUNT, NULL, NULL},
     .spun = true,
-    .build = build,
+    .build = runout_build,
 };
 #endif

@@ -17,7 +17,7 @@ static const whirl_key keys[KEY_COUNT] = {
     [KEYPHASOR] = HARMONIC_KEYPHASOR,
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status unbalance_build(const key_value *values, assembly *to, element *out) {
     const double moment = values[MOMENT].number, angle = values[ANGLE].number;
     const double ratio = values[SPEED].given ? values[SPEED].number / to->pace : values[RATIO].number;
     const double speed = ratio * to->pace;
@@ -37,12 +37,12 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
+static bool unbalance_named_order(const element *own, size_t index, double *order, const char **name) {
     *name = "unbal.";
     return harmonic_order(own, index, order);
 }
 
-static double keyphasor(const key_value *values, double speed) {
+static double unbalance_keyphasor(const key_value *values, double speed) {
     if (!values[KEYPHASOR].choice) return 0.0;
     return fabs(values[SPEED].given ? values[SPEED].number : values[RATIO].number * speed);
 }
@@ -54,9 +54,9 @@ const element_type unbalance_element = {
     .state_count = 1,
     .turning = 1,
     .rounds = harmonic_rounds,
-    .named_order = named_order,
+    .named_order = unbalance_named_order,
     .kernels = harmonic_kernels,
-    .build = build,
-    .keyphasor = keyphasor,
+    .build = unbalance_build,
+    .keyphasor = unbalance_keyphasor,
 };
 #endif

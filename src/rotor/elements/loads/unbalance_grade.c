@@ -82,7 +82,7 @@ static whirl_status measure(const key_value *values, const assembly *to, double 
     return whirl_ok();
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status unbalance_grade_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y};
     double mass = 0.0, distance[2] = {0.0, 0.0};
     const size_t *plane = values[PLANES].station;
@@ -93,7 +93,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     if (status.code == WHIRL_OK) status = element_between(&values[PLANES], to, axes, 2, out);
     if (status.code != WHIRL_OK) return status;
     const double all = values[FACTOR].number * 1e-3 * values[GRADE].number * mass / values[SERVICE_SPEED].number;
-    // Each plane has the other's distance, but neither less than .3 nor more than .7 of all.
+    // A plane's share is the other plane's distance from the centre of mass over their sum, limited to .3 to .7.
     const double share = fmin(fmax(distance[1] / (distance[0] + distance[1]), 0.3), 0.7);
     double *moment = out->number + RESIDUAL_MOMENTS;
     moment[0] = all;
@@ -111,7 +111,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return status;
 }
 
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void unbalance_grade_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *of = own->number + RESIDUAL_MOMENTS;
     (void)length, (void)clock;
     snprintf(text, size,
@@ -128,7 +128,7 @@ const element_type unbalance_grade_element = {
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
-    .note = note,
+    .build = unbalance_grade_build,
+    .note = unbalance_grade_note,
 };
 #endif

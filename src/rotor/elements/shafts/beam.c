@@ -44,7 +44,7 @@ static void add_plane(assembly *to, const size_t end[4], double bending, double 
         for (int j = 0; j < 4; j++) assembly_stiffness(to, end[i], end[j], k * matrix[i][j]);
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status beam_build(const key_value *values, assembly *to, element *out) {
     static const axis plane[2][2] = {{AXIS_X, AXIS_TILT_X}, {AXIS_Y, AXIS_TILT_Y}};
     double bending;
     whirl_status status = bending_of(values, &bending);
@@ -58,6 +58,6 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 const element_type beam_element = {
     .group = {"beam", "a massless round shaft that bends, between two stations that tilt, or from one to a clamp",
               "Friswell et al. 2010, sec. 5.4", keys, KEY_COUNT, NULL, NULL},
-    .build = build,
+    .build = beam_build,
 };
 #endif

@@ -54,7 +54,7 @@ static const whirl_key keys[KEY_COUNT] = {
                         "terms of the square wave, of the orders 1, 3, ... 2n - 1"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status crack_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y};
     const double stiffness = values[STIFFNESS].number * to->length;
     const double loss = values[LOSS].number, across = values[LOSS_ACROSS].number;
@@ -78,7 +78,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// Range of the law, for a place held by the ground: its weight alone must decide whether the crack is open.
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool crack_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     double sag[KERNEL_AXES], swing[KERNEL_AXES];
     (void)own;
     for (int a = 0; a < KERNEL_AXES; a++) {
@@ -100,7 +100,7 @@ const element_type crack_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .modulated = true,
     .kernels = kernels,
-    .build = build,
-    .range = range,
+    .build = crack_build,
+    .range = crack_range,
 };
 #endif

@@ -26,7 +26,7 @@ static double mass_of(const key_value *values) {
 }
 
 /// I_p = m (d_o^2 + d_i^2)/8, I_d = I_p/2 + m h^2/12.
-static whirl_status inertia(const key_value *values, assembly *to) {
+static whirl_status disc_inertia(const key_value *values, assembly *to) {
     const double outer = values[OUTER].number, inner = values[INNER].number, width = values[WIDTH].number;
     if (!(inner < outer))
         return whirl_fail(WHIRL_BAD_INPUT, "has a bore of %g m in an outer diameter of %g m, expected a smaller one",
@@ -39,7 +39,7 @@ static whirl_status inertia(const key_value *values, assembly *to) {
     return whirl_ok();
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status disc_build(const key_value *values, assembly *to, element *out) {
     (void)out;
     assembly_unbalance(to, values[AT].station[0], mass_of(values) * values[ECCENTRICITY].number,
                        values[ECCENTRICITY_ANGLE].number);
@@ -49,7 +49,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 const element_type disc_element = {
     .group = {"disc", "a disc by its dimensions: its mass and inertia are added to a station, which tilts",
               "Friswell et al. 2010, app. 1", keys, KEY_COUNT, NULL, NULL},
-    .inertia = inertia,
-    .build = build,
+    .inertia = disc_inertia,
+    .build = disc_build,
 };
 #endif

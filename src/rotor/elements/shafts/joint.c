@@ -53,7 +53,7 @@ static void add_moment(double *number, double direction, double twice, const dou
 /// part along the driving shaft is T. What of it is across the shafts bends them, T tan b sin p (-sin p, cos p) the
 /// driving one and T (-sin b cos^2 p, -tan b sin p cos p) the driven one, as moments about x and y; moments (M_y, -M_x)
 /// turn tilts (dx/dz, dy/dz).
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status joint_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_TILT_X, AXIS_TILT_Y};
     const double b = values[BEND].number, direction = values[DIRECTION].number;
     const double torque = values[TORQUE].number * copysign(1.0, to->turn);
@@ -73,7 +73,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 }
 
 /// p2 - p1 = t sin 2 p1 + t^2/2 sin 4 p1 + ..., t = tan^2(b/2).
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void joint_note(const element *own, double length, double clock, char *text, size_t size) {
     const double b = own->number[JOINT_BEND], half = tan(0.5 * b), t = half * half, torque = own->number[JOINT_TORQUE];
     (void)length, (void)clock;
     snprintf(text, size,
@@ -82,7 +82,7 @@ static void note(const element *own, double length, double clock, char *text, si
              t, 0.5 * t * t, cos(b), 1.0 / cos(b), fabs(torque) * tan(b), fabs(torque) * sin(b));
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void joint_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 0.7853981633974483;
     (void)speed;
     if (values[BEND].number > most)
@@ -98,8 +98,8 @@ const element_type joint_element = {
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
-    .note = note,
-    .doubt = doubt,
+    .build = joint_build,
+    .note = joint_note,
+    .doubt = joint_doubt,
 };
 #endif

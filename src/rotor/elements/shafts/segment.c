@@ -42,7 +42,7 @@ static const whirl_key keys[SEGMENT_KEYS] = {
 };
 
 /// Does nothing: the mesh has its mass and stiffness.
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status segment_build(const key_value *values, assembly *to, element *out) {
     (void)values, (void)to, (void)out;
     return whirl_ok();
 }
@@ -50,6 +50,6 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
 const element_type segment_element = {
     .group = {"segment", "a piece of a shaft of finite elements: a cylinder or a cone", "Nelson 1980", keys,
               SEGMENT_KEYS, NULL, NULL},
-    .build = build,
+    .build = segment_build,
 };
 #endif

@@ -29,7 +29,7 @@ VECTOR_INLINE void add_shafts(const element *first, size_t count, block at, cons
     }
 }
 
-static void add(const element *first, size_t count, const block *b, const vec *q, vec *a) {
+static void shaft_add_vector(const element *first, size_t count, const block *b, const vec *q, vec *a) {
     if (b->stride > 1)
         add_shafts(first, count, *b, q, a);
     else
@@ -49,14 +49,14 @@ static void add_turned(const element *own, const block *b, size_t n) {
     }
 }
 
-static void flow(const element *first, size_t count, const block *b) {
+static void shaft_flow(const element *first, size_t count, const block *b) {
     for (size_t n = 0; n <= b->perturbations; n++) {
-        add(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
+        shaft_add_vector(first, count, b, b->q + n * b->next, b->a + n * b->next_v);
         for (size_t i = 0; b->turned && n > 0 && i < count; i++) add_turned(first + i, b, n);
     }
 }
 
-const element_kernels ISA(shaft_kernels) = {.flow = flow};
+const element_kernels ISA(shaft_kernels) = {.flow = shaft_flow};
 
 #if VECTOR_ISA == VECTOR_SCALAR
 
@@ -73,7 +73,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                "Friswell et al. 2010, sec. 7.3; rub-impact paper 2015, eq. (2)"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status shaft_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[] = {AXIS_X, AXIS_Y};
     key_value between = values[BETWEEN];
     size_t *station = between.station;
@@ -109,6 +109,6 @@ const element_type shaft_element = {
     .spun = true,
     .number_count = SHAFT_NUMBERS,
     .kernels = kernels,
-    .build = build,
+    .build = shaft_build,
 };
 #endif

@@ -18,7 +18,7 @@ static const whirl_key keys[KEY_COUNT] = {
                           "3 for a centrifugal stage, 1.5 for an axial one"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status stage_build(const key_value *values, assembly *to, element *out) {
     if (to->speed == 0.0)
         return whirl_fail(WHIRL_BAD_INPUT, "has no torque where the rotor stands still, expected a speed above 0");
     const double own = values[FACTOR].number * values[POWER].number * values[DENSITY_RATIO].number /
@@ -38,6 +38,6 @@ const element_type stage_element = {
               keys, KEY_COUNT, NULL, NULL},
     .drags = true,
     .spun = true,
-    .build = build,
+    .build = stage_build,
 };
 #endif

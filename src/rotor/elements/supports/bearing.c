@@ -11,8 +11,9 @@
 /// Numbers of a pair of poles: w and g over the clock; by x and y, newtons a length scale of both states.
 enum { PAIR_W, PAIR_G, PAIR_PLACE, PAIR_RATE = PAIR_PLACE + 4, PAIR_NUMBERS = PAIR_RATE + 4 };
 
-/// The law is the number of pairs. Where the bearing stands in length scales; what is told of the fit: its error at the
-/// table's frequencies, at these and half way between, and where that is, rad/s; the stiffness at rest, N/m.
+/// The law is the number of pairs. Numbers: the bearing's offset in length scales; for the report of the fit, its error
+/// at the table's frequencies, its error at these and half way between, the frequency of that error, rad/s, and the
+/// stiffness at rest, N/m.
 enum {
     MAX_PAIRS = 4,
     BEARING_SIDEWAYS = 0,
@@ -202,7 +203,7 @@ static whirl_status look_up(const key_value *values, int key, double speed, doub
     return whirl_ok();
 }
 
-/// Coefficients, row by row; of the inertia xx, xy, yy.
+/// Coefficients, row by row; the inertia as xx, xy, yy.
 typedef struct coefficients {
     double stiffness[2][2], damping[2][2], inertia[3];
 } coefficients;
@@ -307,7 +308,7 @@ static whirl_status mean_inertia(const key_value *values, double speed, double m
     return status;
 }
 
-/// At all frequencies, out [frequencies].
+/// Samples the table at all frequencies, out [frequencies].
 static whirl_status sample_all(const key_value *values, double speed, double inertia[3], rational_sample *out) {
     const key_value *frequencies = &values[FREQUENCIES];
     whirl_status status = mean_inertia(values, speed, inertia);
@@ -317,8 +318,8 @@ static whirl_status sample_all(const key_value *values, double speed, double ine
 }
 
 /// Computes the relative error of the function at the table's frequencies and half way between them.
-static whirl_status compare(const key_value *values, double speed, const rational_fit *fit, const double inertia[3],
-                            double *number) {
+static whirl_status bearing_compare(const key_value *values, double speed, const rational_fit *fit,
+                                    const double inertia[3], double *number) {
     const key_value *frequencies = &values[FREQUENCIES];
     whirl_status status = whirl_ok();
     number[BEARING_ERROR_AT] = number[BEARING_ERROR] = 0.0;
@@ -390,7 +391,7 @@ static whirl_status make_fit(const key_value *values, const assembly *to, coeffi
     double *number = out->number;
     whirl_status status = check_top(values, to);
     if (status.code == WHIRL_OK) status = find_function(values, to->speed, rest->inertia, fit);
-    if (status.code == WHIRL_OK) status = compare(values, to->speed, fit, rest->inertia, number);
+    if (status.code == WHIRL_OK) status = bearing_compare(values, to->speed, fit, rest->inertia, number);
     if (status.code == WHIRL_OK)
         status = check_error(values, fit->pair_count, number[BEARING_ERROR], number[BEARING_WORST]);
     for (size_t e = 0; e < RATIONAL_ENTRIES && status.code == WHIRL_OK; e++) {
@@ -429,7 +430,7 @@ static whirl_status build_in_time(const key_value *values, assembly *to, element
     return whirl_ok();
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status bearing_build(const key_value *values, assembly *to, element *out) {
     coefficients at = {.inertia = {0.0}};
     out->lumped = true;
     out->states = 0;
@@ -446,7 +447,7 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return status;
 }
 
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void bearing_doubt(const key_value *values, double speed, const doubt_teller *to) {
     (void)speed;
     if (values[WHIRL_RATIO].given && !values[FREQUENCIES].given)
         doubt_value(
@@ -467,7 +468,7 @@ static void tell_poles(const double *pair, double clock, char *text, size_t size
         snprintf(text, size, "%.4g, %.4g", -w * w / (half + root), -half - root);
 }
 
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void bearing_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *number = own->number, *rest = number + BEARING_REST;
     size_t used = (size_t)snprintf(
         text, size,
@@ -493,9 +494,9 @@ const element_type bearing_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
+    .build = bearing_build,
     .carries = true,
-    .note = note,
-    .doubt = doubt,
+    .note = bearing_note,
+    .doubt = bearing_doubt,
 };
 #endif

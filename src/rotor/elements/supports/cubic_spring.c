@@ -32,7 +32,7 @@ static const whirl_key keys[KEY_COUNT] = {
                            "damping; along tilts in N m s per radian"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status cubic_spring_build(const key_value *values, assembly *to, element *out) {
     const axis *axes = axes_along[values[ALONG].choice];
     const whirl_status status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
@@ -50,6 +50,6 @@ const element_type cubic_spring_element = {
               "Duffing 1918", keys, KEY_COUNT, NULL, NULL},
     .number_count = KERNEL_NUMBERS + 2 * KERNEL_PORTS,
     .kernels = kernels,
-    .build = build,
+    .build = cubic_spring_build,
 };
 #endif

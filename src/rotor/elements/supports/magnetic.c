@@ -18,8 +18,9 @@ enum { BLOCK_ORDER = 6, BLOCK_NUMBERS = 2 * BLOCK_ORDER + 1 };
 /// The law: linear in current and place, fails; from MAGNETIC_ORDERS on the orders of the transfer functions.
 enum { MAGNETIC_LINEAR = 1, MAGNETIC_FAILS = 2, MAGNETIC_ORDERS = 2, ORDER_BITS = 3 };
 
-/// Currents, and the clock x of those that fail as 1 A, are counted in what they come to by a displacement of a length
-/// scale, so that distances of states do not depend on that: of law quadratic in i_0 by s_0, of linear ones in k_s/k_i.
+/// Unit of currents, and of the clock x of bearings that fail (as 1 A): the current that corresponds to a displacement
+/// of one length scale, so that distances of states do not depend on the length scale. It is i_0/s_0 for law quadratic
+/// and k_s/k_i for law linear.
 ///
 /// k cos a over the square of the length scale; s_0 in length scales; i_0; i_max; k_i; k_s by length scales; 1 A;
 /// cosine and sine of the first axis; lambda; where x is when currents begin to fall, and 1 over by how much it grows
@@ -198,7 +199,7 @@ static whirl_status filter(const key_value *values, transfer *out) {
 }
 
 /// Writes a transfer function with time in 1/clock, a_m = 1, its output times `unit`.
-static void put(const transfer *from, double clock, double unit, int part, element *out) {
+static void magnetic_put(const transfer *from, double clock, double unit, int part, element *out) {
     const int m = from->order;
     double *b = out->number + MAGNETIC_BLOCKS + (size_t)part * BLOCK_NUMBERS, *a = b + BLOCK_ORDER + 1;
     for (int k = 0; k <= m; k++) {
@@ -215,10 +216,10 @@ static whirl_status put_loop(const key_value *values, const assembly *to, double
     transfer behind;
     const whirl_status status = filter(values, &behind);
     if (status.code != WHIRL_OK) return status;
-    put(&sensor, to->clock, 1.0, SENSOR, out);
-    put(&law, to->clock, to->length * ampere, PID, out); // currents from here on
-    put(&behind, to->clock, 1.0, FILTER, out);
-    put(&amplifier, to->clock, 1.0, AMPLIFIER, out);
+    magnetic_put(&sensor, to->clock, 1.0, SENSOR, out);
+    magnetic_put(&law, to->clock, to->length * ampere, PID, out); // currents from here on
+    magnetic_put(&behind, to->clock, 1.0, FILTER, out);
+    magnetic_put(&amplifier, to->clock, 1.0, AMPLIFIER, out);
     return whirl_ok();
 }
 
@@ -297,7 +298,7 @@ static void put_failure(const key_value *values, const assembly *to, element *ou
     out->number[MAGNETIC_FALLS] = 1.0 / (out->number[MAGNETIC_AMPERE] * exp(-1.0) * (0.0 - expm1(-lambda * within)));
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status magnetic_build(const key_value *values, assembly *to, element *out) {
     const double length = to->length;
     whirl_status status = check_keys(values);
     if (status.code == WHIRL_OK) status = element_in_housing(&values[AT], &values[FROM], to, out);
@@ -321,8 +322,8 @@ static whirl_status build(const key_value *values, assembly *to, element *out) {
     return whirl_ok();
 }
 
-static void loop(const element *own, const double *q, const double *states, size_t index, double *acceleration,
-                 double *slope, double *sensed) {
+static void magnetic_loop(const element *own, const double *q, const double *states, size_t index, double *acceleration,
+                          double *slope, double *sensed) {
     const kernel_view view = {.stride = 1, .number = own->number};
     const double c = own->number[MAGNETIC_COS], sine = own->number[MAGNETIC_SIN];
     const double along[2] = {index == 0 ? c : 0.0 - sine, index == 0 ? sine : c};
@@ -357,19 +358,19 @@ static double current_by_state(const element *own, size_t *before) {
 }
 
 /// Coils reach their limits; no contact begins.
-static bool touches(const element *own, size_t index) {
+static bool magnetic_touches(const element *own, size_t index) {
     (void)own, (void)index;
     return false;
 }
 
 /// Forces only change their slope there.
-static bool jumps(const element *own) {
+static bool magnetic_jumps(const element *own) {
     (void)own;
     return false;
 }
 
 /// Ranges: coil currents, and the gap between magnets.
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool magnetic_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const double *number = own->number, bias = number[MAGNETIC_BIAS], ampere = number[MAGNETIC_AMPERE];
     size_t before;
     const double factor = current_by_state(own, &before);
@@ -388,7 +389,7 @@ static bool range(const element *own, size_t index, const element_seen *seen, el
 }
 
 /// Iron saturates: B = mu_0 N i/(2 s_0) of a magnet whose N turns are on both poles.
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void magnetic_doubt(const key_value *values, double speed, const doubt_teller *to) {
     const double most = 1.6;
     const double current = values[MAX_CURRENT].given ? values[MAX_CURRENT].number : values[BIAS].number;
     const double field = permeability * values[TURNS].number * current / (2.0 * values[GAP].number);
@@ -399,8 +400,9 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
                     most);
 }
 
-/// Where it fails, the last state.
-static size_t tells_time(const element *own) {
+/// Returns the state that counts the time until the bearing fails, the last one; the number of states without a
+/// failure.
+static size_t magnetic_clock(const element *own) {
     return own->law & MAGNETIC_FAILS ? own->states - 1 : own->states;
 }
 
@@ -412,15 +414,15 @@ const element_type magnetic_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
-    .clock = tells_time,
+    .build = magnetic_build,
+    .clock = magnetic_clock,
     GENERIC_SWITCHES,
-    .touches = touches,
-    .jumps = jumps,
+    .touches = magnetic_touches,
+    .jumps = magnetic_jumps,
     .loops = KERNEL_AXES,
-    .loop = loop,
+    .loop = magnetic_loop,
     .carries = true,
-    .range = range,
-    .doubt = doubt,
+    .range = magnetic_range,
+    .doubt = magnetic_doubt,
 };
 #endif

@@ -28,7 +28,7 @@ static const whirl_key keys[KEY_COUNT] = {
                                  "Zener 1948"),
 };
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status mount_build(const key_value *values, assembly *to, element *out) {
     static const axis axes[KERNEL_AXES] = {AXIS_X, AXIS_Y};
     const whirl_status status = element_between(&values[BETWEEN], to, axes, KERNEL_AXES, out);
     if (status.code != WHIRL_OK) return status;
@@ -47,6 +47,6 @@ const element_type mount_element = {
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .state_count = KERNEL_STATES,
     .kernels = kernels,
-    .build = build,
+    .build = mount_build,
 };
 #endif

@@ -130,8 +130,8 @@ static whirl_status cage_ratio(const key_value *values, const double races[2], d
     return whirl_ok();
 }
 
-/// Sets rates by tau from the cage's. A ball rolls on the inner race, whose share of the sum of both radii is that by
-/// which the cage follows it; 0 if it is unknown.
+/// Sets the rates by tau from the cage's. A ball rolls on the inner race; the race's share of the sum of both radii is
+/// also the share of its speed in the cage's, 0 if unknown.
 static void set_rates(const key_value *values, const double races[2], double cage, double obliquity, double *number) {
     const double radii = values[INNER].number / (values[INNER].number + values[OUTER].number);
     const double share = values[CAGE].given ? (cage - races[1]) / (races[0] - races[1]) : radii;
@@ -249,7 +249,7 @@ static double rounds_of(const element *own, size_t state) {
 
 /// Orders of the cage, of a ball about its own axis, of balls past a place of each race and, with a fixed outer race,
 /// past a fixed load.
-static bool named_order(const element *own, size_t index, double *order, const char **name) {
+static bool rolling_bearing_named_order(const element *own, size_t index, double *order, const char **name) {
     static const char *const names[] = {"FTF", "BSF", "BPFO", "BPFI", "BPF"};
     const double *speeds = own->number + ROLLING_SPEEDS, cage = own->number[ROLLING_RATES];
     const double balls = own->law & ROLLING_COUNT, outer = speeds[DENT_OUTER], inner = speeds[DENT_INNER];
@@ -264,12 +264,12 @@ static bool named_order(const element *own, size_t index, double *order, const c
     return false;
 }
 
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void rolling_bearing_note(const element *own, double length, double clock, char *text, size_t size) {
     const char *name;
     double order;
     size_t used = 0;
     (void)length, (void)clock;
-    for (size_t i = 0; used < size && named_order(own, i, &order, &name); i++)
+    for (size_t i = 0; used < size && rolling_bearing_named_order(own, i, &order, &name); i++)
         used += (size_t)snprintf(text + used, size - used, "%s%s %.4gX", i ? ", " : "", name, order);
 }
 
@@ -282,7 +282,7 @@ static double depth_at(const element *own, double radius) {
 }
 
 /// The pressure is proportional to the load to the power 1/3, for rollers 1/2.
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool rolling_bearing_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool line = own->law & ROLLING_LINE;
     const double most = line ? HERTZ_MAX_ROLLER : HERTZ_MAX_BALL, yield = own->number[ROLLING_YIELD];
     const double share = depth_at(own, seen->radius) / yield, power = line ? 5.0 / 9.0 : 0.5;
@@ -327,8 +327,9 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
     {                                                                                                                  \
         .group = {name, text, source, keys, sizeof keys / sizeof *keys, NULL, NULL},                                   \
         .number_count = KERNEL_NUMBERS + KERNEL_PORTS, .state_count = states, .turning = states, .rounds = rounds_of,  \
-        .kinked = true, .kernels = own_kernels, .build = own_build, .carries = true, .named_order = named_order,       \
-        .range = range, .note = note, .doubt = own_doubt,                                                              \
+        .kinked = true, .kernels = own_kernels, .build = own_build, .carries = true,                                   \
+        .named_order = rolling_bearing_named_order, .range = rolling_bearing_range, .note = rolling_bearing_note,      \
+        .doubt = own_doubt,                                                                                            \
     }
 #define BALL_TYPE(states, own_kernels, own_build)                                                                      \
     ROLLING_TYPE("ball_bearing",                                                                                       \
@@ -342,7 +343,7 @@ static void doubt_balls(const key_value *values, double speed, const doubt_telle
 static const element_type dented_balls = BALL_TYPE(DENTED_STATES, dented_kernels, NULL);
 static const element_type dented_rollers = ROLLER_TYPE(DENTED_STATES, dented_kernels, NULL);
 
-/// Compression at which it yields, m. Grooves follow from the distance of their centres.
+/// Compression at which a rolling element yields, m. Radii of grooves follow from the distance of their centres.
 static double yield_depth(const key_value *values, bool line) {
     const double race = values[INNER].number, diameter = values[OUTER].number - race,
                  stiffness = values[STIFFNESS].number;
@@ -353,7 +354,8 @@ static double yield_depth(const key_value *values, bool line) {
 }
 
 /// Builds one kind, by its table of keys and its law.
-static whirl_status build(const key_value *values, const whirl_key *keys, int law, assembly *to, element *out) {
+static whirl_status rolling_bearing_build(const key_value *values, const whirl_key *keys, int law, assembly *to,
+                                          element *out) {
     const bool staggered = values[STAGGERED].choice == 0, line = law & ROLLING_LINE;
     const double rows = values[ROWS].number, balls = values[COUNT].number * (staggered ? rows : 1.0);
     const double length = to->length, apart = 6.283185307179586476925 / balls;
@@ -384,11 +386,11 @@ static whirl_status build(const key_value *values, const whirl_key *keys, int la
 }
 
 static whirl_status build_balls(const key_value *values, assembly *to, element *out) {
-    return build(values, ball_keys, 0, to, out);
+    return rolling_bearing_build(values, ball_keys, 0, to, out);
 }
 
 static whirl_status build_rollers(const key_value *values, assembly *to, element *out) {
-    return build(values, roller_keys, ROLLING_LINE, to, out);
+    return rolling_bearing_build(values, roller_keys, ROLLING_LINE, to, out);
 }
 
 const element_type ball_bearing_element = BALL_TYPE(ROLLING_STATES, kernels, build_balls);

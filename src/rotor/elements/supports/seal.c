@@ -128,14 +128,14 @@ static whirl_status check_law(const key_value *values) {
     return black || values[RATIO].given ? whirl_ok() : whirl_fail(WHIRL_BAD_INPUT, "has no ratio, expected one");
 }
 
-static whirl_status inertia(const key_value *values, assembly *to) {
+static whirl_status seal_inertia(const key_value *values, assembly *to) {
     const whirl_status status = check_law(values);
     if (status.code == WHIRL_OK && !values[FROM].given)
         to->stations[values[AT].station[0]].fluid += middle_of(values, to->speed).mass;
     return status;
 }
 
-static whirl_status build(const key_value *values, assembly *to, element *out) {
+static whirl_status seal_build(const key_value *values, assembly *to, element *out) {
     const double clearance = values[CLEARANCE].number / to->length;
     const whirl_status status = element_in_housing(&values[AT], &values[FROM], to, out);
     if (status.code != WHIRL_OK) return status;
@@ -171,7 +171,7 @@ static void doubt_black(const key_value *values, double speed, const doubt_telle
 }
 
 /// Doubts values beyond measurements (theory.md, "Annular seal").
-static void doubt(const key_value *values, double speed, const doubt_teller *to) {
+static void seal_doubt(const key_value *values, double speed, const doubt_teller *to) {
     static const struct {
         int key;
         double most;
@@ -184,7 +184,7 @@ static void doubt(const key_value *values, double speed, const doubt_teller *to)
 }
 
 /// Describes a seal given by its geometry: in the rotating fluid, and for a centred station.
-static void note(const element *own, double length, double clock, char *text, size_t size) {
+static void seal_note(const element *own, double length, double clock, char *text, size_t size) {
     const double *number = own->number, turn = number[SEAL_RATIO] * clock;
     const double K = number[SEAL_STIFFNESS] / length, C = number[SEAL_DAMPING] / (clock * length);
     const double M = number[SEAL_MASS] / (clock * clock * length);
@@ -195,12 +195,12 @@ static void note(const element *own, double length, double clock, char *text, si
              K, C, M, fabs(number[SEAL_RATIO]), K - M * turn * turn, C * turn, C, 2.0 * M * turn);
 }
 
-static double bearing_clearance(const element *own) {
+static double seal_clearance(const element *own) {
     return 1.0 / sqrt(own->number[SEAL_OVER_CLEARANCE_SQUARE]);
 }
 
 /// Coefficients of the centre hold to about half the clearance: Childs 1993.
-static bool range(const element *own, size_t index, const element_seen *seen, element_range *out) {
+static bool seal_range(const element *own, size_t index, const element_seen *seen, element_range *out) {
     const bool grows = own->number[SEAL_GROWTH] > 0.0;
     const char *const limit =
         grows ? "at which the rotor touches the seal" : "to which coefficients of the middle hold";
@@ -217,12 +217,12 @@ const element_type seal_element = {
     .spun = true,
     .number_count = KERNEL_NUMBERS + KERNEL_PORTS,
     .kernels = kernels,
-    .inertia = inertia,
-    .build = build,
+    .inertia = seal_inertia,
+    .build = seal_build,
     .drags = true,
-    .bearing_clearance = bearing_clearance,
-    .range = range,
-    .note = note,
-    .doubt = doubt,
+    .bearing_clearance = seal_clearance,
+    .range = seal_range,
+    .note = seal_note,
+    .doubt = seal_doubt,
 };
 #endif
